@@ -5,12 +5,14 @@
 #include <tan/mesh.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -139,5 +141,29 @@ struct SurfaceContent {
         return std::ranges::any_of(parts, [](const SurfacePart& part) { return !part.normals.empty(); });
     }
 };
+
+/// What formats that have floats alone subtract from all positions: nothing, unless the floats near the largest
+/// coordinate lie farther apart than a thousandth of the mean edge; then the least corner of the surface, in whole
+/// numbers. Such a format tells it where it can. O(vertices).
+inline Eigen::Vector3d floatShift(const SurfaceContent& content)
+{
+    Eigen::AlignedBox3d box;
+    double edges = 0;
+    std::uint64_t triangles = 0;
+    for (const SurfacePart& part : content.parts) {
+        for (const Eigen::Vector3d& position : part.positions)
+            box.extend(position);
+        for (const auto& [a, b, c] : part.triangles)
+            edges += (part.positions[b] - part.positions[a]).norm();
+        triangles += part.triangles.size();
+    }
+    if (triangles == 0)
+        return {0, 0, 0};
+    constexpr double finest = 1000;
+    const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    const double step = largest * static_cast<double>(std::numeric_limits<float>::epsilon());
+    return step * finest <= edges / static_cast<double>(triangles) ? Eigen::Vector3d(0, 0, 0)
+                                                                   : Eigen::Vector3d(box.min().array().floor());
+}
 
 } // namespace tetra

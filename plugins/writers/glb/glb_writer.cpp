@@ -46,7 +46,8 @@ void append(std::string& list, const std::string& entry)
 /// empty arrays.
 class Head {
 public:
-    explicit Head(const SurfaceContent& content)
+    /// Positions are less than the data's by `shift`, which the node above all adds.
+    Head(const SurfaceContent& content, const Eigen::Vector3d& shift) : shift_(shift)
     {
         for (const SurfacePart& part : content.parts)
             if (!part.triangles.empty())
@@ -68,8 +69,11 @@ private:
         std::string children;
         for (int child = 1; child <= count_; ++child)
             append(children, std::to_string(child));
-        text_ += R"(,"nodes":[{"name":"z up","matrix":[1,0,0,0,0,0,-1,0,0,1,0,0,0,0,0,1],"children":[)" + children +
-                 "]}," + nodes_ + R"(],"meshes":[)" + meshes_ + R"(],"materials":[)" + materials_ +
+        // Column by column; the last one adds the shift, turned likewise.
+        const std::string moved =
+            formatNumber(shift_[0]) + "," + formatNumber(shift_[2]) + "," + formatNumber(0 - shift_[1]);
+        text_ += R"(,"nodes":[{"name":"z up","matrix":[1,0,0,0,0,0,-1,0,0,1,0,0,)" + moved + R"(,1],"children":[)" +
+                 children + "]}," + nodes_ + R"(],"meshes":[)" + meshes_ + R"(],"materials":[)" + materials_ +
                  R"(],"accessors":[)" + accessors_ + R"(],"bufferViews":[)" + views_ +
                  R"(],"buffers":[{"byteLength":)" + std::to_string(offset_) + "}]";
     }
@@ -108,8 +112,8 @@ private:
         }
         const std::uint64_t count = part.positions.size();
         const auto vectors = [&](const std::string& more) { return accessor(count, 3, floatType, vertexTarget, more); };
-        std::string attributes = R"("POSITION":)" + vectors(R"(,"min":)" + triple(least.cast<float>()) + R"(,"max":)" +
-                                                            triple(most.cast<float>()));
+        std::string attributes = R"("POSITION":)" + vectors(R"(,"min":)" + triple((least - shift_).cast<float>()) +
+                                                            R"(,"max":)" + triple((most - shift_).cast<float>()));
         if (!part.normals.empty())
             attributes += R"(,"NORMAL":)" + vectors("");
         if (!part.colours.empty())
@@ -149,6 +153,7 @@ private:
                R"(],"metallicFactor":0,"roughnessFactor":0.6}})";
     }
 
+    Eigen::Vector3d shift_;
     std::string text_;
     std::string nodes_, meshes_, materials_, accessors_, views_;
     int count_ = 0; ///< of meshes, and of materials
@@ -161,10 +166,10 @@ Status writeNumbers(OutputFile& file, std::initializer_list<std::uint32_t> numbe
     return file.bytes(std::as_bytes(std::span(numbers.begin(), numbers.size())));
 }
 
-Status writeArrays(OutputFile& file, const SurfacePart& part)
+Status writeArrays(OutputFile& file, const SurfacePart& part, const Eigen::Vector3d& shift)
 {
-    const auto position = [&part](std::uint64_t index, std::byte* where) {
-        for (const double coordinate : part.positions[index])
+    const auto position = [&part, &shift](std::uint64_t index, std::byte* where) {
+        for (const double coordinate : (part.positions[index] - shift).eval())
             putNumber(where, static_cast<float>(coordinate));
     };
     if (const Status written = file.records(part.positions.size(), 3 * sizeof(float), position); !written)
@@ -218,7 +223,8 @@ public:
         constexpr std::uint64_t mostBytes = std::numeric_limits<std::uint32_t>::max();
         if (12 * (content.vertexCount() + content.triangleCount()) > mostBytes)
             return tooLarge(file);
-        const Head head(content);
+        const Eigen::Vector3d shift = floatShift(content);
+        const Head head(content, shift);
         constexpr std::uint64_t chunkHeadBytes = 8;
         const std::uint64_t binary = head.binaryBytes();
         const std::uint64_t bytes =
@@ -237,7 +243,7 @@ public:
                 return written;
         for (const SurfacePart& part : content.parts)
             if (!part.triangles.empty())
-                if (const Status written = writeArrays(file, part); !written)
+                if (const Status written = writeArrays(file, part, shift); !written)
                     return written;
         return {};
     }

@@ -13,10 +13,14 @@ namespace {
 constexpr std::size_t headBytes = 80;
 constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
-/// Eighty bytes that must not begin with "solid": that is how text files begin.
-std::string stlHead(const SurfaceContent& content)
+/// Eighty bytes that must not begin with "solid": that is how text files begin. If coordinates are less than the data's
+/// by a shift, that comes first, as there may be no room for all.
+std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
 {
-    std::string head = "binary STL, " + content.title + " by TAn";
+    std::string head = "binary STL, ";
+    if (!shift.isZero(0))
+        head += "add " + formatNumber(shift[0]) + " " + formatNumber(shift[1]) + " " + formatNumber(shift[2]) + ", ";
+    head += content.title + " by TAn";
     head.resize(headBytes, ' ');
     return head;
 }
@@ -28,15 +32,15 @@ Eigen::Vector3f normalOf(const std::array<Eigen::Vector3d, 3>& corners)
     return normal.allFinite() ? normal.cast<float>() : Eigen::Vector3f(0, 0, 0);
 }
 
-Status writeTriangles(const SurfacePart& part, OutputFile& file)
+Status writeTriangles(const SurfacePart& part, const Eigen::Vector3d& shift, OutputFile& file)
 {
-    const auto triangle = [&part](std::uint64_t index, std::byte* where) {
+    const auto triangle = [&part, &shift](std::uint64_t index, std::byte* where) {
         const auto& [a, b, c] = part.triangles[index];
         const std::array corners = {part.positions[a], part.positions[b], part.positions[c]};
         for (const float coordinate : normalOf(corners))
             putNumber(where, coordinate);
         for (const Eigen::Vector3d& corner : corners)
-            for (const double coordinate : corner)
+            for (const double coordinate : (corner - shift).eval())
                 putNumber(where, static_cast<float>(coordinate));
         putNumber(where, std::uint16_t(0));
     };
@@ -67,13 +71,14 @@ public:
                                       "Write a .vtp file, or a surface of a larger error.",
                                       file.target().string())};
         file.expect(headBytes + sizeof(std::uint32_t) + triangles * triangleBytes);
-        if (const Status written = file.text(stlHead(content)); !written)
+        const Eigen::Vector3d shift = floatShift(content);
+        if (const Status written = file.text(stlHead(content, shift)); !written)
             return written;
         const auto count = static_cast<std::uint32_t>(triangles);
         if (const Status written = file.bytes(std::as_bytes(std::span(&count, 1))); !written)
             return written;
         for (const SurfacePart& part : content.parts)
-            if (const Status written = writeTriangles(part, file); !written)
+            if (const Status written = writeTriangles(part, shift, file); !written)
                 return written;
         return {};
     }
