@@ -58,7 +58,7 @@ std::uint64_t crossingsOf(const TetrahedralMesh& mesh, std::vector<double> isova
 /// without memory ends whichever program it likes.
 Status checkMemoryForSurfaces(const TetrahedralMesh& mesh, const std::vector<double>& isovalues)
 {
-    constexpr std::uint64_t bytesPerCrossing = 32; // four thirds of a triangle, two thirds of a vertex
+    constexpr std::uint64_t bytesPerCrossing = 43; // four thirds of a triangle, two thirds of a vertex
     const std::uint64_t bytes = crossingsOf(mesh, isovalues) * bytesPerCrossing;
     const std::uint64_t usable = usableBytes();
     if (usable == 0 || bytes <= usable / 2)

@@ -8,6 +8,8 @@
 #include "core/remote/remote_file.h"
 #include "core/serve/served_query.h"
 
+#include <tan/data.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -233,9 +235,13 @@ Result<UnpackedMesh> fetchMesh(const std::string& address, const std::string& qu
     return unpackMesh(answer->content, mostFoundTetrahedra, progress.part(fetchedAt, 1));
 }
 
+/// And near enough that what is reckoned with coordinates stays finite.
 bool isFinite(const TetrahedralMesh& mesh)
 {
-    return std::ranges::all_of(mesh.positions, [](const auto& place) { return place.allFinite(); }) &&
+    return std::ranges::all_of(mesh.positions,
+                               [](const Eigen::Vector3d& place) {
+                                   return place.allFinite() && place.cwiseAbs().maxCoeff() <= farthestCoordinate;
+                               }) &&
            std::ranges::all_of(mesh.values, [](float value) { return std::isfinite(value); });
 }
 

@@ -17,8 +17,9 @@ namespace {
 /// Distances beyond these would lose the matrices' precision.
 constexpr double smallestDistance = 1e-30;
 constexpr double largestDistance = 1e30;
-/// The nearest that a perspective view shows, as a fraction of the farthest.
-constexpr double nearestFraction = 1e-4;
+/// The nearest that a perspective view shows, as a fraction of the farthest; but of what is looked at from so near that
+/// this would cut it off, all that is beyond a fraction of its distance.
+constexpr double nearestFraction = 1e-4, nearestOfDistance = 0.01;
 
 /// The part of the picture's width or height, whichever is filled, that a fitted box takes.
 constexpr double fittedShare = 0.96;
@@ -86,7 +87,8 @@ DepthRange depthRange(const Camera& camera, const Eigen::AlignedBox3d& bounds)
         return range;
     if (range.farthest <= 0)
         return {nearestFraction * camera.distance, camera.distance};
-    return {std::max(range.nearest, nearestFraction * range.farthest), range.farthest};
+    const double nearest = std::min(nearestFraction * range.farthest, nearestOfDistance * camera.distance);
+    return {std::max(range.nearest, nearest), range.farthest};
 }
 
 } // namespace

@@ -189,8 +189,6 @@ ServedAnswer tooLarge(std::uint64_t most)
                                 "best mesh of so many with 'budget'.");
 }
 
-/// What the receiver is told besides the mesh: the figures of `tan extract`, the facts that it writes into files, and
-/// what ExtractedMesh says.
 PlaceScale scaleOf(const Model& model)
 {
     const ModelDescription& description = model.description();
@@ -199,6 +197,8 @@ PlaceScale scaleOf(const Model& model)
     return {description.bounds.min(), {1, 1, 1}};
 }
 
+/// What the receiver is told besides the mesh: the figures of `tan extract`, the facts that it writes into files, and
+/// what ExtractedMesh says.
 std::string factsText(const ServedFile& file, const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
     JsonArrayText facts;
@@ -538,10 +538,10 @@ ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedF
     if (!asked)
         return errorAnswer(400, asked.error().text());
 
-    // The same question to the same file has the same answer.
+    // The same question to the same file has the same answer, in the same form: 2 has positions in doubles.
     const std::string question = file.tag + " " + std::string(query);
     const std::string tag =
-        "\"mesh-" + std::to_string(checksum(std::as_bytes(std::span(question.data(), question.size())))) + "\"";
+        "\"mesh-2-" + std::to_string(checksum(std::as_bytes(std::span(question.data(), question.size())))) + "\"";
     ServedAnswer answer;
     answer.type = packedMeshType;
     answer.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}};

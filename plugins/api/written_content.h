@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -142,17 +143,24 @@ struct SurfaceContent {
     }
 };
 
-/// What formats that have floats alone subtract from all positions: nothing, unless the floats near the largest
-/// coordinate lie farther apart than a thousandth of the mean edge; then the least corner of the surface, in whole
-/// numbers. Such a format tells it where it can. O(vertices).
-inline Eigen::Vector3d floatShift(const SurfaceContent& content)
+inline Eigen::AlignedBox3d boundsOf(const SurfaceContent& content)
 {
     Eigen::AlignedBox3d box;
+    for (const SurfacePart& part : content.parts)
+        for (const Eigen::Vector3d& position : part.positions)
+            box.extend(position);
+    return box;
+}
+
+/// What formats that have floats alone subtract from all positions: nothing, unless the floats near the largest
+/// coordinate lie farther apart than a thousandth of the mean edge; then about the least corner of the surface, in few
+/// binary digits: it is less by no more than the surface is large. Such a format tells it where it can. O(vertices).
+inline Eigen::Vector3d floatShift(const SurfaceContent& content)
+{
+    const Eigen::AlignedBox3d box = boundsOf(content);
     double edges = 0;
     std::uint64_t triangles = 0;
     for (const SurfacePart& part : content.parts) {
-        for (const Eigen::Vector3d& position : part.positions)
-            box.extend(position);
         for (const auto& [a, b, c] : part.triangles)
             edges += (part.positions[b] - part.positions[a]).norm();
         triangles += part.triangles.size();
@@ -162,8 +170,30 @@ inline Eigen::Vector3d floatShift(const SurfaceContent& content)
     constexpr double finest = 1000;
     const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     const double step = largest * static_cast<double>(std::numeric_limits<float>::epsilon());
-    return step * finest <= edges / static_cast<double>(triangles) ? Eigen::Vector3d(0, 0, 0)
-                                                                   : Eigen::Vector3d(box.min().array().floor());
+    const double size = box.sizes().maxCoeff();
+    if (!(step * finest > edges / static_cast<double>(triangles)) || !(size > 0) || !std::isfinite(size))
+        return {0, 0, 0};
+    const double unit = std::exp2(std::floor(std::log2(size)));
+    return (box.min().array() / unit).floor() * unit;
+}
+
+/// Such a format refuses a surface that is too large, or too small, for the exponents of floats, less the shift.
+inline Status checkFloatsReach(const SurfaceContent& content, const Eigen::Vector3d& shift, const std::string& file)
+{
+    const Eigen::AlignedBox3d box = boundsOf(content);
+    if (box.isEmpty())
+        return {};
+    constexpr double largest = std::numeric_limits<float>::max(), smallest = 1e-35;
+    const double farthest =
+        std::max((box.min() - shift).cwiseAbs().maxCoeff(), (box.max() - shift).cwiseAbs().maxCoeff());
+    const double size = box.sizes().maxCoeff();
+    if (farthest <= largest && (size == 0 || size >= smallest))
+        return {};
+    return Error{
+        ErrorKind::WrongUsage,
+        Message::say("'%1' has coordinates in single precision, which cannot hold this surface: it is too large "
+                     "or too small. Write a .vtp or .ply file.",
+                     file)};
 }
 
 } // namespace tetra

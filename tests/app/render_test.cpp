@@ -409,7 +409,8 @@ private slots:
         QVERIFY(!values.empty() && std::ranges::all_of(values, [](float value) { return value == 120; }));
         QCOMPARE(tan({"isosurface", "c60.tan", "--error", "1", "--value", "120", "-o", "alone.vtp"}).exitCode, 0);
         const VtkReader alone(path("alone.vtp"));
-        auto points = read.array<std::array<double, 3>>("points"), others = alone.array<std::array<double, 3>>("points");
+        std::vector<double> points = read.places(), others = alone.places();
+        QVERIFY(points.size() > 300);
         std::ranges::sort(points);
         std::ranges::sort(others);
         QCOMPARE(points, others);

@@ -31,7 +31,7 @@ MAPPERS = {"vtkProjectedTetrahedraMapper": vtkProjectedTetrahedraMapper,
 
 def read_grid(folder):
     points = vtkPoints()
-    positions = numpy.fromfile(os.path.join(folder, "positions"), numpy.float32).reshape(-1, 3)
+    positions = numpy.fromfile(os.path.join(folder, "positions"), numpy.float64).reshape(-1, 3)
     points.SetData(numpy_to_vtk(positions, deep=1))
     tetrahedra = numpy.fromfile(os.path.join(folder, "tetrahedra"), numpy.uint32).reshape(-1, 4).astype(numpy.int64)
     legacy = numpy.hstack([numpy.full((len(tetrahedra), 1), 4, numpy.int64), tetrahedra]).ravel()

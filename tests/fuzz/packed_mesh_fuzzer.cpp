@@ -24,18 +24,22 @@ template <class Number> void append(std::vector<std::byte>& bytes, Number number
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-    constexpr std::size_t front = 5;
     constexpr std::uint64_t most = 4000;
+    constexpr std::size_t scaleBytes = 6 * sizeof(double);
+    const bool withScale = size > 0 && (bytes[0] & 2) != 0;
+    const std::size_t front = 5 + (withScale ? scaleBytes : 0);
     if (size < front)
         return 0;
     std::vector<std::byte> packed;
     append(packed, magic);
     append(packed, std::uint32_t(1));
-    append(packed, std::uint32_t(bytes[0] & 1));
+    append(packed, std::uint32_t(bytes[0] & 3));
     append(packed, std::uint64_t(bytes[1] | bytes[2] << 8) % most);
     append(packed, std::uint64_t(bytes[3] | bytes[4] << 8) % most);
     append(packed, std::uint64_t(0)); // no facts
     append(packed, std::uint64_t(size - front));
+    const auto* scale = reinterpret_cast<const std::byte*>(bytes + 5);
+    packed.insert(packed.end(), scale, scale + (front - 5));
     const auto* coded = reinterpret_cast<const std::byte*>(bytes + front);
     packed.insert(packed.end(), coded, coded + (size - front));
     append(packed, checksum(packed));

@@ -25,7 +25,7 @@ class Statistics {
 };
 
 /// Position, value and site of a vertex; four vertices of a tetrahedron.
-constexpr std::uint64_t bytesOfVertex = 3 * sizeof(float) + sizeof(float) + sizeof(std::uint32_t);
+constexpr std::uint64_t bytesOfVertex = 3 * sizeof(double) + sizeof(float) + sizeof(std::uint32_t);
 constexpr std::uint64_t bytesOfTetrahedron = 4 * sizeof(std::uint32_t);
 
 } // namespace

@@ -73,6 +73,11 @@ RefinementCriterion::RefinementCriterion(const Model& model, const MeshQuery& qu
         const std::optional<Eigen::AlignedBox3d> byWarping = finerBox(query.warping);
         finer_ = byWarping ? std::optional(finer_->merged(*byWarping)) : std::nullopt;
     }
+    // A distance is rounded as what it is measured from lies far away.
+    if (finer_ && !finer_->isEmpty() && finer_->min().allFinite() && finer_->max().allFinite())
+        rounding_ =
+            std::max(rounding_, 8 * std::numeric_limits<double>::epsilon() *
+                                    std::max(finer_->min().cwiseAbs().maxCoeff(), finer_->max().cwiseAbs().maxCoeff()));
     if (finer_ && finer_->contains(bounds))
         finer_.reset();
 }

@@ -19,6 +19,15 @@ namespace tetra {
 
 namespace {
 
+/// Whether floats relative to `origin` are too coarse for what a camera looks at: it is so near that they err by more
+/// than some 1e-5 of its distance, and relative to its target they do not.
+bool isTooFar(const Eigen::Vector3d& origin, const Camera& camera)
+{
+    constexpr double reach = 256;
+    return (eyePosition(camera) - origin).norm() > reach * camera.distance &&
+           (camera.target - origin).norm() > camera.distance;
+}
+
 /// Sends `data` into `target`, which is made if it is empty; `format` is that of a texel and stays the same.
 void fillTextureBuffer(const GlFunctions& gl, TextureBuffer& target, unsigned format, std::span<const std::byte> data,
                        unsigned usage = gl::staticDraw)
@@ -66,7 +75,7 @@ Buffer<std::uint32_t> drawableCorners(const TriangleMesh& mesh)
 
 } // namespace
 
-Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
+Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh, const Eigen::Vector3d& origin) const
 {
     if (Status status = checkMesh(mesh); !status)
         return status.error();
@@ -76,7 +85,7 @@ Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
                      Message::say("A surface has too many triangles for OpenGL. Use the CPU back end.")};
     MeshBuffers buffers;
     buffers.indexCount = static_cast<int>(corners.size());
-    buffers.origin = meshOrigin(mesh.positions);
+    buffers.origin = origin;
     Buffer<Eigen::Vector3f> relative(mesh.positions.size());
     std::ranges::transform(mesh.positions, relative.begin(), [&](const Eigen::Vector3d& position) {
         return Eigen::Vector3f((position - buffers.origin).cast<float>());
@@ -102,12 +111,15 @@ Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
     return buffers;
 }
 
-Result<const MeshBuffers*> MeshBufferCache::buffersOf(const std::shared_ptr<const TriangleMesh>& mesh)
+Result<const MeshBuffers*> MeshBufferCache::buffersOf(const std::shared_ptr<const TriangleMesh>& mesh,
+                                                      const Camera& camera)
 {
     const auto found = entries_.find(mesh.get());
-    if (found != entries_.end() && !found->second.mesh.expired())
+    const bool isKept = found != entries_.end() && !found->second.mesh.expired();
+    if (isKept && !isTooFar(found->second.buffers.origin, camera))
         return &found->second.buffers;
-    Result<MeshBuffers> buffers = upload(*mesh);
+    const Eigen::Vector3d first = meshOrigin(mesh->positions);
+    Result<MeshBuffers> buffers = upload(*mesh, isTooFar(first, camera) ? camera.target : first);
     if (!buffers)
         return buffers.error();
     Entry& entry = entries_[mesh.get()];
@@ -163,7 +175,7 @@ ChunkData visibleCells(const TetrahedralMesh& mesh, const VolumeTransfer& transf
     return data;
 }
 
-/// Errors: more vertices than the driver allows, out of memory.
+/// Relative to buffers.origin. Errors: more vertices than the driver allows, out of memory.
 Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBuffers& buffers)
 {
     int limit = 0;
@@ -173,7 +185,6 @@ Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBu
                                                             "Lower the accuracy of the mesh, or use the CPU back end.",
                                                             limit)};
     Buffer<std::array<float, 4>> vertices(mesh.positions.size());
-    buffers.origin = meshOrigin(mesh.positions);
     tbb::parallel_for(std::size_t(0), vertices.size(), [&](std::size_t i) {
         const Eigen::Vector3f place = (mesh.positions[i] - buffers.origin).cast<float>();
         vertices[i] = {place.x(), place.y(), place.z(), mesh.values[i]};
@@ -228,12 +239,15 @@ void fillSegments(const GlFunctions& gl, const ScaledSegments& segments, Texture
     fillTextureBuffer(gl, buffer, gl::rgba32f, byteCount(texels), gl::streamDraw);
 }
 
-Result<VolumeBuffers*> VolumeBufferCache::buffersOf(const std::shared_ptr<const VolumeMesh>& mesh)
+Result<VolumeBuffers*> VolumeBufferCache::buffersOf(const std::shared_ptr<const VolumeMesh>& mesh, const Camera& camera)
 {
     const auto found = entries_.find(mesh.get());
-    if (found != entries_.end() && !found->second.mesh.expired())
+    const bool isKept = found != entries_.end() && !found->second.mesh.expired();
+    if (isKept && !isTooFar(found->second.buffers.origin, camera))
         return &found->second.buffers;
+    const Eigen::Vector3d first = meshOrigin(mesh->mesh->positions);
     VolumeBuffers buffers;
+    buffers.origin = isTooFar(first, camera) ? camera.target : first;
     if (Status status = fillVertices(gl_, *mesh->mesh, buffers); !status)
         return status.error();
     Entry& entry = entries_[mesh.get()];

@@ -72,8 +72,9 @@ class MeshBufferCache {
 public:
     explicit MeshBufferCache(const GlFunctions& gl) : gl_(gl) {}
 
-    /// The buffers of `mesh`, valid until dropDead(). Errors: a mesh that does not hang together, out of memory.
-    Result<const MeshBuffers*> buffersOf(const std::shared_ptr<const TriangleMesh>& mesh);
+    /// The buffers of `mesh`, valid until dropDead(); sent anew where their origin is too far from what the camera
+    /// looks at. Errors: a mesh that does not hang together, out of memory.
+    Result<const MeshBuffers*> buffersOf(const std::shared_ptr<const TriangleMesh>& mesh, const Camera& camera);
     /// Frees the buffers of meshes that nobody holds any more.
     void dropDead();
 
@@ -82,7 +83,7 @@ private:
         std::weak_ptr<const TriangleMesh> mesh; ///< tells a new mesh at an old address
         MeshBuffers buffers;
     };
-    Result<MeshBuffers> upload(const TriangleMesh& mesh) const;
+    Result<MeshBuffers> upload(const TriangleMesh& mesh, const Eigen::Vector3d& origin) const;
 
     const GlFunctions& gl_;
     std::map<const TriangleMesh*, Entry> entries_;
@@ -98,9 +99,9 @@ struct CellChunk {
 
 /// A volume in the memory of the graphics card: 16 bytes a vertex, 20 a visible cell.
 struct VolumeBuffers {
-    TextureBuffer vertices;          ///< places relative to `origin`, and values
-    Eigen::Vector3d origin{0, 0, 0}; ///< of the mesh
-    std::size_t vertexCount = 0;     ///< more than the mesh has where cells were cut
+    TextureBuffer vertices; ///< places relative to `origin`, and values
+    Eigen::Vector3d origin{0, 0, 0};
+    std::size_t vertexCount = 0; ///< more than the mesh has where cells were cut
     std::vector<CellChunk> chunks;
     std::size_t cells = 0;     ///< in all chunks
     std::size_t sentBytes = 0; ///< for them
@@ -120,8 +121,9 @@ class VolumeBufferCache {
 public:
     explicit VolumeBufferCache(const GlFunctions& gl) : gl_(gl) {}
 
-    /// The buffers of `mesh`, with its vertices, valid until dropDead(). Errors: those of fillVertices().
-    Result<VolumeBuffers*> buffersOf(const std::shared_ptr<const VolumeMesh>& mesh);
+    /// The buffers of `mesh`, with its vertices, valid until dropDead(); these are sent anew where their origin is too
+    /// far from what the camera looks at. Errors: those of fillVertices().
+    Result<VolumeBuffers*> buffersOf(const std::shared_ptr<const VolumeMesh>& mesh, const Camera& camera);
     /// Frees the buffers of meshes that nobody holds any more.
     void dropDead();
 

@@ -55,7 +55,7 @@ SurfacePainter::SurfacePainter(const GlFunctions& gl, const PainterPrograms& pro
 {
 }
 
-Status SurfacePainter::collectSurfaces()
+Status SurfacePainter::collectSurfaces(const Camera& camera)
 {
     surfaces_.clear();
     meshes_.dropDead();
@@ -64,7 +64,7 @@ Status SurfacePainter::collectSurfaces()
         const auto* surface = std::get_if<Surface>(&drawable.shape);
         if (surface == nullptr || !surface->mesh || !(surface->opacity > 0))
             continue;
-        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface->mesh);
+        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface->mesh, camera);
         if (!buffers)
             return buffers.error();
         surfaces_.push_back({surface, *buffers, static_cast<unsigned>(triangles), drawable.overlay});
@@ -87,7 +87,7 @@ Status SurfacePainter::prepare(const Scene& scene, const SampleView& view, doubl
         transform_.clipFromWorld = shiftedToRays(transform_.clipFromWorld, view);
     eye_ = eyePosition(view.camera);
     samplesPerPixelAxis_ = samplesPerPixelAxis;
-    return collectSurfaces();
+    return collectSurfaces(view.camera);
 }
 
 bool SurfacePainter::anyTranslucent() const noexcept

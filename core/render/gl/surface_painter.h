@@ -37,7 +37,7 @@ private:
         bool overlay;
         bool isOpaque() const noexcept { return overlay || (surface->opacity >= 1 && !surface->share); }
     };
-    Status collectSurfaces();
+    Status collectSurfaces(const Camera& camera);
     void draw(const GlProgram& program, const DrawnSurface& drawn) const;
     void draw(const LineSet& lines, bool overlay) const;
     void drawOverlays() const;

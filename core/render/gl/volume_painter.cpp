@@ -142,7 +142,7 @@ std::vector<Eigen::Vector4f> cutsOf(const std::vector<ClipPlane>& planes, const 
 Status VolumePainter::prepareBuffers(const Volume& volume, const CachedOrder::Request& order, int threads,
                                      const Progress& progress, DrawnVolume& drawn)
 {
-    const Result<VolumeBuffers*> kept = drawn.kept.buffersOf(volume.mesh);
+    const Result<VolumeBuffers*> kept = drawn.kept.buffersOf(volume.mesh, order.camera);
     if (!kept)
         return kept.error();
     drawn.buffers = *kept;

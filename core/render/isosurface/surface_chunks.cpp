@@ -337,7 +337,9 @@ TETRA_SIMD_INLINE void computeVertices(VertexBlock& block, double isovalue)
         double directions[3];
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double from = block.positions[0][axis][i], to = block.positions[1][axis][i];
-            const double place = from + fraction * (to - from);
+            // From the nearer end, so that either end is met exactly.
+            const double step = to - from;
+            const double place = fraction <= 0.5 ? from + fraction * step : to - (1 - fraction) * step;
             block.placed[axis][i] = place;
             notFirst |= place != from ? 1u : 0u;
             notSecond |= place != to ? 1u : 0u;

@@ -195,7 +195,12 @@ public:
             for (const std::uint32_t vertex : mesh.tetrahedra[cell])
                 if (mesh.positions[vertex].allFinite())
                     bounds.extend(mesh.positions[vertex]);
-        flat_ = bounds.isEmpty() ? 0 : flatness * (bounds.diagonal().norm() + bounds.center().norm());
+        if (bounds.isEmpty())
+            return;
+        flat_ = flatness * bounds.diagonal().norm();
+        centre_ = bounds.center();
+        if (eye_.perspective)
+            eye_.place -= centre_;
     }
 
     void run()
@@ -229,9 +234,10 @@ private:
         std::size_t cost() const { return 2 * cut + std::max(near, far); }
     };
 
+    /// Relative to the middle of the cells: so far from zero, too, heights are what they are.
     Vector3d placeOf(std::uint32_t vertex) const
     {
-        return vertex < mesh_.positions.size() ? mesh_.positions[vertex]
+        return vertex < mesh_.positions.size() ? Vector3d(mesh_.positions[vertex] - centre_)
                                                : points_[vertex - mesh_.positions.size()].place;
     }
     double valueOf(std::uint32_t vertex) const
@@ -491,7 +497,7 @@ private:
     {
         CellPieces& pieces = order_.pieces;
         for (const CutPoint& point : points_) {
-            pieces.positions.push_back(point.place);
+            pieces.positions.push_back(point.place + centre_);
             pieces.values.push_back(static_cast<float>(point.value));
         }
         std::vector<std::uint32_t> cut = pieces.cells;
@@ -500,13 +506,14 @@ private:
     }
 
     const TetrahedralMesh& mesh_;
-    const EyePoint& eye_;
+    EyePoint eye_; ///< relative to the centre
     std::span<const std::uint32_t> cells_;
     NodeGraph graph_;
     ComponentFinder finder_;
     std::vector<std::uint32_t> partOf_; ///< of each node, its place in the group that is looked at
     VisibilityOrder& order_;
     double flat_ = 0;
+    Vector3d centre_{0, 0, 0};
     std::vector<CutPoint> points_;
     std::vector<Group> groups_; ///< that are left, the foremost last
 };

@@ -9,6 +9,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -143,7 +144,7 @@ TETRA_SIMD_INLINE void faceEight(const Vectors<Lanes> (&corners)[4], const doubl
     toEye.z = static_cast<Scalar>(eye[2]) - scale * origin.z;
     addMagnitudes(toEye, distance);
     // What the eye's own rounding may do, and that of the volume where the eye is near.
-    distance += static_cast<Scalar>(std::abs(eye[0]) + std::abs(eye[1]) + std::abs(eye[2])) + lengths;
+    distance += static_cast<Scalar>(std::abs(eye[0]) + std::abs(eye[1]) + std::abs(eye[2])) + scale * lengths;
     // Outwards, those of the faces opposite to corners 1, 2, 3; with that opposite to 0 their sum is zero.
     crossProduct(edges[2], edges[1], normals[0]);
     crossProduct(edges[0], edges[2], normals[1]);
@@ -155,7 +156,7 @@ TETRA_SIMD_INLINE void faceEight(const Vectors<Lanes> (&corners)[4], const doubl
     heights[0] = scale * minusVolume - (heights[1] + heights[2] + heights[3]);
     Lanes doubted = lengths;
     if (reach >= 0)
-        doubted += 2 * (distance + reach);
+        doubted += Scalar(0.5) * (distance + reach); // twice as much as corners that are rounded may do
     const Lanes tolerance = lengths * doubted * distance * rounding + smallestHeight;
     bits = Bits{};
     for (int face = 0; face < 4; ++face) {
@@ -249,14 +250,17 @@ Buffer<PaddedPosition> paddedPositions(const TetrahedralMesh& mesh, const Eigen:
     return padded;
 }
 
-double largestCoordinate(const Buffer<PaddedPosition>& positions)
+float largestCoordinate(const Buffer<PaddedPosition>& positions)
 {
-    float largest = 0;
-    for (const PaddedPosition& place : positions)
-        for (const float coordinate : {place.x, place.y, place.z})
-            if (std::isfinite(coordinate))
-                largest = std::max(largest, std::abs(coordinate));
-    return largest;
+    const auto largestIn = [&](const auto& range, float largest) {
+        for (std::size_t v = range.begin(); v != range.end(); ++v)
+            for (const float coordinate : {positions[v].x, positions[v].y, positions[v].z})
+                if (isFiniteByBits(coordinate))
+                    largest = std::max(largest, std::abs(coordinate));
+        return largest;
+    };
+    return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, positions.size(), cellsFacedAtOnce), 0.0f, largestIn,
+                                [](float a, float b) { return std::max(a, b); });
 }
 
 } // namespace
@@ -271,7 +275,7 @@ Buffer<std::uint8_t> classifyFaces(const TetrahedralMesh& mesh, const EyePoint& 
                                    rough.data(),
                                    {eye.place.x(), eye.place.y(), eye.place.z()},
                                    {roughEye.x(), roughEye.y(), roughEye.z()},
-                                   eye.perspective ? 0 : 4 * largestCoordinate(rough)};
+                                   eye.perspective ? 0 : double(largestCoordinate(rough))};
     const auto& cells = mesh.tetrahedra;
     const double perspective = eye.perspective ? 1 : 0;
     Buffer<std::uint8_t> facing(cells.size());

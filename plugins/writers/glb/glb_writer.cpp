@@ -224,6 +224,8 @@ public:
         if (12 * (content.vertexCount() + content.triangleCount()) > mostBytes)
             return tooLarge(file);
         const Eigen::Vector3d shift = floatShift(content);
+        if (const Status reached = checkFloatsReach(content, shift, file.target().string()); !reached)
+            return reached;
         const Head head(content, shift);
         constexpr std::uint64_t chunkHeadBytes = 8;
         const std::uint64_t binary = head.binaryBytes();

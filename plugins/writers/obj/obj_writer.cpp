@@ -42,9 +42,12 @@ template <class Vector> void addVector(std::string& text, std::string_view keywo
 }
 
 /// With its colour, if it has one, behind its coordinates: an extension that Blender and MeshLab read, and others skip.
-void addPosition(std::string& text, const SurfacePart& part, std::uint64_t index)
+void addPosition(std::string& text, const SurfacePart& part, bool floats, std::uint64_t index)
 {
-    addVector(text, "v", part.positions[index]);
+    if (floats) // in the fewest digits that tell it from other floats
+        addVector(text, "v", part.positions[index].cast<float>().eval());
+    else
+        addVector(text, "v", part.positions[index]);
     if (part.colours.empty())
         return;
     text.pop_back();
@@ -80,7 +83,8 @@ template <class Add> Status writeLines(OutputFile& file, std::uint64_t count, Ad
     return {};
 }
 
-Status writePart(OutputFile& file, const SurfaceContent& content, const SurfacePart& part, std::uint64_t first)
+Status writePart(OutputFile& file, const SurfaceContent& content, const SurfacePart& part, bool floats,
+                 std::uint64_t first)
 {
     const bool normals = !part.normals.empty();
     const auto* each = std::get_if<std::span<const float>>(&part.values);
@@ -89,7 +93,7 @@ Status writePart(OutputFile& file, const SurfaceContent& content, const SurfaceP
                         : "";
     if (const Status written = file.text("g " + word(part.name) + "\n" + value); !written)
         return written;
-    const auto position = [&](std::string& text, std::uint64_t index) { addPosition(text, part, index); };
+    const auto position = [&](std::string& text, std::uint64_t index) { addPosition(text, part, floats, index); };
     if (const Status written = writeLines(file, part.positions.size(), position); !written)
         return written;
     const auto normal = [&](std::string& text, std::uint64_t index) { addVector(text, "vn", part.normals[index]); };
@@ -124,9 +128,10 @@ public:
         addComments(comments, content);
         if (const Status written = file.text(comments); !written)
             return written;
+        const bool floats = content.positionsFitFloats();
         std::uint64_t first = 0;
         for (const SurfacePart& part : content.parts) {
-            if (const Status written = writePart(file, content, part, first); !written)
+            if (const Status written = writePart(file, content, part, floats, first); !written)
                 return written;
             first += part.positions.size();
         }

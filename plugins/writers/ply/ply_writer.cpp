@@ -102,12 +102,12 @@ void putValues(std::byte*& where, std::span<const NamedArray> arrays, std::uint6
         std::visit([&](const auto& values) { putNumber(where, values[index]); }, array.values);
 }
 
-std::string headOf(const SurfaceContent& content)
+std::string headOf(const SurfaceContent& content, bool floats)
 {
     PlyHead head;
     head.comment(content.title + " by TAn").facts(content.facts).element("vertex", content.vertexCount());
     for (const std::string_view axis : {"x", "y", "z"})
-        head.property(content.positionsFitFloats() ? "float" : "double", axis);
+        head.property(floats ? "float" : "double", axis);
     if (content.hasNormals())
         for (const std::string_view axis : {"nx", "ny", "nz"})
             head.property("float", axis);
@@ -150,7 +150,7 @@ public:
             3 * (floats ? sizeof(float) : sizeof(double)) + (normals ? 4 : 1) * sizeof(float) + (colours ? 3 : 0);
         const std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t) + bytesOfValues(content.cellArrays);
         file.expect(content.vertexCount() * vertexBytes + content.triangleCount() * faceBytes);
-        if (const Status written = file.text(headOf(content)); !written)
+        if (const Status written = file.text(headOf(content, floats)); !written)
             return written;
         const auto vertex = [normals, colours, floats](const SurfacePart& part, std::uint64_t index, std::byte* where) {
             for (const double coordinate : part.positions[index])

@@ -5,7 +5,12 @@
 
 #include <QObject>
 
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -17,9 +22,9 @@ constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t)
 /// by a shift, that comes first, as there may be no room for all.
 std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
 {
-    std::string head = "binary STL, ";
-    if (!shift.isZero(0))
-        head += "add " + formatNumber(shift[0]) + " " + formatNumber(shift[1]) + " " + formatNumber(shift[2]) + ", ";
+    std::string head = shift.isZero(0) ? std::string("binary STL, ")
+                                       : "add " + formatNumber(shift[0]) + " " + formatNumber(shift[1]) + " " +
+                                             formatNumber(shift[2]) + ", "; // at most 78 bytes
     head += content.title + " by TAn";
     head.resize(headBytes, ' ');
     return head;
@@ -32,10 +37,31 @@ Eigen::Vector3f normalOf(const std::array<Eigen::Vector3d, 3>& corners)
     return normal.allFinite() ? normal.cast<float>() : Eigen::Vector3f(0, 0, 0);
 }
 
-Status writeTriangles(const SurfacePart& part, const Eigen::Vector3d& shift, OutputFile& file)
+/// The triangles but for those whose corners are three places in doubles and not in floats. Of such a one two edges are
+/// the same, so that a closed surface is closed without it.
+std::vector<std::uint64_t> trianglesInFloats(const SurfacePart& part, const Eigen::Vector3d& shift)
 {
-    const auto triangle = [&part, &shift](std::uint64_t index, std::byte* where) {
+    const auto placeOf = [&](std::uint32_t vertex) {
+        return Eigen::Vector3f((part.positions[vertex] - shift).cast<float>());
+    };
+    const auto merge = [&](std::uint32_t one, std::uint32_t other) {
+        return placeOf(one) == placeOf(other) && part.positions[one] != part.positions[other];
+    };
+    std::vector<std::uint64_t> kept;
+    kept.reserve(part.triangles.size());
+    for (std::uint64_t index = 0; index < part.triangles.size(); ++index) {
         const auto& [a, b, c] = part.triangles[index];
+        if (!merge(a, b) && !merge(b, c) && !merge(c, a))
+            kept.push_back(index);
+    }
+    return kept;
+}
+
+Status writeTriangles(const SurfacePart& part, std::span<const std::uint64_t> triangles, const Eigen::Vector3d& shift,
+                      OutputFile& file)
+{
+    const auto triangle = [&](std::uint64_t index, std::byte* where) {
+        const auto& [a, b, c] = part.triangles[triangles[index]];
         const std::array corners = {part.positions[a], part.positions[b], part.positions[c]};
         for (const float coordinate : normalOf(corners))
             putNumber(where, coordinate);
@@ -44,7 +70,7 @@ Status writeTriangles(const SurfacePart& part, const Eigen::Vector3d& shift, Out
                 putNumber(where, static_cast<float>(coordinate));
         putNumber(where, std::uint16_t(0));
     };
-    return file.records(part.triangles.size(), triangleBytes, triangle);
+    return file.records(triangles.size(), triangleBytes, triangle);
 }
 
 } // namespace
@@ -64,21 +90,26 @@ public:
     Status writeSurface(const SurfaceContent& content, OutputFile& file,
                         const ParameterValues& /*values*/) const override
     {
-        const std::uint64_t triangles = content.triangleCount();
+        const Eigen::Vector3d shift = floatShift(content);
+        if (const Status reached = checkFloatsReach(content, shift, file.target().string()); !reached)
+            return reached;
+        std::vector<std::vector<std::uint64_t>> kept;
+        std::uint64_t triangles = 0;
+        for (const SurfacePart& part : content.parts)
+            triangles += kept.emplace_back(trianglesInFloats(part, shift)).size();
         if (triangles > std::numeric_limits<std::uint32_t>::max())
             return Error{ErrorKind::OutOfResource,
                          Message::say("'%1' would hold more than the 4294967295 triangles that an STL file can count. "
                                       "Write a .vtp file, or a surface of a larger error.",
                                       file.target().string())};
         file.expect(headBytes + sizeof(std::uint32_t) + triangles * triangleBytes);
-        const Eigen::Vector3d shift = floatShift(content);
         if (const Status written = file.text(stlHead(content, shift)); !written)
             return written;
         const auto count = static_cast<std::uint32_t>(triangles);
         if (const Status written = file.bytes(std::as_bytes(std::span(&count, 1))); !written)
             return written;
-        for (const SurfacePart& part : content.parts)
-            if (const Status written = writeTriangles(part, shift, file); !written)
+        for (std::size_t part = 0; part < kept.size(); ++part)
+            if (const Status written = writeTriangles(content.parts[part], kept[part], shift, file); !written)
                 return written;
         return {};
     }

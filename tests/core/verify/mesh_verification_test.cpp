@@ -212,6 +212,14 @@ private slots:
                 "moved vertex", [](Case& c) { c.mesh.mesh.positions[6][1] += 0.01F; },
                 "does not lie where site 6 does");
             row(
+                "vertex rounded to a float",
+                [](Case& c) {
+                    Eigen::Vector3d& place = c.mesh.mesh.positions[6];
+                    place = place.cast<float>().cast<double>() == place ? (place * (1 + 1e-15)).eval()
+                                                                        : place.cast<float>().cast<double>().eval();
+                },
+                "does not lie where site 6 does");
+            row(
                 "moved vertex without a site",
                 [](Case& c) {
                     c.mesh.mesh.positions[6][1] += 0.01F;

@@ -22,12 +22,15 @@ namespace {
 
 /// Random numbers in the shape of a mesh: a writer must not care whether they are one.
 struct RandomMesh {
-    RandomMesh(std::size_t vertices, std::size_t cells)
+    /// `inDoubles`: coordinates that no float holds.
+    RandomMesh(std::size_t vertices, std::size_t cells, bool inDoubles = false)
     {
         std::mt19937 random(static_cast<unsigned>(vertices + 7 * cells));
         std::normal_distribution<float> number(0, 1000);
         for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
             positions.emplace_back(number(random), number(random), number(random));
+            if (inDoubles)
+                positions.back() += Eigen::Vector3d(4264212.7, 1e-13, 1e9 / 3);
             values.push_back(number(random));
             sites.push_back(random());
         }
@@ -89,16 +92,20 @@ private slots:
         QTest::addColumn<QString>("name");
         QTest::addColumn<int>("vertices");
         QTest::addColumn<int>("cells");
+        QTest::addColumn<bool>("inDoubles");
         for (const char* ending : {"vtu", "vtk", "VTU"})
             for (const auto& [vertices, cells] : {std::pair{4, 1}, {100, 333}, {30'000, 70'000}, {5, 0}})
-                QTest::addRow("%s, %d cells", ending, cells) << QString("mesh.") + ending << vertices << cells;
+                QTest::addRow("%s, %d cells", ending, cells) << QString("mesh.") + ending << vertices << cells << false;
+        for (const char* ending : {"vtu", "vtk"})
+            QTest::addRow("%s in doubles", ending) << QString("fine.") + ending << 2000 << 3000 << true;
     }
     void vtkReadsWhatWasWritten()
     {
         QFETCH(QString, name);
         QFETCH(int, vertices);
         QFETCH(int, cells);
-        const RandomMesh mesh(static_cast<std::size_t>(vertices), static_cast<std::size_t>(cells));
+        QFETCH(bool, inDoubles);
+        const RandomMesh mesh(static_cast<std::size_t>(vertices), static_cast<std::size_t>(cells), inDoubles);
         const QString path = folder_.filePath(name);
         const Status written = writeMesh(path.toStdString(), mesh.content());
         QVERIFY2(written, written ? "" : written.error().text().c_str());
@@ -109,10 +116,11 @@ private slots:
         QCOMPARE(read.told()["points"].toInt(), vertices);
         QCOMPARE(read.told()["cells"].toInt(), cells);
         QCOMPARE(read.told()["cell types"].toArray(), cells > 0 ? QJsonArray{10} : QJsonArray{});
-        std::vector<float> places;
+        std::vector<double> places;
         for (const Eigen::Vector3d& position : mesh.positions)
-            places.insert(places.end(), {float(position[0]), float(position[1]), float(position[2])});
-        QCOMPARE(read.array<float>("points"), places);
+            places.insert(places.end(), {position[0], position[1], position[2]});
+        QCOMPARE(read.places(), places);
+        QCOMPARE(read.array<double>("points").size() == places.size(), inDoubles);
         QCOMPARE(read.array<std::uint32_t>("cells"),
                  numbersIn<std::uint32_t>(std::as_bytes(std::span(mesh.tetrahedra))));
         const QJsonObject types = read.told()["arrays"].toObject();

@@ -78,7 +78,7 @@ template <class T> T numberAt(const QByteArray& bytes, qsizetype offset)
 {
     T number{};
     if (offset + qsizetype(sizeof number) <= bytes.size())
-        std::memcpy(&number, bytes.constData() + offset, sizeof number);
+        std::memcpy(static_cast<void*>(&number), bytes.constData() + offset, sizeof number);
     return number;
 }
 
@@ -115,6 +115,83 @@ private slots:
             QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(read.ok(), read.messages());
         compare(read, Expected(content), ending, valued);
+    }
+
+    /// Coordinates that no float holds: formats that have doubles keep every bit of them, the others a number that is
+    /// told and what is left, in floats.
+    void doublesAreKept_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const QString& ending : endings)
+            QTest::newRow(qPrintable(ending)) << ending;
+    }
+    void doublesAreKept()
+    {
+        QFETCH(QString, ending);
+        RandomSurface far(300, 500, 1);
+        for (Eigen::Vector3d& position : far.positions)
+            position =
+                position.cwiseProduct(Eigen::Vector3d(1e-5, 1e-5, 300)) + Eigen::Vector3d(339385.3, 4264212.7, 1e9 / 3);
+        const QString path = folder_.filePath("far." + ending);
+        const Status written = writeSurface(path.toStdString(), contentOf(far.part("far"), far.part("again")));
+        QVERIFY2(written, written ? "" : written.error().text().c_str());
+        const QByteArray bytes = ::contentOf(path);
+        Eigen::Vector3d shift(0, 0, 0);
+        const double step = ending == "stl" || ending == "glb" ? 1e-7 : 0; // of doubles at 3e8, and more than of floats up to 0.2
+        if (ending == "stl") {
+            QVERIFY2(bytes.startsWith("add "), bytes.first(80).constData());
+            const QList<QByteArray> words = bytes.first(80).mid(4).split(' ');
+            for (int axis = 0; axis < 3; ++axis)
+                shift[axis] = QString(words[axis]).remove(',').toDouble();
+            QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 1000U);
+            for (std::size_t triangle = 0; triangle < 500; ++triangle)
+                for (std::size_t corner = 0; corner < 3; ++corner)
+                    for (int axis = 0; axis < 3; ++axis) {
+                        const double read =
+                            shift[axis] +
+                            double(numberAt<float>(bytes, qsizetype(84 + 50 * triangle + 12 + 12 * corner) + 4 * axis));
+                        QVERIFY(std::abs(read - far.positions[far.triangles[triangle][corner]][axis]) <= step);
+                    }
+            return;
+        }
+        const VtkReader read(path);
+        if (read.isMissing())
+            QSKIP_WITHOUT("python3-vtk9");
+        QVERIFY2(read.ok(), read.messages());
+        if (ending == "obj" || ending == "glb" || ending == "ply") // VTK reads these in floats
+            QVERIFY(compareFar(bytes, ending, far.positions, step));
+        else
+            for (std::size_t i = 0; i < 3 * far.positions.size(); ++i)
+                QCOMPARE(read.places()[i], far.positions[i / 3][int(i % 3)]);
+    }
+
+    /// Two vertices that are one float make no triangle without area; nothing else is left out.
+    void stlHasNoTriangleThatRoundingMadeFlat()
+    {
+        RandomSurface one(6, 0, 1);
+        one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1 + 1e-12, 0, 0}, {1, 1, 0}, {0, 0, 0}};
+        one.triangles = {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {0, 5, 1}};
+        const QString path = folder_.filePath("thin.stl");
+        QVERIFY(writeSurface(path.toStdString(), contentOf(one.part("thin"), SurfacePart{})));
+        const QByteArray bytes = ::contentOf(path);
+        QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 3U);
+        QCOMPARE(bytes.size(), 84 + 3 * 50);
+    }
+
+    /// What floats cannot hold is refused, not written as infinity or zero.
+    void coordinatesBeyondFloatsAreRefused()
+    {
+        for (const double scale : {1e40, 1e-38})
+            for (const char* ending : {"stl", "glb", "vtp"}) {
+                RandomSurface one(30, 40, 1);
+                for (Eigen::Vector3d& position : one.positions)
+                    position *= scale;
+                const Status written = writeSurface(folder_.filePath(QString("beyond.") + ending).toStdString(),
+                                                    contentOf(one.part("one"), SurfacePart{}));
+                QCOMPARE(written.ok(), QString(ending) == "vtp");
+                if (!written)
+                    QVERIFY2(written.error().text().find(".vtp") != std::string::npos, written.error().text().c_str());
+            }
     }
 
     /// Parts that are empty, and nothing but those.
@@ -484,6 +561,41 @@ private:
         return bytes;
     }
     /// Linear light, by glTF 2.0; the material's colour, by which they are multiplied, is white.
+    /// Whether the first vertices in a file that VTK reads in floats are these, within `step`.
+    static bool compareFar(const QByteArray& bytes, const QString& ending,
+                           const std::vector<Eigen::Vector3d>& positions, double step)
+    {
+        std::vector<Eigen::Vector3d> read;
+        if (ending == "obj") {
+            for (const QByteArray& line : bytes.split('\n'))
+                if (line.startsWith("v ")) {
+                    const QList<QByteArray> words = line.split(' ');
+                    read.emplace_back(words[1].toDouble(), words[2].toDouble(), words[3].toDouble());
+                }
+        } else if (ending == "ply") {
+            const qsizetype body = bytes.indexOf("end_header\n") + 11;
+            constexpr qsizetype vertexBytes = 3 * sizeof(double) + 4 * sizeof(float);
+            for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
+                read.push_back(numberAt<Eigen::Vector3d>(bytes, body + qsizetype(vertex) * vertexBytes));
+        } else {
+            const qsizetype jsonBytes = numberAt<std::uint32_t>(bytes, 12);
+            const QJsonObject json = QJsonDocument::fromJson(bytes.mid(20, jsonBytes)).object();
+            const QJsonArray matrix = json["nodes"].toArray()[0].toObject()["matrix"].toArray();
+            // The node's matrix makes y of z, so it adds the shift turned in this way.
+            const Eigen::Vector3d shift(matrix[12].toDouble(), -matrix[14].toDouble(), matrix[13].toDouble());
+            const qsizetype first =
+                20 + jsonBytes + 8 +
+                json["bufferViews"].toArray()[0].toObject()["byteOffset"].toInteger(-1); // positions come first
+            for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
+                read.emplace_back(shift +
+                                  numberAt<Eigen::Vector3f>(bytes, first + qsizetype(12 * vertex)).cast<double>());
+        }
+        return read.size() >= positions.size() &&
+               std::ranges::equal(positions, std::span(read).first(positions.size()),
+                                  [&](const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+                                      return (one - other).cwiseAbs().maxCoeff() <= step;
+                                  });
+    }
     static void compareGlbColours(const QByteArray& bytes, const RandomSurface& surface)
     {
         const qsizetype jsonBytes = numberAt<std::uint32_t>(bytes, 12);
