@@ -151,6 +151,8 @@ ModelDescription descriptionOf(const Refinement& refinement, const Dataset& data
     if (refinement.inSpace)
         parameters.emplace_back("error-in", "space");
     parameters.emplace_back("weights", weightingText(refinement.weighting));
+    if (dataset.domain == DomainClass::RegularLattice && refinement.metric != dataset.lattice.spacing)
+        description.metric = refinement.metric;
     return description;
 }
 

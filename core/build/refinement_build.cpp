@@ -141,9 +141,11 @@ Result<BuildReport> buildLattice(const Dataset& dataset, const Refinement& refin
         BuildWeights::make(refinement, dataset, *cells > 0, target.workFolder, progress);
     if (!weights)
         return weights.error();
+    Dataset meshed = dataset;
+    meshed.lattice.spacing = refinement.metric.value_or(dataset.lattice.spacing);
     if (*cells == 0)
-        return refineAsWhole(dataset, stopError, weights->all(), target, progress);
-    return refineInBlocks(dataset, stopError, *cells, weights->all(), target, progress);
+        return refineAsWhole(meshed, stopError, weights->all(), target, progress);
+    return refineInBlocks(meshed, stopError, *cells, weights->all(), target, progress);
 }
 
 Result<BuildReport> refineCurvilinearInBlocks(const Dataset& dataset, const ThresholdKey& key, std::uint32_t cells,

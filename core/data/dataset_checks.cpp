@@ -48,6 +48,39 @@ Status checkLatticeSize(const std::array<std::uint64_t, 3>& size)
     return {};
 }
 
+bool areDirections(const Eigen::Matrix3d& directions)
+{
+    constexpr double rounding = 1e-6, leastVolume = 1e-6;
+    return directions.allFinite() && ((directions.colwise().norm().array() - 1).abs() <= rounding).all() &&
+           std::abs(directions.determinant()) >= leastVolume;
+}
+
+namespace {
+
+/// Whether neighbours differ at the eight corners, where coordinates are the largest: a step along an index leads on,
+/// in doubles, along the axis of the world that it runs along most.
+bool staysApart(const Lattice& lattice)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        Eigen::Index along = 0;
+        lattice.directions.col(axis).cwiseAbs().maxCoeff(&along);
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            std::array<std::uint32_t, 3> point{};
+            for (std::size_t index = 0; index < 3; ++index)
+                point[index] = (corner >> index & 1) != 0 ? lattice.size[index] - 1 : 0;
+            std::array<std::uint32_t, 3> next = point;
+            std::uint32_t& number = next[static_cast<std::size_t>(axis)];
+            number = number == 0 ? 1 : number - 1;
+            if (lattice.position(point[0], point[1], point[2])[along] ==
+                lattice.position(next[0], next[1], next[2])[along])
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
 Status checkLatticePlacement(const Lattice& lattice)
 {
     const auto text = [](const Eigen::Vector3d& vector) {
@@ -60,14 +93,20 @@ Status checkLatticePlacement(const Lattice& lattice)
                 Message::say(
                     "its spacing is %1. The distance of neighbouring points must be a positive number along each axis.",
                     text(lattice.spacing))};
+    if (!areDirections(lattice.directions))
+        return Error{ErrorKind::BadInput,
+                     Message::say("its three directions %1; %2; %3 lie in a plane, or are not of unit length, so that "
+                                  "it has no volume. Give three that span one.",
+                                  text(lattice.directions.col(0)), text(lattice.directions.col(1)),
+                                  text(lattice.directions.col(2)))};
     const Eigen::AlignedBox3d bounds = lattice.bounds();
-    if (!lattice.origin.allFinite() || !bounds.max().allFinite())
+    const Eigen::Vector3d extents = lattice.spacing.cwiseProduct(
+        Eigen::Vector3d(lattice.size[0] - 1.0, lattice.size[1] - 1.0, lattice.size[2] - 1.0));
+    if (!lattice.origin.allFinite() || !extents.allFinite() || !bounds.min().allFinite() || !bounds.max().allFinite())
         return Error{ErrorKind::BadInput,
                      Message::say("its origin %1 and spacing %2 give positions that are no finite numbers. Check both.",
                                   text(lattice.origin), text(lattice.spacing))};
-    const Eigen::Vector3d beforeLast = lattice.position(lattice.size[0] - 2, lattice.size[1] - 2, lattice.size[2] - 2);
-    if ((bounds.max().array() <= beforeLast.array()).any() ||
-        (lattice.position(1, 1, 1).array() <= lattice.origin.array()).any())
+    if (!staysApart(lattice))
         return Error{ErrorKind::BadInput,
                      Message::say("its origin %1 is so far away for the spacing %2 that neighbouring points fall "
                                   "together. Move the origin nearer to 0.",

@@ -27,6 +27,9 @@ CellCornerSigns cellCornerSigns(const Dataset& dataset);
 /// are negative than positive. As cellCornerSigns().
 TAN_INTERNAL bool isLeftHanded(const Dataset& dataset);
 
+/// Whether the columns are of unit length, and no one lies in the plane of the others.
+bool areDirections(const Eigen::Matrix3d& directions);
+
 /// Whether a float holds each coordinate exactly.
 TAN_INTERNAL bool fitFloats(const std::vector<Eigen::Vector3d>& positions);
 

@@ -4,6 +4,7 @@
 #include "core/base/checksum.h"
 #include "core/data/dataset_checks.h"
 #include "core/history/format.h"
+#include "core/history/lattice_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,20 +33,6 @@ constexpr Expected perTetrahedron[] = {
 constexpr std::uint32_t positionBytesInFloats = 12;
 constexpr std::uint32_t positionBytesInDoubles = 24;
 
-/// That of a regular lattice follows from its size, spacing and origin, but for roundings.
-bool isBoxOfLattice(const Header& header)
-{
-    constexpr double rounding = 1e-6;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double low = header.origin[axis], high = low + header.spacing[axis] * (header.latticeSize[axis] - 1);
-        const double slack = rounding * std::max(std::abs(low), std::abs(high));
-        if (!std::isfinite(high) || std::abs(header.boundingBox[axis] - low) > slack ||
-            std::abs(header.boundingBox[axis + 3] - high) > slack)
-            return false;
-    }
-    return true;
-}
-
 bool isDomain(const Header& header, DomainClass domain)
 {
     return header.domainClass == static_cast<std::uint32_t>(domain);
@@ -69,6 +56,7 @@ private:
     Status checkLattice() const;
     Status checkValues() const;
     Status checkPlace() const;
+    Status checkFrame() const;
     Status checkBounds() const;
     Status checkCodecs() const;
     Status checkPackedCodecs() const;
@@ -104,10 +92,10 @@ Result<FileLayout> LayoutReader::read()
     for (const auto step : {&LayoutReader::readHeader, &LayoutReader::readTable})
         if (const Status status = (this->*step)(); !status)
             return status.error();
-    for (const auto check :
-         {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
-          &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs, &LayoutReader::checkCounts,
-          &LayoutReader::checkPositions, &LayoutReader::checkSamples, &LayoutReader::checkDerived})
+    for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
+                             &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs,
+                             &LayoutReader::checkCounts, &LayoutReader::checkFrame, &LayoutReader::checkPositions,
+                             &LayoutReader::checkSamples, &LayoutReader::checkDerived})
         if (const Status status = (this->*check)(); !status)
             return status.error();
     return std::move(layout_);
@@ -120,7 +108,7 @@ Result<FileLayout> LayoutReader::readPacked()
             return status.error();
     for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
                              &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkPackedCodecs,
-                             &LayoutReader::checkPackedCounts})
+                             &LayoutReader::checkPackedCounts, &LayoutReader::checkFrame})
         if (const Status status = (this->*check)(); !status)
             return status.error();
     return std::move(layout_);
@@ -220,12 +208,31 @@ Status LayoutReader::checkPlace() const
         if (!std::isfinite(header.boundingBox[axis]) || !std::isfinite(header.boundingBox[axis + 3]) ||
             header.boundingBox[axis] > header.boundingBox[axis + 3])
             return damaged(Message::say("its bounding box makes no sense"));
-    if (isDomain(header, DomainClass::RegularLattice) && !isBoxOfLattice(header))
+    // With a frame takeFrameSection() looks at it.
+    const ModelDescription about = descriptionOf(header);
+    if (isDomain(header, DomainClass::RegularLattice) && !layout_.has(SectionId::Frame) &&
+        !isBoxOfLattice(about.lattice, about.bounds))
         return damaged(Message::say("its bounding box makes no sense"));
     const bool warps = canWarp(DomainClass(header.domainClass));
     if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || warps != (header.warpingWeight > 0) ||
         header.leftHanded > (isDomain(header, DomainClass::Curvilinear) ? 1u : 0u))
         return damaged(Message::say("its warping weight or its handedness makes no sense"));
+    return {};
+}
+
+Status LayoutReader::checkFrame() const
+{
+    const std::pair<Expected, std::uint64_t> all[] = {{{SectionId::Frame, sizeof(double)}, 9},
+                                                      {{SectionId::Metric, sizeof(double)}, 3}};
+    for (const auto& [expected, count] : all) {
+        if (!layout_.has(expected.id))
+            continue;
+        if (!isDomain(layout_.header, DomainClass::RegularLattice))
+            return damaged(Message::say("it has a section '%1', which only a regular lattice has",
+                                        format::sectionName(static_cast<std::uint32_t>(expected.id))));
+        if (const Status counted = checkCount(expected, count); !counted)
+            return counted;
+    }
     return {};
 }
 
@@ -478,7 +485,10 @@ Header headerOf(const ModelDescription& description)
     std::copy_n(box.min().data(), 3, header.boundingBox.begin());
     std::copy_n(box.max().data(), 3, header.boundingBox.begin() + 3);
     header.warpingWeight = description.warpingWeight;
-    header.leftHanded = description.leftHanded ? 1 : 0;
+    // Of a lattice the frame says it.
+    header.leftHanded = description.domain == DomainClass::Curvilinear && description.leftHanded ? 1 : 0;
+    if (!frameSections(description).empty())
+        header.minorVersion = format::minorVersionWithFrame;
     header.sourceHash = description.sourceHash;
     return header;
 }
@@ -544,7 +554,8 @@ void describeSource(ModelDescription& description, const Dataset& dataset)
     description.domain = dataset.domain;
     description.lattice = dataset.lattice;
     description.bounds = dataset.bounds();
-    description.leftHanded = dataset.domain == DomainClass::Curvilinear && isLeftHanded(dataset);
+    description.leftHanded =
+        dataset.domain == DomainClass::Curvilinear ? isLeftHanded(dataset) : dataset.lattice.isLeftHanded();
     description.sampleType = dataset.values.type();
     description.range = dataset.values.range();
     description.sourceName = dataset.source.name;

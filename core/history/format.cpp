@@ -14,6 +14,8 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::PackedLevels: return "packed levels";
     case SectionId::PackedSums: return "packed sums";
     case SectionId::PackedChunks: return "packed chunks";
+    case SectionId::Frame: return "frame";
+    case SectionId::Metric: return "metric";
     case SectionId::SitePoints: return "site points";
     case SectionId::SiteValues: return "site values";
     case SectionId::SiteRunningKeys: return "site running keys";

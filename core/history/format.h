@@ -19,6 +19,8 @@ static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<doubl
 constexpr std::array<char, 8> magic = {'\x89', 'T', 'A', 'N', '\r', '\n', '\x1a', '\n'};
 constexpr std::uint16_t majorVersion = 1;
 constexpr std::uint16_t minorVersion = 3;
+/// Of files that have a section of this version (FORMAT.md, "Older files").
+constexpr std::uint16_t minorVersionWithFrame = 4;
 constexpr std::uint32_t byteOrderMark = 0x01020304;
 constexpr std::uint32_t byteOrderMarkReversed = 0x04030201;
 
@@ -44,6 +46,8 @@ enum class SectionId : std::uint32_t {
     PackedLevels = 6,
     PackedSums = 7,
     PackedChunks = 8,
+    Frame = 9, ///< this and the next: of lattices alone
+    Metric = 10,
     SitePoints = 16,
     SiteValues = 17,
     SiteRunningKeys = 18,

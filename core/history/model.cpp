@@ -3,6 +3,7 @@
 #include "core/base/rounding.h"
 #include "core/history/derived_sections.h"
 #include "core/history/file_layout.h"
+#include "core/history/lattice_frame.h"
 #include "core/history/section_checks.h"
 
 #include <tan/base.h>
@@ -58,6 +59,28 @@ struct Model::File {
     FileLayout layout;
     std::unique_ptr<const SectionChecks> checks;
 };
+
+namespace {
+
+Status readFrame(const MappedFile& mapped, const FileLayout& layout, const std::filesystem::path& path,
+                 ModelDescription& description)
+{
+    for (const SectionId id : frameSectionIds) {
+        if (!layout.has(id))
+            continue;
+        const Section& section = layout.section(id);
+        const std::span<const std::byte> bytes = sectionBytes(mapped, section);
+        if (checksum(bytes) != section.checksum || !takeFrameSection(id, bytes, description))
+            return Error{ErrorKind::BadInput,
+                         Message::say("'%1' is damaged: its section '%2' makes no sense. Copy the file again, or build "
+                                      "it again.",
+                                      path.string(), format::sectionName(section.id)),
+                         path};
+    }
+    return {};
+}
+
+} // namespace
 
 Model::Model(File file, ModelDescription description, std::filesystem::path place,
              std::shared_ptr<const WholeElsewhere> whole)
@@ -134,6 +157,8 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     ModelDescription description = descriptionOf(layout->header);
     description.delaunay = *delaunay;
     readText({reinterpret_cast<const char*>(text.data()), text.size()}, description);
+    if (const Status framed = readFrame(mapped, *layout, path, description); !framed)
+        return framed.error();
     auto checks = SectionChecks::make(file.value(), *layout);
     if (!checks)
         return checks.error();

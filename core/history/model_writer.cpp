@@ -8,6 +8,7 @@
 #include "core/history/batch_builder.h"
 #include "core/history/derived_sections.h"
 #include "core/history/file_layout.h"
+#include "core/history/lattice_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,11 +117,17 @@ Status ModelFileWriter::begin()
     if (!text)
         return text.error();
     // The index takes its place while nobody knows how long it will be.
-    const std::array sections{
-        PlannedSection{SectionId::LevelIndex, sizeof(format::LevelEntry), format::mostLevels, 0, true},
-        PlannedSection{SectionId::Text, 1, text->size()}};
+    std::vector sections{
+        PlannedSection{SectionId::LevelIndex, sizeof(format::LevelEntry), format::mostLevels, 0, true}};
+    const std::vector<FrameSection> frame = frameSections(description_);
+    for (const FrameSection& section : frame)
+        sections.push_back({section.id, sizeof(double), section.numbers.size()});
+    sections.push_back({SectionId::Text, 1, text->size()});
     if (const Status planned = sections_.plan(sections); !planned)
         return planned;
+    for (const FrameSection& section : frame)
+        if (const Status written = sections_.add(section.id, std::as_bytes(std::span(section.numbers))); !written)
+            return written;
     return sections_.add(SectionId::Text, std::as_bytes(std::span(*text)));
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/checksum.h"
 #include "core/base/file_writer.h"
 #include "core/history/derived_sections.h"
+#include "core/history/lattice_frame.h"
 #include "core/history/section_writer.h"
 
 #include <algorithm>
@@ -45,6 +46,8 @@ constexpr PrefixPart prefixParts[] = {{SectionId::StarOffsets, PrefixShare::Site
                                       {SectionId::OwnErrors, PrefixShare::Tetrahedra},
                                       {SectionId::OwnWarpings, PrefixShare::Tetrahedra},
                                       {SectionId::HistoryKind, PrefixShare::Whole},
+                                      {SectionId::Frame, PrefixShare::Whole},
+                                      {SectionId::Metric, PrefixShare::Whole},
                                       {SectionId::Text, PrefixShare::Whole},
                                       {SectionId::Blocks, PrefixShare::Whole, false},
                                       {SectionId::Faults, PrefixShare::Whole, false},
@@ -209,10 +212,15 @@ Status PrefixCopier::run(const std::filesystem::path& output)
     if (takesAll(front_, end_))
         return copyWhole(*std::move(file));
     SectionWriter sections(*std::move(file));
-    std::vector<PlannedSection> planned{{SectionId::LevelIndex, sizeof(LevelEntry), format::mostLevels, 0, true},
-                                        {SectionId::Text, 1, front_.layout.section(SectionId::Text).bytes}};
+    std::vector<PlannedSection> planned{{SectionId::LevelIndex, sizeof(LevelEntry), format::mostLevels, 0, true}};
+    for (const FrameSection& section : frameSections(front_.description))
+        planned.push_back({section.id, sizeof(double), section.numbers.size()});
+    planned.push_back({SectionId::Text, 1, front_.layout.section(SectionId::Text).bytes});
+    const auto isPlanned = [&](SectionId id) {
+        return std::ranges::find(planned, id, &PlannedSection::id) != planned.end();
+    };
     for (const PrefixPart& part : prefixParts)
-        if (part.isCopied && part.id != SectionId::Text && front_.layout.has(part.id)) {
+        if (part.isCopied && !isPlanned(part.id) && front_.layout.has(part.id)) {
             const Section& section = front_.layout.section(part.id);
             planned.push_back({part.id, section.elementBytes, prefixBytesOf(part, end_, section) / section.elementBytes,
                                section.flags});
@@ -464,6 +472,16 @@ Result<ModelFront> readFront(const ByteSource& source, const std::string& name, 
     if (!text)
         return text.error();
     readText({reinterpret_cast<const char*>(text->data()), text->size()}, front.description);
+    for (const SectionId id : frameSectionIds) {
+        if (!front.layout.has(id))
+            continue;
+        const Section& section = front.layout.section(id);
+        const auto numbers = readSmall(source, name, section, bytes, progress);
+        if (!numbers)
+            return numbers.error();
+        if (!takeFrameSection(id, *numbers, front.description))
+            return damagedModel(name, Message::say("section '%1' makes no sense", format::sectionName(section.id)));
+    }
     if (!front.layout.has(SectionId::LevelIndex))
         return front;
     const Section& index = front.layout.section(SectionId::LevelIndex);

@@ -18,11 +18,17 @@ Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::
     const std::uint64_t pointCount = lattice.pointCount();
     Eigen::Vector3d* const out = positions.data();
     bool outside = false;
-    for (std::size_t site = 0; site < sites; ++site) {
-        const std::uint32_t point = points[site];
-        outside |= point >= pointCount;
-        out[site] = lookUp.position(point);
-    }
+    const auto place = [&](const auto& positionOf) {
+        for (std::size_t site = 0; site < sites; ++site) {
+            const std::uint32_t point = points[site];
+            outside |= point >= pointCount;
+            out[site] = positionOf(point);
+        }
+    };
+    if (lattice.isAlongAxes())
+        place([&](std::uint32_t point) { return lookUp.positionAlongAxes(point); });
+    else
+        place([&](std::uint32_t point) { return lookUp.position(point); });
     if (outside)
         return inconsistentModel(model, Message::say("a site is no point of its lattice"));
     return {};

@@ -20,22 +20,30 @@ class LatticePoints {
 public:
     explicit LatticePoints(const Lattice& lattice)
         : sizeX_(lattice.size[0]), sizeXy_(static_cast<double>(lattice.size[0]) * lattice.size[1]), perRow_(1 / sizeX_),
-          perSlice_(1 / sizeXy_), spacing_(lattice.spacing), origin_(lattice.origin)
+          perSlice_(1 / sizeXy_), spacing_(lattice.spacing), origin_(lattice.origin), directions_(lattice.directions)
     {
     }
 
     /// Where Lattice::position() puts the point. Any index is harmless; one outside has no meaning.
     Eigen::Vector3d position(std::uint32_t index) const
     {
+        const Eigen::Vector3d along = alongAxes(index);
+        return origin_ +
+               (directions_.col(0) * along[0] + directions_.col(1) * along[1] + directions_.col(2) * along[2]);
+    }
+    /// The same, quicker, of a lattice along the axes.
+    Eigen::Vector3d positionAlongAxes(std::uint32_t index) const { return origin_ + alongAxes(index); }
+
+private:
+    Eigen::Vector3d alongAxes(std::uint32_t index) const
+    {
         const double number = index;
         const double slice = quotient(number, perSlice_);
         const double inSlice = number - slice * sizeXy_;
         const double row = quotient(inSlice, perRow_);
         const double inRow = inSlice - row * sizeX_;
-        return {origin_[0] + spacing_[0] * inRow, origin_[1] + spacing_[1] * row, origin_[2] + spacing_[2] * slice};
+        return {spacing_[0] * inRow, spacing_[1] * row, spacing_[2] * slice};
     }
-
-private:
     /// floor(number / unit), exactly. Half a unit up and half a quotient down, the value lies between the middles of
     /// two integers, at least 1 / (2 unit) away from either, far more than 32-bit numbers lose to rounding; adding 1.5
     /// * 2^52 then rounds to the integer between them.
@@ -51,6 +59,7 @@ private:
     double perSlice_;
     Eigen::Vector3d spacing_;
     Eigen::Vector3d origin_;
+    Eigen::Matrix3d directions_;
 };
 
 /// What the meshes of all kinds of queries are filled with: of the first `sites` sites, not more than the model has.

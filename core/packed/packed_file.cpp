@@ -81,6 +81,7 @@ Result<std::unique_ptr<PackedFileWriter>> PackedFileWriter::create(const std::fi
     if (!layout)
         return layout.error();
     writer->header_ = layout->header;
+    writer->frame_ = frameSections(model.description());
     writer->facts_.headerChecksum = layout->header.checksum;
     for (const Section& section : layout->sections)
         writer->sums_.push_back({section.id, 0, section.checksum});
@@ -115,8 +116,9 @@ void PackedFileWriter::endLevel(float error, float warping, std::uint32_t sites,
 
 std::uint64_t PackedFileWriter::size() const noexcept
 {
-    constexpr std::uint64_t front = sizeof(Header) + 5 * sizeof(Section);
-    std::uint64_t size = front;
+    std::uint64_t size = sizeof(Header) + (5 + frame_.size()) * sizeof(Section);
+    for (const FrameSection& section : frame_)
+        size = format::aligned(size) + bytesOfAll(section.numbers).size();
     for (const std::uint64_t bytes :
          {std::uint64_t(sizeof(PackedFacts)), std::uint64_t(bytesOfAll(levels_).size()),
           std::uint64_t(bytesOfAll(sums_).size()), std::uint64_t(text_.size()), chunks_.size()})
@@ -136,12 +138,13 @@ Status PackedFileWriter::finish()
         std::uint32_t elementBytes;
         std::span<const std::byte> bytes;
     };
-    const std::array front{
-        Part{SectionId::PackedFacts, sizeof(PackedFacts), std::as_bytes(std::span(&facts_, 1))},
-        Part{SectionId::PackedLevels, sizeof(PackedLevelEntry), bytesOfAll(levels_)},
-        Part{SectionId::PackedSums, sizeof(PackedSum), bytesOfAll(sums_)},
-        Part{SectionId::Text, 1, std::as_bytes(std::span(text_))},
-    };
+    std::vector<Part> front;
+    for (const FrameSection& section : frame_)
+        front.push_back({section.id, sizeof(double), bytesOfAll(section.numbers)});
+    front.insert(front.end(), {{SectionId::PackedFacts, sizeof(PackedFacts), std::as_bytes(std::span(&facts_, 1))},
+                               {SectionId::PackedLevels, sizeof(PackedLevelEntry), bytesOfAll(levels_)},
+                               {SectionId::PackedSums, sizeof(PackedSum), bytesOfAll(sums_)},
+                               {SectionId::Text, 1, std::as_bytes(std::span(text_))}});
     std::vector<Section> table;
     std::uint64_t end = sizeof(Header) + (front.size() + 1) * sizeof(Section);
     const auto place = [&](SectionId id, std::uint32_t elementBytes, std::uint64_t bytes, std::uint64_t sum) {
@@ -173,7 +176,7 @@ Status PackedFileWriter::finish()
     place(SectionId::PackedChunks, 1, chunks_.size(), sum.value());
     Header header = header_;
     header.majorVersion = format::majorVersion;
-    header.minorVersion = format::minorVersion;
+    header.minorVersion = frame_.empty() ? format::minorVersion : format::minorVersionWithFrame;
     header.sectionCount = static_cast<std::uint32_t>(table.size());
     header.fileBytes = file_.size();
     header.checksum = headerChecksum(header, bytesOfAll(table));
@@ -258,6 +261,16 @@ Status PackedFile::readFront(const Progress& progress)
     description_.delaunay =
         std::ranges::find(sums_, std::uint32_t(SectionId::HistoryKind), &PackedSum::id) == sums_.end();
     readText(text, description_);
+    for (const SectionId id : frameSectionIds) {
+        std::vector<std::byte> numbers;
+        if (!layout->has(id))
+            continue;
+        if (const Status read = sectionOf(id, numbers); !read)
+            return read;
+        if (!takeFrameSection(id, numbers, description_))
+            return damaged(
+                Message::say("its section '%1' makes no sense", format::sectionName(static_cast<std::uint32_t>(id))));
+    }
     const Section& chunks = layout->section(SectionId::PackedChunks);
     chunks_ = {chunks.offset, chunks.bytes};
     chunksSum_ = chunks.checksum;

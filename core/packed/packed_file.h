@@ -6,6 +6,7 @@
 #include "core/base/scratch_file.h"
 #include "core/history/file_layout.h"
 #include "core/history/format.h"
+#include "core/history/lattice_frame.h"
 
 #include <tan/model.h>
 #include <tan/packed.h>
@@ -54,6 +55,7 @@ private:
     SpooledArray<std::byte> chunks_{spool_};
     format::Header header_;
     format::PackedFacts facts_;
+    std::vector<FrameSection> frame_;
     std::string text_;
     std::vector<format::PackedSum> sums_;
     std::vector<format::PackedLevelEntry> levels_;

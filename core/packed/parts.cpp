@@ -6,6 +6,7 @@
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "core/history/derived_sections.h"
+#include "core/history/lattice_frame.h"
 #include "core/history/section_writer.h"
 #include "core/packed/parts_history.h"
 #include "core/packed/range_coder.h"
@@ -124,6 +125,7 @@ HistoryFacts factsOf(const Header& header, const ModelDescription& description, 
     facts.domain = description.domain;
     facts.sampleType = description.sampleType;
     facts.lattice = description.lattice;
+    facts.lattice.spacing = description.meshSpacing();
     facts.coordinateBytes = known.coordinateBytes;
     facts.decimals = known.decimals;
     facts.delaunay = description.delaunay;
@@ -224,13 +226,18 @@ Status writeModelFile(const WrittenModel& model, std::span<const std::uint32_t> 
     if (!file)
         return file.error();
     SectionWriter sections(*std::move(file));
-    const std::array front{
-        PlannedSection{SectionId::LevelIndex, sizeof(format::LevelEntry), format::mostLevels, 0, true},
-        PlannedSection{SectionId::Text, 1, text->size()}};
+    std::vector front{PlannedSection{SectionId::LevelIndex, sizeof(format::LevelEntry), format::mostLevels, 0, true}};
+    const std::vector<FrameSection> frame = frameSections(model.description);
+    for (const FrameSection& section : frame)
+        front.push_back({section.id, sizeof(double), section.numbers.size()});
+    front.push_back({SectionId::Text, 1, text->size()});
     const std::vector<PlannedSection> planned = sectionsOf(model, order);
     for (const std::span<const PlannedSection> part : {std::span<const PlannedSection>(front), std::span(planned)})
         if (const Status laidOut = sections.plan(part); !laidOut)
             return laidOut;
+    for (const FrameSection& section : frame)
+        if (const Status written = sections.add(section.id, std::as_bytes(std::span(section.numbers))); !written)
+            return written;
     if (const Status written = sections.add(SectionId::Text, std::as_bytes(std::span(*text))); !written)
         return written;
     for (const PlannedSection& section : planned)

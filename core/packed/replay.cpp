@@ -143,6 +143,7 @@ std::optional<Refinement> replayRecipe(const ModelDescription& description, std:
 {
     Refinement recipe;
     recipe.block = blockCells;
+    recipe.metric = description.metric;
     for (const auto& [name, text] : description.parameters) {
         if (name == "error") {
             const auto error = parseNumber<double>(text);
@@ -180,6 +181,7 @@ Status buildAgain(const Dataset& dataset, const ModelDescription& description, c
     ModelDescription provenance;
     provenance.builder = description.builder;
     provenance.parameters = description.parameters;
+    provenance.metric = description.metric;
     const auto file = ModelFileTarget::open(output, dataset, provenance, false);
     if (!file)
         return file.error();
@@ -219,7 +221,7 @@ struct ReplayedLattice {
 Result<std::unique_ptr<ReplayedLattice>> ReplayedLattice::make(const ModelDescription& about, std::uint32_t blockCells)
 {
     const auto& size = about.lattice.size;
-    const auto metric = latticeMetric(BlockDivision(size, blockCells).box(0).size, about.lattice.spacing);
+    const auto metric = latticeMetric(BlockDivision(size, blockCells).box(0).size, about.meshSpacing());
     if (!metric)
         return metric.error();
     std::unique_ptr<ReplayedLattice> result(new ReplayedLattice{.size = size,
@@ -1194,7 +1196,7 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
         !std::ranges::is_sorted(model.runningKeys(), std::ranges::greater()))
         return cannot;
     const auto recipe = replayRecipe(about, *cells);
-    if (!recipe || !latticeMetric(BlockDivision(about.lattice.size, *cells).box(0).size, about.lattice.spacing))
+    if (!recipe || !latticeMetric(BlockDivision(about.lattice.size, *cells).box(0).size, about.meshSpacing()))
         return cannot;
     const auto lattice = ReplayedLattice::make(about, *cells);
     if (!lattice)

@@ -192,8 +192,11 @@ ServedAnswer tooLarge(std::uint64_t most)
 PlaceScale scaleOf(const Model& model)
 {
     const ModelDescription& description = model.description();
-    if (description.domain == DomainClass::RegularLattice)
-        return {description.lattice.origin, description.lattice.spacing};
+    if (description.domain == DomainClass::RegularLattice) {
+        const Lattice& lattice = description.lattice;
+        // Axes that are mirrored or exchanged lead along one of the world, others along all three.
+        return {lattice.origin, lattice.directions.cwiseAbs() * lattice.spacing};
+    }
     return {description.bounds.min(), {1, 1, 1}};
 }
 

@@ -383,6 +383,12 @@ bool verifySource(const Model& model, const Dataset& dataset, const Dataset& ori
                            original.source.name + "' (XXH3 " + hexadecimal(hash) + ").");
     if (description.lattice.spacing != lattice.spacing || description.lattice.origin != lattice.origin)
         failures.emplace_back("The spacing or the origin of the lattice is not that of the original.");
+    if (description.lattice.directions != lattice.directions)
+        failures.emplace_back(description.lattice.isAlongAxes()
+                                  ? "The model was read without the directions of the lattice's axes, as TAn did up to "
+                                    "version 0.1: where "
+                                    "the original is turned or mirrored, the model is not. Build it again."
+                                  : "The directions of the lattice's axes are not those of the original.");
     const Eigen::AlignedBox3d bounds = original.bounds();
     if (description.bounds.min() != bounds.min() || description.bounds.max() != bounds.max())
         failures.emplace_back("The bounding box is not that of the original.");

@@ -439,9 +439,7 @@ Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& pl
     };
     if (std::ranges::any_of(out.mesh.tetrahedra, noVertex))
         return inconsistentModel(model, Message::say("a tetrahedron has a site that its creator does not need"));
-    if (model.description().leftHanded)
-        for (std::array<std::uint32_t, 4>& tetrahedron : out.mesh.tetrahedra)
-            std::swap(tetrahedron[2], tetrahedron[3]);
+    turnToPhysicalSpace(model, out.mesh.tetrahedra);
     out.mesh.positions.resize(out.sites.size());
     out.mesh.values.resize(out.sites.size());
     std::ranges::transform(out.sites, out.mesh.positions.begin(),

@@ -152,6 +152,7 @@ public:
 
 private:
     double fieldAt(const std::array<std::uint32_t, 3>& point) const;
+    Eigen::AlignedBox3d indicesIn(const Box& bounds, double margin) const;
     void findRange();
 
     ErrorField field_;
@@ -167,9 +168,26 @@ FocusLimits::FocusLimits(const SpaceRamp& ramp, const Lattice& lattice, double v
     const SpaceRamp& clean = *field_.asSpaceRamp();
     least = clean.inner / 100 * extent_;
     most = clean.outer / 100 * extent_;
-    quick_ = std::holds_alternative<Box>(clean.region) && clean.falloff == 0;
+    quick_ = std::holds_alternative<Box>(clean.region) && clean.falloff == 0 && lattice.isAlongAxes();
     twoValued = quick_;
     findRange();
+}
+
+/// In a frame that is not along the axes, where a box of the world is in indices: what its corners span.
+Eigen::AlignedBox3d FocusLimits::indicesIn(const Box& bounds, double margin) const
+{
+    // A region without an end reaches over all of the lattice.
+    const Eigen::AlignedBox3d domain = lattice_.bounds();
+    const Eigen::Vector3d least = (bounds.least.array() - margin).max(domain.min().array() - margin).matrix();
+    const Eigen::Vector3d largest = (bounds.largest.array() + margin).min(domain.max().array() + margin).matrix();
+    Eigen::AlignedBox3d indices;
+    if ((least.array() > largest.array()).any())
+        return indices;
+    for (unsigned corner = 0; corner < 8; ++corner)
+        indices.extend(
+            lattice_.indicesAt({(corner & 1) != 0 ? least[0] : largest[0], (corner & 2) != 0 ? least[1] : largest[1],
+                                (corner & 4) != 0 ? least[2] : largest[2]}));
+    return indices;
 }
 
 void FocusLimits::findRange()
@@ -178,6 +196,9 @@ void FocusLimits::findRange()
     const Box bounds = boundsOf(ramp.region);
     // Rounding may make a distance a little less than it is.
     const double reach = ramp.falloff * (1 + 1e-9);
+    const bool alongAxes = lattice_.isAlongAxes();
+    const double farthest = lattice_.bounds().min().cwiseAbs().cwiseMax(lattice_.bounds().max().cwiseAbs()).maxCoeff();
+    const Eigen::AlignedBox3d indices = alongAxes ? Eigen::AlignedBox3d() : indicesIn(bounds, reach + 1e-9 * farthest);
     for (int axis = 0; axis < 3; ++axis) {
         const auto count = lattice_.size[static_cast<std::size_t>(axis)];
         std::vector<char> inside(count);
@@ -185,6 +206,10 @@ void FocusLimits::findRange()
             quick_ ? 0 : reach + 1e-9 * (std::abs(lattice_.origin[axis]) + lattice_.spacing[axis] * count);
         std::array<std::uint32_t, 3> point{0, 0, 0};
         for (std::uint32_t i = 0; i < count; ++i) {
+            if (!alongAxes) {
+                inside[i] = i >= indices.min()[axis] - 1e-6 && i <= indices.max()[axis] + 1e-6;
+                continue;
+            }
             point[static_cast<std::size_t>(axis)] = i;
             const double place = lattice_.position(point[0], point[1], point[2])[axis];
             inside[i] = !(place < bounds.least[axis] - margin) && !(place > bounds.largest[axis] + margin);
@@ -215,9 +240,14 @@ bool FocusLimits::mayHoldIn(const std::array<std::uint32_t, 3>& cube, std::uint3
     if (quick_)
         return true;
     const SpaceRamp& ramp = *field_.asSpaceRamp();
-    const Eigen::Vector3d size = lattice_.spacing * edge;
+    const Eigen::Vector3d size = lattice_.step(Eigen::Vector3d::Constant(edge));
     const Eigen::Vector3d middle = lattice_.position(cube[0], cube[1], cube[2]) + size / 2;
-    const double reach = size.norm() / 2 + ramp.falloff + 1e-9 * (middle.cwiseAbs().maxCoeff() + size.maxCoeff());
+    double diagonal = 0; // the longest of four: of a sheared cube they differ
+    for (const Eigen::Vector3d& signs :
+         {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(-1, 1, 1), Eigen::Vector3d(1, -1, 1), Eigen::Vector3d(1, 1, -1)})
+        diagonal = std::max(diagonal, lattice_.step(signs * edge).norm());
+    const double reach =
+        diagonal / 2 + ramp.falloff + 1e-9 * (middle.cwiseAbs().maxCoeff() + size.cwiseAbs().maxCoeff());
     return !(distanceTo(ramp.region, middle) > reach);
 }
 
@@ -251,7 +281,7 @@ std::optional<BlockDivision> focusDivision(const Model& model)
     if (!edge)
         return std::nullopt;
     const BlockDivision division(lattice.size, *edge);
-    if (!latticeMetric(division.box(0).size, lattice.spacing))
+    if (!latticeMetric(division.box(0).size, model.description().meshSpacing()))
         return std::nullopt;
     return division;
 }
@@ -604,7 +634,7 @@ Status RegionRefiner::Work::prepare()
     if (prepared_)
         return {};
     const auto division = focusDivision(model_);
-    const auto metric = division ? latticeMetric(division->box(0).size, model_.description().lattice.spacing)
+    const auto metric = division ? latticeMetric(division->box(0).size, model_.description().meshSpacing())
                                  : Result<LatticeMetric>(focusTooLarge());
     if (!metric)
         return metric.error();

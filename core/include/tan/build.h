@@ -82,6 +82,9 @@ struct Refinement {
     /// focuses, which go by tetrahedra's own errors, do not.
     bool inSpace = false;
     Weighting weighting{}; ///< how much the error at each point counts (R6)
+    /// Of lattices: the lengths of the steps by which tetrahedra are chosen, if not the spacing
+    /// (ModelDescription::metric).
+    std::optional<Eigen::Vector3d> metric{};
 };
 
 /// Which vertex an edge collapse takes away next.

@@ -29,6 +29,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <array>
 #include <cassert>
@@ -47,13 +48,20 @@ namespace tetra {
 
 class MappedFile;
 
-/// A regular grid of points: point (i, j, k) lies at origin + (i, j, k) * spacing. The first index runs fastest.
-/// Every axis has at least two points and a positive finite spacing (readers and latticeDataset() refuse anything
-/// else).
+/// A regular grid of points in its *frame*: point (i, j, k) lies at origin + directions * (spacing * (i, j, k)), as in
+/// ITK and VTK. The first index runs fastest. Every axis has at least two points and a positive finite spacing, and no
+/// direction lies in the plane of the others (readers and latticeDataset() refuse anything else).
+///
+/// Linear interpolation is the same in every frame, so a mesh of the lattice is made by the indices alone: which
+/// tetrahedra are best tells the spacing. The frame says where it lies in the world, and is used where places leave or
+/// enter: positions of meshes, bounds, regions.
 struct Lattice {
     std::array<std::uint32_t, 3> size{2, 2, 2};
-    Eigen::Vector3d spacing{1, 1, 1};
+    Eigen::Vector3d spacing{1, 1, 1}; ///< lengths of a step of each index
     Eigen::Vector3d origin{0, 0, 0};
+    /// The unit vectors along which i, j and k run, as columns: those of the world, or mirrored, exchanged, turned or
+    /// sheared.
+    Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
 
     std::uint64_t pointCount() const noexcept { return std::uint64_t(size[0]) * size[1] * size[2]; }
     std::uint64_t cellCount() const noexcept { return std::uint64_t(size[0] - 1) * (size[1] - 1) * (size[2] - 1); }
@@ -67,11 +75,36 @@ struct Lattice {
         return {static_cast<std::uint32_t>(index % size[0]), static_cast<std::uint32_t>(index / size[0] % size[1]),
                 static_cast<std::uint32_t>(index / size[0] / size[1])};
     }
+    /// Whether i, j and k run along x, y and z of the world.
+    bool isAlongAxes() const { return directions == Eigen::Matrix3d::Identity(); }
+    /// Whether what is positive by the indices is negative in the world.
+    bool isLeftHanded() const { return directions.determinant() < 0; }
     Eigen::Vector3d position(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
     {
-        return origin + spacing.cwiseProduct(Eigen::Vector3d(i, j, k));
+        return origin + step(Eigen::Vector3d(i, j, k));
     }
-    Eigen::AlignedBox3d bounds() const { return {origin, position(size[0] - 1, size[1] - 1, size[2] - 1)}; }
+    /// How far so many steps of the three indices lead. The sums are those of LatticePoints, to the last bit; zeros of
+    /// directions along the axes add nothing.
+    Eigen::Vector3d step(const Eigen::Vector3d& indices) const
+    {
+        const Eigen::Vector3d along = spacing.cwiseProduct(indices);
+        return directions.col(0) * along[0] + directions.col(1) * along[1] + directions.col(2) * along[2];
+    }
+    /// The indices, with fractions, of a place in the world.
+    Eigen::Vector3d indicesAt(const Eigen::Vector3d& place) const
+    {
+        return (directions.inverse() * (place - origin)).cwiseQuotient(spacing);
+    }
+    /// Of its eight corners, in the world.
+    Eigen::AlignedBox3d bounds() const
+    {
+        Eigen::AlignedBox3d box;
+        for (const std::uint32_t i : {0u, size[0] - 1})
+            for (const std::uint32_t j : {0u, size[1] - 1})
+                for (const std::uint32_t k : {0u, size[2] - 1})
+                    box.extend(position(i, j, k));
+        return box;
+    }
 };
 
 /// What kind of domain the points of a dataset lie in (R1). The numbers are part of the `.tan` format.
@@ -280,10 +313,10 @@ TAN_API std::vector<std::array<Eigen::Vector3d, 2>> edgesOf(const FaultyCell& ce
 
 /// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
 ///
-/// Regular: the lattice says where the points lie. Curvilinear (and rectilinear): the lattice is the computational
-/// space, with spacing 1 and origin 0, and `positions` the physical one. Scattered: `positions` alone; the lattice's
-/// size is {points, 1, 1} and says nothing more. Irregular: as scattered, and `tetrahedra` fill the domain: a
-/// conforming mesh that uses every point, of one or more components, whose boundary is a manifold.
+/// Regular: the lattice and its frame say where the points lie. Curvilinear (and rectilinear): the lattice is the
+/// computational space, with spacing 1 and origin 0, and `positions` the physical one. Scattered: `positions` alone;
+/// the lattice's size is {points, 1, 1} and says nothing more. Irregular: as scattered, and `tetrahedra` fill the
+/// domain: a conforming mesh that uses every point, of one or more components, whose boundary is a manifold.
 struct TAN_API Dataset {
     DomainClass domain = DomainClass::RegularLattice;
     Lattice lattice;
@@ -322,7 +355,8 @@ struct TAN_API Dataset {
 // std::bad_alloc. Safe from any thread.
 
 /// A regular lattice; the first index of `values` runs fastest. Refused unless there is exactly one finite value per
-/// point; fewer than two points along an axis, a spacing that is not positive. O(points).
+/// point; fewer than two points along an axis, a spacing that is not positive, directions that are not of unit length
+/// or lie in a plane. O(points).
 TAN_API Result<Dataset> latticeDataset(const Lattice& lattice, ScalarField values, std::string name);
 
 /// A curvilinear (or rectilinear) grid of `size` points, the first index running fastest, each in its place. Cells may

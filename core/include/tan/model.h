@@ -46,6 +46,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -59,11 +60,15 @@ class WholeElsewhere;
 struct ModelDescription {
     DomainClass domain = DomainClass::RegularLattice;
     Lattice lattice; ///< as Dataset::lattice: of curvilinear data the computational space
+    /// The lengths of the lattice's steps by which tetrahedra were chosen, where they are not its spacing: that may
+    /// have been corrected since, and the mesh stays what it is.
+    std::optional<Eigen::Vector3d> metric{};
     Eigen::AlignedBox3d bounds{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, 0)}; ///< of all points of the dataset
     /// Units of the values for a unit of length: running keys are the larger of error and this times warping (S4). 0
     /// where there is no warping.
     double warpingWeight = 0;
-    /// Whether what is positive in computational space is negative in physical space: curvilinear data only.
+    /// Whether what is positive in computational space is negative in physical space: of lattices, for which the
+    /// indices are that space, and curvilinear data.
     bool leftHanded = false;
     /// HistoryTraits::delaunay: if not, only closed sets of sites have a mesh.
     bool delaunay = true;
@@ -73,6 +78,8 @@ struct ModelDescription {
     std::uint64_t sourceHash = 0;                                ///< ... and Source::hash
     std::string builder;                                         ///< id of the builder plugin
     std::vector<std::pair<std::string, std::string>> parameters; ///< the builder's parameters, as text
+
+    Eigen::Vector3d meshSpacing() const { return metric.value_or(lattice.spacing); }
 };
 
 /// A multiresolution model in a mapped `.tan` file (FORMAT.md), read-only and shared by everything that looks at it.
