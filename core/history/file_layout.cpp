@@ -541,6 +541,8 @@ void readLine(std::string_view line, ModelDescription& description)
     std::string value = unescaped(line.substr(separator + 1));
     if (key == "source")
         description.sourceName = std::move(value);
+    else if (key == "space")
+        description.space = std::move(value);
     else if (key == "builder")
         description.builder = std::move(value);
     else if (key.starts_with(parameterPrefix))
@@ -558,6 +560,7 @@ void describeSource(ModelDescription& description, const Dataset& dataset)
         dataset.domain == DomainClass::Curvilinear ? isLeftHanded(dataset) : dataset.lattice.isLeftHanded();
     description.sampleType = dataset.values.type();
     description.range = dataset.values.range();
+    description.space = dataset.space;
     description.sourceName = dataset.source.name;
     description.sourceHash = dataset.source.hash;
 }
@@ -567,6 +570,8 @@ Result<std::string> textOf(const ModelDescription& description, const std::files
     std::string text;
     appendLine(text, "source", description.sourceName);
     appendLine(text, "builder", description.builder);
+    if (!description.space.empty())
+        appendLine(text, "space", description.space);
     for (const auto& [name, value] : description.parameters)
         appendLine(text, std::string(parameterPrefix) + name, value);
     if (text.size() > format::longestText)

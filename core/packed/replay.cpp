@@ -167,6 +167,7 @@ std::optional<Dataset> replayedDataset(const ModelDescription& description, cons
     dataset.domain = description.domain;
     dataset.lattice = description.lattice;
     dataset.values = ScalarField(description.sampleType, description.lattice.pointCount(), samples);
+    dataset.space = description.space;
     dataset.source.name = description.sourceName;
     dataset.source.hash = contentHash(dataset.values, nullptr);
     if (dataset.source.hash != description.sourceHash || dataset.values.notFiniteCount() > 0)

@@ -334,6 +334,10 @@ struct TAN_API Dataset {
     std::shared_ptr<const std::vector<FaultyCell>> faultyCells = nullptr;
     /// Of grids and irregular data: hasConvexDomain(), for those who read or make them.
     bool convex = false;
+    /// Which way x, y and z of the world grow, as the file says, by three letters: "RAS" is to the right, to the front
+    /// (anterior) and to the head (superior) of a patient, "LPS" to the left, to the back and to the head. Empty where
+    /// it does not say.
+    std::string space{};
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const

@@ -74,6 +74,7 @@ struct ModelDescription {
     bool delaunay = true;
     SampleType sampleType = SampleType::UInt8;
     ValueRange range;                                            ///< of the whole dataset, not of the sites
+    std::string space;                                           ///< as Dataset::space
     std::string sourceName;                                      ///< provenance: the dataset's name ...
     std::uint64_t sourceHash = 0;                                ///< ... and Source::hash
     std::string builder;                                         ///< id of the builder plugin
