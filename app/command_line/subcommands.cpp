@@ -10,7 +10,7 @@ namespace tetra {
 
 std::span<const Subcommand> subcommands()
 {
-    static constexpr std::array<Subcommand, 13> all = {{
+    static constexpr std::array<Subcommand, 14> all = {{
         {"sample", sampleSyntax, runSample},
         {"build", buildSyntax, runBuild},
         {"info", infoSyntax, runInfo},
@@ -21,6 +21,7 @@ std::span<const Subcommand> subcommands()
         {"cut", cutSyntax, runCut},
         {"pack", packSyntax, runPack},
         {"unpack", unpackSyntax, runUnpack},
+        {"set-frame", setFrameSyntax, runSetFrame},
         {"serve", serveSyntax, runServe},
         {"reproduce", reproduceSyntax, runReproduce, [](std::span<const std::string>) { return true; }},
         {"plugins", pluginsSyntax, runPlugins},

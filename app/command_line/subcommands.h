@@ -43,6 +43,9 @@ Result<Outcome> runPack(const Invocation& invocation);
 Syntax unpackSyntax(PluginHost& host);
 Result<Outcome> runUnpack(const Invocation& invocation);
 
+Syntax setFrameSyntax(PluginHost& host);
+Result<Outcome> runSetFrame(const Invocation& invocation);
+
 Syntax pluginsSyntax(PluginHost& host);
 Result<Outcome> runPlugins(const Invocation& invocation);
 

@@ -151,7 +151,7 @@ ModelDescription descriptionOf(const Refinement& refinement, const Dataset& data
     if (refinement.inSpace)
         parameters.emplace_back("error-in", "space");
     parameters.emplace_back("weights", weightingText(refinement.weighting));
-    if (dataset.domain == DomainClass::RegularLattice && refinement.metric != dataset.lattice.spacing)
+    if (dataset.domain == DomainClass::RegularLattice)
         description.metric = refinement.metric;
     return description;
 }

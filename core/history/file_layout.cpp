@@ -541,6 +541,8 @@ void readLine(std::string_view line, ModelDescription& description)
     std::string value = unescaped(line.substr(separator + 1));
     if (key == "source")
         description.sourceName = std::move(value);
+    else if (key == "length.unit")
+        description.lengthUnit = std::move(value);
     else if (key == "space")
         description.space = std::move(value);
     else if (key == "builder")
@@ -561,6 +563,7 @@ void describeSource(ModelDescription& description, const Dataset& dataset)
     description.sampleType = dataset.values.type();
     description.range = dataset.values.range();
     description.space = dataset.space;
+    description.lengthUnit = dataset.lengthUnit;
     description.sourceName = dataset.source.name;
     description.sourceHash = dataset.source.hash;
 }
@@ -572,6 +575,8 @@ Result<std::string> textOf(const ModelDescription& description, const std::files
     appendLine(text, "builder", description.builder);
     if (!description.space.empty())
         appendLine(text, "space", description.space);
+    if (!description.lengthUnit.empty())
+        appendLine(text, "length.unit", description.lengthUnit);
     for (const auto& [name, value] : description.parameters)
         appendLine(text, std::string(parameterPrefix) + name, value);
     if (text.size() > format::longestText)

@@ -168,6 +168,7 @@ std::optional<Dataset> replayedDataset(const ModelDescription& description, cons
     dataset.lattice = description.lattice;
     dataset.values = ScalarField(description.sampleType, description.lattice.pointCount(), samples);
     dataset.space = description.space;
+    dataset.lengthUnit = description.lengthUnit;
     dataset.source.name = description.sourceName;
     dataset.source.hash = contentHash(dataset.values, nullptr);
     if (dataset.source.hash != description.sourceHash || dataset.values.notFiniteCount() > 0)

@@ -246,6 +246,37 @@ class Frames(unittest.TestCase):
             self.assertAlmostEqual(volume / (4 / 3 * math.pi * 2.2 ** 3), 1, delta=0.04)
             self.assertLess(abs(numpy.linalg.norm(ball.points - (7, -2, 5), axis=1) - 2.2).max(), 0.05)
 
+    def test_a_place_that_is_set_later(self):
+        """Of data without a spacing: the same mesh at the right places; packed in as few bytes, and points still enter it."""
+        frame = Frame(self.random, 0)
+        frame.size, frame.steps, frame.origin = numpy.array((9, 8, 11)), numpy.eye(3), numpy.zeros(3)
+        frame.values = self.random.normal(size=frame.size).astype("<f4")
+        frame.write(self.folder / "bare.nrrd")
+        for method in METHODS:
+            bare, placed = self.folder / f"bare-{method}.tan", self.folder / f"placed-{method}.tan"
+            run(TAN, "build", self.folder / "bare.nrrd", "-o", bare, *METHODS[method])
+            told = json.loads(run(TAN, "set-frame", bare, "--spacing", "0.5,0.5,4", "--origin", "10,-20,30", "--unit", "mm", "-o", placed, "--json"))
+            self.assertEqual((told["spacing"], told["origin"], told["unit"]), ([0.5, 0.5, 4], [10, -20, 30], "mm"))
+            moved = Frame(self.random, 0)
+            moved.size, moved.values, moved.steps, moved.origin = frame.size, frame.values, numpy.diag((0.5, 0.5, 4)), numpy.array((10, -20, 30))
+            mesh, said = self.mesh(placed, "--error", "0")
+            self.judge(moved, mesh, said, whole=True)
+            before, _ = self.mesh(bare, "--error", "0", name="before.vtu")
+            self.assertTrue((cells(mesh, "tetra") == cells(before, "tetra")).all())
+            run(TAN, "verify", placed, "--against", self.folder / "bare.nrrd")
+            sizes = []
+            for model in (bare, placed):
+                run(TAN, "pack", model, "-o", self.folder / "p.tan")
+                run(TAN, "unpack", self.folder / "p.tan", "-o", self.folder / "u.tan")
+                self.assertEqual((self.folder / "u.tan").read_bytes(), model.read_bytes())
+                sizes.append((self.folder / "p.tan").stat().st_size)
+            self.assertLess(sizes[1], sizes[0] + 400)
+            if method != "decimated":
+                focus = ("--error", "30", "--focus", "box:10,-20,30,12,-18,50", "--focus-error", "0", "--method", "insertion")
+                mesh, said = self.mesh(placed, *focus)
+                self.judge(moved, mesh, said, whole=False)
+                run(TAN, "verify", placed, "--against", self.folder / "bare.nrrd", *focus)
+
     def test_what_an_older_program_says(self):
         """A lattice that does not lie along the axes needs the section that says so; frames without a volume are refused."""
         model = self.built(1, "whole")

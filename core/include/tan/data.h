@@ -338,6 +338,7 @@ struct TAN_API Dataset {
     /// (anterior) and to the head (superior) of a patient, "LPS" to the left, to the back and to the head. Empty where
     /// it does not say.
     std::string space{};
+    std::string lengthUnit{}; ///< of positions, as the file says, such as "mm"; empty where it does not
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const

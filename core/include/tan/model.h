@@ -75,6 +75,7 @@ struct ModelDescription {
     SampleType sampleType = SampleType::UInt8;
     ValueRange range;                                            ///< of the whole dataset, not of the sites
     std::string space;                                           ///< as Dataset::space
+    std::string lengthUnit;                                      ///< as Dataset::lengthUnit
     std::string sourceName;                                      ///< provenance: the dataset's name ...
     std::uint64_t sourceHash = 0;                                ///< ... and Source::hash
     std::string builder;                                         ///< id of the builder plugin
@@ -243,6 +244,20 @@ private:
     std::span<const Eigen::Vector3f> floatSamplePositions_;
     std::span<const Eigen::Vector3d> doubleSamplePositions_;
 };
+
+/// Where a lattice lies, as far as that is corrected.
+struct Placement {
+    std::optional<Eigen::Vector3d> spacing{};
+    std::optional<Eigen::Vector3d> origin{};
+    std::optional<std::string> lengthUnit{};
+};
+
+/// Writes a copy of a lattice's model that lies elsewhere, for data whose file did not say where: sites, tetrahedra and
+/// errors are the same, and so is what was chosen by the spacing that the model was built with
+/// (ModelDescription::metric). O(file). Errors: a model of other data, or with weights at places; a spacing that is not
+/// positive; damage; those of writing; cancelled.
+TAN_API Status writePlaced(const Model& model, const Placement& placement, const std::filesystem::path& output,
+                           const Progress& progress = {});
 
 /// How many cells its file lists as faulty (C10): of irregular data those that were left out, but for holes by their
 /// value; of a grid those that are folded or have no volume. 0 as well for files that do not tell. O(log cells).

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/model_input.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "core/base/text.h"
+#include "core/build/model_build.h"
+#include "plugins/host/output_check.h"
+
+#include <QFile>
+#include <QJsonArray>
+
+#include <array>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+/// Three numbers, if the option is there.
+Result<std::optional<Eigen::Vector3d>> vectorOption(const Arguments& arguments, std::string_view name, double least)
+{
+    if (!arguments.has(name))
+        return std::optional<Eigen::Vector3d>();
+    const auto numbers = parseNumbers(name, *arguments.value(name), least, std::numeric_limits<double>::max());
+    if (!numbers)
+        return numbers.error();
+    if (numbers->size() != 3)
+        return Error{ErrorKind::WrongUsage, "'--" + std::string(name) +
+                                                "' takes three numbers separated by commas, along x, y and z, such as "
+                                                "0.7,0.7,1.25."};
+    return std::optional(Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]));
+}
+
+Result<Placement> placementOf(const Arguments& arguments)
+{
+    const auto spacing = vectorOption(arguments, "spacing", std::numeric_limits<double>::denorm_min());
+    if (!spacing)
+        return spacing.error();
+    const auto origin = vectorOption(arguments, "origin", std::numeric_limits<double>::lowest());
+    if (!origin)
+        return origin.error();
+    Placement placement{*spacing, *origin, std::nullopt};
+    if (arguments.has("unit"))
+        placement.lengthUnit = *arguments.value("unit");
+    if (!placement.spacing && !placement.origin && !placement.lengthUnit)
+        return Error{ErrorKind::WrongUsage, "Nothing to set. Give '--spacing', '--origin' or '--unit'."};
+    return placement;
+}
+
+QJsonArray toJson(const Eigen::Vector3d& vector)
+{
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+std::string toText(const Eigen::Vector3d& vector, const char* between)
+{
+    return formatNumber(vector.x()) + between + formatNumber(vector.y()) + between + formatNumber(vector.z());
+}
+
+} // namespace
+
+Syntax setFrameSyntax(PluginHost&)
+{
+    return {
+        .purpose = "say where the lattice of a model lies",
+        .explanation =
+            "Data without a spacing, an origin or a unit are built as if points were 1 apart. This writes the model "
+            "with the right ones, without building it again: its meshes are the same, at the right places. If the "
+            "spacings along the axes have another ratio than those that it was built with, a model that is built "
+            "anew has somewhat fewer points for an error; 'tan build' on data that tell their spacing makes one.",
+        .positionals = {{"MODEL", modelExplanation()}},
+        .options = {{.name = "spacing",
+                     .placeholder = "X,Y,Z",
+                     .explanation = "The distance of neighbouring points along each axis of the lattice."},
+                    {.name = "origin", .placeholder = "X,Y,Z", .explanation = "Where its first point lies."},
+                    {.name = "unit",
+                     .placeholder = "TEXT",
+                     .explanation = "The unit of length, such as mm: it is told, and nothing is converted."},
+                    outputOption("FILE", "The model to write, conventionally *.tan."),
+                    tokenFileOption()},
+        .examples = {{"tan set-frame scan.tan --spacing 0.7,0.7,1.25 --unit mm -o placed.tan",
+                      "Of a stack of images without a spacing."}}};
+}
+
+Result<Outcome> runSetFrame(const Invocation& invocation)
+{
+    const std::filesystem::path input = invocation.arguments.positionals[0];
+    const std::filesystem::path output = *invocation.arguments.value("output");
+    const auto placement = placementOf(invocation.arguments);
+    if (!placement)
+        return placement.error();
+    if (const Status distinct = checkOutput(output, std::array{input}); !distinct)
+        return distinct.error();
+    if (const Status safe = checkModelOutput(output); !safe)
+        return safe.error();
+    const auto found = openWholeInput(invocation, input, invocation.progress.part(0, 0.5));
+    if (!found)
+        return found.error();
+    if (const Status written = writePlaced(*found->model, *placement, output, invocation.progress.part(0.5, 1));
+        !written)
+        return written.error();
+    const auto model = Model::open(output);
+    if (!model)
+        return model.error();
+    const ModelDescription& about = (*model)->description();
+    Outcome outcome;
+    outcome.figures = {{"model", QFile::decodeName(output.c_str())},
+                       {"spacing", toJson(about.lattice.spacing)},
+                       {"origin", toJson(about.lattice.origin)},
+                       {"unit", QString::fromStdString(about.lengthUnit)},
+                       {"bytes", static_cast<qint64>((*model)->fileSize())}};
+    outcome.text = visibleText(output.string()) + ": spacing " + toText(about.lattice.spacing, " x ") + ", origin " +
+                   toText(about.lattice.origin, ", ") +
+                   (about.lengthUnit.empty() ? "" : ", in " + visibleText(about.lengthUnit)) + "\n";
+    return outcome;
+}
+
+} // namespace tetra
