@@ -320,6 +320,12 @@ void AnnotationsTest::axesTurnWithTheCamera()
     content.camera.azimuth = 90;
     axes = layOutAnnotations(content, {800, 600}, measure).axes->axes;
     QVERIFY(axes[1].tip.x() > 20 && axes[0].depth > 0.99);
+    QCOMPARE(axes[0].label.text + axes[1].label.text + axes[2].label.text, QString("xyz"));
+    content.space = "LPS"; // what the letters say is what the axes lead to
+    axes = layOutAnnotations(content, {800, 600}, measure).axes->axes;
+    QCOMPARE(axes[0].label.text + axes[1].label.text + axes[2].label.text, QString("LPS"));
+    content.lengthUnit = "mm";
+    QVERIFY(layOutAnnotations(content, {800, 600}, measure).scaleBar->label.text.contains(" mm"));
 }
 
 QTEST_MAIN(AnnotationsTest)

@@ -43,6 +43,8 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
     if (hasParameter(parameters, isovaluesId))
         content.isovalues = seenOnes(view.isovalues);
     content.field = fieldName(model.description());
+    content.space = QString::fromStdString(model.description().space);
+    content.lengthUnit = QString::fromStdString(model.description().lengthUnit);
     content.title = QFileInfo(pathText(model.path())).completeBaseName();
     if (mesh != nullptr)
         content.accuracy = accuracyText(*mesh);

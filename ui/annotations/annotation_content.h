@@ -27,6 +27,8 @@ struct AnnotationContent {
     std::string transferParameter{};                  ///< id of the renderer's parameter that it is
     std::optional<std::vector<Isovalue>> isovalues{}; ///< that are seen; none where the picture has no surfaces
     QString field{};                                  ///< name of the values
+    QString space{};      ///< ModelDescription::space: the letters of the axes, if there are three
+    QString lengthUnit{}; ///< ModelDescription::lengthUnit; empty if it is not known
     QString title{};
     QString accuracy{}; ///< empty if nothing is known
     Camera camera{};

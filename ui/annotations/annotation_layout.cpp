@@ -143,7 +143,7 @@ AnnotationLayout layOutAnnotations(const AnnotationContent& content, QSizeF pict
     if (has(AnnotationKind::ColourBar))
         layout.colourBar = layOutColourBar(content, place(AnnotationKind::ColourBar), measure);
     if (has(AnnotationKind::Axes))
-        layout.axes = layOutAxes(content.camera, place(AnnotationKind::Axes), measure);
+        layout.axes = layOutAxes(content, place(AnnotationKind::Axes), measure);
     if (has(AnnotationKind::ScaleBar))
         layout.scaleBar = layOutScaleBar(content, picture, place(AnnotationKind::ScaleBar), measure);
     const auto textAt = [&](AnnotationKind kind, const QString& text, const TextMeasure& widths) {

@@ -12,7 +12,7 @@ QSizeF colourBarSize(const AnnotationContent& content, double height, const Text
 ColourBarLayout layOutColourBar(const AnnotationContent& content, const QRectF& place, const TextMeasure& measure);
 
 QSizeF axesSize(const TextMeasure& measure);
-AxesLayout layOutAxes(const Camera& camera, const QRectF& place, const TextMeasure& measure);
+AxesLayout layOutAxes(const AnnotationContent& content, const QRectF& place, const TextMeasure& measure);
 
 /// For a picture of this size.
 QSizeF scaleBarSize(const AnnotationContent& content, QSizeF picture, const TextMeasure& measure);

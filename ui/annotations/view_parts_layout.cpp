@@ -48,6 +48,9 @@ double barUnits(const AnnotationContent& content, const QSizeF& picture)
 QString barText(const AnnotationContent& content, double units)
 {
     const QString number = shortNumber(units);
+    if (!content.lengthUnit.isEmpty())
+        return content.camera.perspective ? Texts::tr("%1 %2 at the target").arg(number, content.lengthUnit)
+                                          : number + " " + content.lengthUnit;
     if (units == 1)
         return content.camera.perspective ? Texts::tr("1 unit at the target") : Texts::tr("1 unit");
     return content.camera.perspective ? Texts::tr("%1 units at the target").arg(number)
@@ -62,16 +65,17 @@ QSizeF axesSize(const TextMeasure& measure)
     return {side, side};
 }
 
-AxesLayout layOutAxes(const Camera& camera, const QRectF& place, const TextMeasure& measure)
+AxesLayout layOutAxes(const AnnotationContent& content, const QRectF& place, const TextMeasure& measure)
 {
     AxesLayout layout;
     layout.origin = place.center();
-    const Eigen::Matrix3d rotation = viewMatrix(camera).topLeftCorner<3, 3>();
+    const QString letters = content.space.size() == 3 ? content.space : QString("xyz");
+    const Eigen::Matrix3d rotation = viewMatrix(content.camera).topLeftCorner<3, 3>();
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d seen = rotation.col(static_cast<Eigen::Index>(axis));
         layout.axes[axis].tip = QPointF(seen.x(), -seen.y()) * axisLength;
         layout.axes[axis].depth = seen.z();
-        layout.axes[axis].label.text = QString(QChar(static_cast<char16_t>(u'x' + axis)));
+        layout.axes[axis].label.text = letters.mid(static_cast<qsizetype>(axis), 1);
     }
     // The longest first: it is the one whose place is clear.
     std::array<AxisLayout*, 3> order{&layout.axes[0], &layout.axes[1], &layout.axes[2]};
