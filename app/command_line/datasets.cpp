@@ -192,12 +192,8 @@ std::string datasetText(const DatasetSummary& summary)
 
 void addRemarks(const Dataset& dataset, Outcome& outcome)
 {
-    QJsonArray remarks;
-    for (const Message& remark : dataset.remarks) {
-        remarks.append(QString::fromStdString(remark.text()));
-        outcome.text += visibleText(remark) + "\n";
-    }
-    outcome.figures["remarks"] = remarks;
+    outcome.figures["remarks"] = QJsonArray();
+    addRemarks(dataset.remarks, outcome);
     addFaultyCells(dataset, outcome);
 }
 

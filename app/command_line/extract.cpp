@@ -114,7 +114,13 @@ Error noBoundary()
                                    "Write a .vtu or .vtk file."};
 }
 
-Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
+/// Before its time and its file's remarks are told.
+struct Extraction {
+    Outcome outcome;
+    FileRemarks remarks;
+};
+
+Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
 {
     MeshExtractor extractor(std::move(model));
     const auto extracted =
@@ -133,9 +139,9 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
             return measurement.error();
         statistics = *measurement;
     }
-    if (const Status written = saveMesh(task.host, contentOf(task.model, query, found), task.output, task.values,
-                                        task.progress.part(statistics ? measuringEnd : extractionEnd, 1));
-        !written)
+    const auto written = saveMesh(task.host, contentOf(task.model, query, found), task.output, task.values,
+                                  task.progress.part(statistics ? measuringEnd : extractionEnd, 1));
+    if (!written)
         return written.error();
     Outcome outcome = outcomeOf(task.output, found.mesh);
     addFigures(outcome, figuresOf(task.model, query, found));
@@ -146,11 +152,11 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
         addStatistics(outcome.figures, *statistics, domain);
         outcome.text += "\n" + statisticsText({{"extracted", *statistics}}, domain);
     }
-    return outcome;
+    return Extraction{std::move(outcome), *written};
 }
 
 /// --at-server: the mesh that a server finds.
-Result<Outcome> extractAtServer(const Invocation& invocation, const MeshQuery& query, const ParameterValues& values)
+Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery& query, const ParameterValues& values)
 {
     const Arguments& arguments = invocation.arguments;
     const std::filesystem::path output = *arguments.value("output");
@@ -177,24 +183,25 @@ Result<Outcome> extractAtServer(const Invocation& invocation, const MeshQuery& q
         content.cellArrays = {{"birth_error", std::span<const float>(found.birthErrors)},
                               {"death_error", std::span<const float>(found.deathErrors)}};
     content.facts = mesh->facts;
-    if (const Status written =
-            saveMesh(invocation.host, content, output, values, invocation.progress.part(extractionEnd, 1));
-        !written)
+    const auto written = saveMesh(invocation.host, content, output, values, invocation.progress.part(extractionEnd, 1));
+    if (!written)
         return written.error();
     Outcome outcome = outcomeOf(output, found.mesh);
     addFigures(outcome, mesh->figures);
     if (!query.range)
         describeMesh(invocation.host, output, outcome);
-    return outcome;
+    return Extraction{std::move(outcome), *written};
 }
 
-/// How long it took, in figures and text.
-Outcome withTime(Outcome outcome, std::chrono::steady_clock::time_point start)
+/// How long it took, in figures and text, and what is to be known of the file.
+Outcome outcomeOf(Extraction extraction, std::chrono::steady_clock::time_point start)
 {
+    Outcome& outcome = extraction.outcome;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     outcome.figures["seconds"] = elapsed.count();
     outcome.text.insert(std::min(outcome.text.find('\n'), outcome.text.size()),
                         ", in " + rounded(elapsed.count(), 3) + " s\n");
+    addRemarks(extraction.remarks, outcome);
     return outcome;
 }
 
@@ -246,8 +253,10 @@ Result<Outcome> runExtract(const Invocation& invocation)
 
     const auto start = std::chrono::steady_clock::now();
     if (arguments.has("at-server")) {
-        auto outcome = extractAtServer(invocation, *query, *values);
-        return outcome ? Result<Outcome>(withTime(std::move(*outcome), start)) : outcome;
+        auto extraction = extractAtServer(invocation, *query, *values);
+        if (!extraction)
+            return extraction.error();
+        return outcomeOf(*std::move(extraction), start);
     }
     const double opened = isAtHand(input) ? 0 : 0.5;
     const auto found = openInput(invocation, input, *query, invocation.progress.part(0, opened));
@@ -260,12 +269,12 @@ Result<Outcome> runExtract(const Invocation& invocation)
         return safe.error();
     const Progress progress = invocation.progress.part(opened, 1);
     const Task task{invocation, arguments, output, invocation.host, *values, *model, progress};
-    auto outcome = extractMesh(task, *query, model);
-    if (!outcome)
-        return outcome.error();
-    Outcome timed = withTime(std::move(*outcome), start);
-    tellPart(*found, timed);
-    return timed;
+    auto extraction = extractMesh(task, *query, model);
+    if (!extraction)
+        return extraction.error();
+    Outcome outcome = outcomeOf(*std::move(extraction), start);
+    tellPart(*found, outcome);
+    return outcome;
 }
 
 } // namespace tetra

@@ -199,9 +199,9 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto surfaces = extractAll(mesh, *isovalues, invocation.progress.part(0.3, 0.8));
     if (!surfaces)
         return surfaces.error();
-    if (const Status written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces), output, *values,
-                                           invocation.progress.part(0.8, 1));
-        !written)
+    const auto written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces), output, *values,
+                                     invocation.progress.part(0.8, 1));
+    if (!written)
         return written.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
@@ -222,6 +222,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
                             std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra, in " +
                             rounded(elapsed.count(), 3) + " s\n"};
     tellEmptySurfaces(*isovalues, model->description().range, outcome);
+    addRemarks(*written, outcome);
     tellPart(*found, outcome);
     return outcome;
 }

@@ -460,11 +460,11 @@ Status checkSurfaces(const RenderRequest& request, const BuiltScene& built, cons
                      "'--surfaces' out."};
 }
 
-Status writeSurfaceFile(const Invocation& invocation, const RenderRequest& request, const PreparedScene& prepared,
-                        QJsonObject& figures)
+Result<FileRemarks> writeSurfaceFile(const Invocation& invocation, const RenderRequest& request,
+                                     const PreparedScene& prepared, QJsonObject& figures)
 {
     if (!request.surfaces)
-        return {};
+        return FileRemarks();
     figures["surfaces_file"] = QFile::decodeName(request.surfaces->c_str());
     return writeSurfaces(invocation.host, SurfaceOrder{prepared.request, prepared.built, *request.surfaces},
                          invocation.progress.withCallback({}));
@@ -590,8 +590,9 @@ Result<Outcome> runRender(const Invocation& invocation)
         lens = *std::move(drawn);
         figures["lens_tetrahedra"] = static_cast<qint64>(lens->tetrahedra);
     }
-    if (const Status written = writeSurfaceFile(invocation, *request, *prepared, figures); !written)
-        return written.error();
+    const auto surfaces = writeSurfaceFile(invocation, *request, *prepared, figures);
+    if (!surfaces)
+        return surfaces.error();
     if (const Status written = writeFiles(*request, order, *picture, lens, figures); !written)
         return written.error();
 
@@ -613,6 +614,7 @@ Result<Outcome> runRender(const Invocation& invocation)
                         " faulty cells are outlined: the model does not have all corners of the others.\n";
     if (!isOfSession)
         tellEmptySurfaces(isovaluesIn(prepared->request.values), prepared->built.model->description().range, outcome);
+    addRemarks(*surfaces, outcome);
     tellPart(prepared->found, outcome);
     return outcome;
 }

@@ -134,8 +134,8 @@ Result<Outcome> runSample(const Invocation& invocation)
     const auto dataset = makeSample(*request, invocation.progress.part(0, 0.7));
     if (!dataset)
         return dataset.error();
-    if (const Status saved = saveDataset(invocation.host, *dataset, *output, *values, invocation.progress.part(0.7, 1));
-        !saved)
+    const auto saved = saveDataset(invocation.host, *dataset, *output, *values, invocation.progress.part(0.7, 1));
+    if (!saved)
         return saved.error();
 
     const DatasetSummary summary = summaryOf(*dataset);
@@ -143,6 +143,7 @@ Result<Outcome> runSample(const Invocation& invocation)
                     .text = visibleText(*output) + ": " + datasetText(summary) + "\n"};
     outcome.figures["file"] = QFile::decodeName(output->c_str());
     outcome.figures["name"] = QString::fromStdString(arguments.positionals[0]);
+    addRemarks(*saved, outcome);
     return outcome;
 }
 

@@ -31,6 +31,9 @@ struct Outcome {
     bool isHeard = true; ///< false: nobody reads standard output, and the program would wait for ever to say this
 };
 
+/// More sentences for "remarks", each a line of the text.
+void addRemarks(std::span<const Message> remarks, Outcome& outcome);
+
 /// Something that `tan` does. The syntax is asked for first; it may depend on the plugins that are there.
 struct Subcommand {
     std::string_view name;

@@ -3,10 +3,25 @@
 
 #include "app/command_line/annotation_options.h"
 #include "app/command_line/plugin_options.h"
+#include "core/base/text.h"
+
+#include <QJsonArray>
 
 #include <array>
 
 namespace tetra {
+
+void addRemarks(std::span<const Message> remarks, Outcome& outcome)
+{
+    if (remarks.empty())
+        return;
+    QJsonArray all = outcome.figures["remarks"].toArray();
+    for (const Message& remark : remarks) {
+        all.append(QString::fromStdString(remark.text()));
+        outcome.text += visibleText(remark) + "\n";
+    }
+    outcome.figures["remarks"] = all;
+}
 
 std::span<const Subcommand> subcommands()
 {

@@ -48,6 +48,9 @@ public:
     virtual Status bytes(std::span<const std::byte> bytes) = 0;
     /// Another file, which appears together with this one, just before it. Lives as long as this one.
     virtual Result<OutputFile*> another(const std::filesystem::path& target) = 0;
+    /// Something that the user has to know of the file that was written, in a sentence that names it: "'a.stl' is in
+    /// millimetres." Commands and the window tell it once the file is in its place; after an error nobody does.
+    virtual void remark(Message sentence) = 0;
 
     Status text(std::string_view text) { return bytes(std::as_bytes(std::span(text))); }
 

@@ -153,25 +153,37 @@ inline Eigen::AlignedBox3d boundsOf(const SurfaceContent& content)
 }
 
 /// What formats that have floats alone subtract from all positions: nothing, unless the floats near the largest
-/// coordinate lie farther apart than a thousandth of the mean edge; then about the least corner of the surface, in few
-/// binary digits: it is less by no more than the surface is large. Such a format tells it where it can. O(vertices).
+/// coordinate lie farther apart than a thousandth of the mean edge, or a thousandth of the triangles would have corners
+/// that are one; then about the least corner of the surface, in few binary digits: it is less by no more than the
+/// surface is large. A writer says so by OutputFile::remark(), and in the file where it can. O(vertices + triangles).
 inline Eigen::Vector3d floatShift(const SurfaceContent& content)
 {
     const Eigen::AlignedBox3d box = boundsOf(content);
     double edges = 0;
     std::uint64_t triangles = 0;
+    std::uint64_t collapsed = 0;
     for (const SurfacePart& part : content.parts) {
-        for (const auto& [a, b, c] : part.triangles)
+        const auto merge = [&part](std::uint32_t a, std::uint32_t b) {
+            const Eigen::Vector3d& one = part.positions[a];
+            const Eigen::Vector3d& other = part.positions[b];
+            return one.cast<float>() == other.cast<float>() && one != other;
+        };
+        for (const auto& [a, b, c] : part.triangles) {
             edges += (part.positions[b] - part.positions[a]).norm();
+            collapsed += merge(a, b) || merge(b, c) || merge(c, a) ? 1 : 0;
+        }
         triangles += part.triangles.size();
     }
     if (triangles == 0)
         return {0, 0, 0};
-    constexpr double finest = 1000;
+    constexpr double share = 1000;
+    const auto count = static_cast<double>(triangles);
     const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     const double step = largest * static_cast<double>(std::numeric_limits<float>::epsilon());
+    const bool isCoarse = step * share > edges / count || static_cast<double>(collapsed) * share > count;
     const double size = box.sizes().maxCoeff();
-    if (!(step * finest > edges / static_cast<double>(triangles)) || !(size > 0) || !std::isfinite(size))
+    // Of what is about as large as it is far away, a corner makes nothing finer.
+    if (!isCoarse || !(size > 0) || !std::isfinite(size) || largest <= 2 * size)
         return {0, 0, 0};
     const double unit = std::exp2(std::floor(std::log2(size)));
     return (box.min().array() / unit).floor() * unit;

@@ -102,18 +102,20 @@ Result<Provided<Writer>> chooseWriter(PluginHost& host, WrittenContent content, 
 }
 
 /// Opens the file, has it written and puts it into its place.
-template <class Write>
-Status saveWith(const std::filesystem::path& path, MarkedText activity, const Progress& progress, Write&& write)
+template <class Write> Result<FileRemarks> saveWith(const std::filesystem::path& path, MarkedText activity,
+                                                    const Progress& progress, Write&& write)
 {
     progress.report(0, activity);
     const auto file = SafeOutput::create(path, activity, progress);
     if (!file)
         return file.error();
     if (const Status written = write(**file); !written)
-        return written;
+        return written.error();
     if (progress.cancelled())
         return cancelledError(activity);
-    return (*file)->commit();
+    if (const Status committed = (*file)->commit(); !committed)
+        return committed.error();
+    return (*file)->remarks();
 }
 
 Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, const Message& of)
@@ -158,8 +160,8 @@ const NamedArray* valuesOf(const MeshContent& content)
     return nullptr;
 }
 
-Status saveBoundary(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
-                    const ParameterValues& values, const Progress& progress)
+Result<FileRemarks> saveBoundary(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
+                                 const ParameterValues& values, const Progress& progress)
 {
     constexpr double found = 0.4;
     if (mesh.tetrahedra.size() > largestAdjacentCellCount)
@@ -189,8 +191,8 @@ Status saveBoundary(PluginHost& host, const MeshContent& mesh, const std::filesy
 
 } // namespace
 
-Status saveDataset(PluginHost& host, const Dataset& dataset, const std::filesystem::path& path,
-                   const ParameterValues& values, const Progress& progress)
+Result<FileRemarks> saveDataset(PluginHost& host, const Dataset& dataset, const std::filesystem::path& path,
+                                const ParameterValues& values, const Progress& progress)
 {
     const auto writer = chooseWriter(host, WrittenContent::Dataset, path, values);
     if (!writer)
@@ -201,16 +203,16 @@ Status saveDataset(PluginHost& host, const Dataset& dataset, const std::filesyst
     });
 }
 
-Status saveMesh(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
-                const ParameterValues& values, const Progress& progress)
+Result<FileRemarks> saveMesh(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
+                             const ParameterValues& values, const Progress& progress)
 try {
     const auto writer = chooseWriter(host, WrittenContent::Mesh, path, values);
     if (!writer)
         return writer.error();
     if (const Status fit = checkArrays(mesh.pointArrays, mesh.positions.size(), Message::marked("vertices")); !fit)
-        return fit;
+        return fit.error();
     if (const Status fit = checkArrays(mesh.cellArrays, mesh.tetrahedra.size(), Message::marked("tetrahedra")); !fit)
-        return fit;
+        return fit.error();
     if (isSurfaceFileOnly(host, path))
         return saveBoundary(host, mesh, path, values, progress);
     return saveWith(path, writingMesh, progress,
@@ -219,8 +221,8 @@ try {
     return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", path.string())};
 }
 
-Status saveSurface(PluginHost& host, const SurfaceContent& surface, const std::filesystem::path& path,
-                   const ParameterValues& values, const Progress& progress)
+Result<FileRemarks> saveSurface(PluginHost& host, const SurfaceContent& surface, const std::filesystem::path& path,
+                                const ParameterValues& values, const Progress& progress)
 {
     const auto writer = chooseWriter(host, WrittenContent::Surface, path, values);
     if (!writer)
@@ -228,7 +230,7 @@ Status saveSurface(PluginHost& host, const SurfaceContent& surface, const std::f
     const bool normals = surface.hasNormals();
     for (const SurfacePart& part : surface.parts)
         if (const Status fits = checkPart(part, normals); !fits)
-            return fits;
+            return fits.error();
     return saveWith(path, writingSurfaces, progress,
                     [&](OutputFile& file) { return writer->plugin->writeSurface(surface, file, values); });
 }

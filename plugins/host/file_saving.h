@@ -12,19 +12,22 @@
 
 namespace tetra {
 
+/// What the writer of a file has to say of it, in sentences for the user (OutputFile::remark()).
+using FileRemarks = std::vector<Message>;
+
 /// Files of datasets, meshes and surfaces, by the writer plugin that writes such content under the ending of the file's
 /// name. A file appears whole or not at all; the memory that writing needs does not depend on what is written (but
 /// finding the boundary of a mesh takes some). `values` may hold that writer's parameters and no others.
 ///
 /// Errors: WrongUsage (no writer has the ending, and which endings there are; parameters or arrays that do not fit),
 /// OutOfResource (more than the format can number), CannotWrite, Cancelled. Call from a worker thread; safe from any.
-Status saveDataset(PluginHost& host, const Dataset& dataset, const std::filesystem::path& path,
-                   const ParameterValues& values = {}, const Progress& progress = {});
+Result<FileRemarks> saveDataset(PluginHost& host, const Dataset& dataset, const std::filesystem::path& path,
+                                const ParameterValues& values = {}, const Progress& progress = {});
 /// In a format for surfaces alone, the boundary of the mesh with the vertices' first array of floats.
-Status saveMesh(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
-                const ParameterValues& values = {}, const Progress& progress = {});
-Status saveSurface(PluginHost& host, const SurfaceContent& surface, const std::filesystem::path& path,
-                   const ParameterValues& values = {}, const Progress& progress = {});
+Result<FileRemarks> saveMesh(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
+                             const ParameterValues& values = {}, const Progress& progress = {});
+Result<FileRemarks> saveSurface(PluginHost& host, const SurfaceContent& surface, const std::filesystem::path& path,
+                                const ParameterValues& values = {}, const Progress& progress = {});
 
 /// Whether there is a writer for such a file, and the values are among its parameters: for asking before what is to be
 /// written is made. The error is that of saving it.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/safe_output.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace tetra {
 
 Result<std::unique_ptr<SafeOutput>> SafeOutput::create(const std::filesystem::path& target, MarkedText activity,
@@ -46,6 +49,14 @@ std::uint64_t SafeOutput::written() const
     for (const auto& other : others_)
         bytes += other->written();
     return bytes;
+}
+
+std::vector<Message> SafeOutput::remarks() const
+{
+    std::vector<Message> all = remarks_;
+    for (const auto& other : others_)
+        std::ranges::move(other->remarks(), std::back_inserter(all));
+    return all;
 }
 
 Status SafeOutput::commit()

@@ -7,6 +7,8 @@
 #include <tan/base.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -21,9 +23,12 @@ public:
     void expect(std::uint64_t bytes) override { expected_ = bytes; }
     Status bytes(std::span<const std::byte> bytes) override;
     Result<OutputFile*> another(const std::filesystem::path& target) override;
+    void remark(Message sentence) override { remarks_.push_back(std::move(sentence)); }
 
     /// Puts all files into their places, the first one last.
     Status commit();
+    /// Those on all files, the first one's first.
+    std::vector<Message> remarks() const;
 
 private:
     SafeOutput(FileWriter file, std::filesystem::path target, MarkedText activity, const Progress& progress)
@@ -37,6 +42,7 @@ private:
     MarkedText activity_;
     Progress progress_;
     std::uint64_t expected_ = 0;
+    std::vector<Message> remarks_;
     std::vector<std::unique_ptr<SafeOutput>> others_;
     const SafeOutput* first_ = this; ///< of several files: to which this one was added
 };

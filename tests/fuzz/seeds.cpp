@@ -154,7 +154,7 @@ void addCells(const QString& folder)
     seeds.add(VtuText().text());
     const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
     const Dataset two = datasetOfTetrahedra(corners, {1, 2, 3, 4, 5}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
-    if (const Status written = saveDataset(pluginsOfThisBuild(), two, (seeds.next() + ".vtu").toStdString()); !written)
+    if (const auto written = saveDataset(pluginsOfThisBuild(), two, (seeds.next() + ".vtu").toStdString()); !written)
         qFatal("%s", written.error().text().c_str());
     seeds.add(std::string("# cells\n9 3 1 1 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
                           "9 .5 .5 2\n1 0 hex 1 2 3 4 5 6 7 8\n2 0 pyr 5 6 7 8 9\n3 0 tet 1 2 3 9\n1 1\nheat, K\n"

@@ -41,6 +41,7 @@ private slots:
     void valuesChooseTetrahedra();
     void theMeshIsSaved();
     void theSurfacesAreSaved();
+    void whatAFileSaysOtherwiseIsTold();
     void theStatisticsAreSaved();
     void noMeshOfAnotherPictureIsSaved();
     void aMeshThatCannotBeSavedIsTold();
@@ -327,6 +328,29 @@ void QueryPanelsTest::theSurfacesAreSaved()
     QCOMPARE(groups("fewer.obj"), visible());
     QVERIFY(groups("surfaces.glb") >= 0);
     QCOMPARE(window_->messages(), QStringList());
+}
+
+/// Until the user takes it away: the numbers are needed when the file is used.
+void QueryPanelsTest::whatAFileSaysOtherwiseIsTold()
+{
+    const QTemporaryDir folder;
+    Dataset far = sampleDataset(6);
+    far.lattice.origin = {339385, 4264212, 1680};
+    far.lattice.spacing = {0.05, 0.05, 0.05};
+    const auto model = buildSampleModel(*window_->host, far, folder.path().toStdString());
+    window_->window.open(QString::fromStdString(model));
+    QTRY_VERIFY(session().model() && session().model()->path() == model && window_->settled());
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
+    for (const char* name : {"far.ply", "far.stl", "far.glb"}) {
+        window_->workbench.exporting().saveMesh(folder.filePath(name).toStdString());
+        QTRY_COMPARE(saved.count(), 1);
+        saved.clear();
+    }
+    const QStringList told = window_->messages();
+    QCOMPARE(told.size(), 2);
+    const QString text = "In '%1' x, y and z are less than in the data by 339385, 4264212 and 1680, as";
+    QVERIFY2(told[0].startsWith(text.arg(folder.filePath("far.glb"))), qPrintable(told[0]));
+    QVERIFY2(told[1].startsWith(text.arg(folder.filePath("far.stl"))), qPrintable(told[1]));
 }
 
 void QueryPanelsTest::theStatisticsAreSaved()

@@ -294,8 +294,8 @@ void SceneBuilderTest::aFormatThatNobodyWritesIsRefusedFirst()
 {
     std::stop_source stopped;
     stopped.request_stop();
-    const Status saved = writeMesh(*host_, {model_, nullptr, {}, folder_.filePath("mesh.nobody").toStdString()},
-                                   Progress(stopped.get_token(), {}));
+    const auto saved = writeMesh(*host_, {model_, nullptr, {}, folder_.filePath("mesh.nobody").toStdString()},
+                                 Progress(stopped.get_token(), {}));
     QVERIFY(!saved);
     QVERIFY2(saved.error().kind == ErrorKind::WrongUsage, saved.error().text().c_str());
 }

@@ -399,7 +399,12 @@ void MainWindow::connectWorkbench()
     };
     connect(&workbench_.exporting(), &Exporting::pictureSaved, this, tellSaved);
     connect(&workbench_.exporting(), &Exporting::filmSaved, this, tellSaved);
-    connect(&workbench_.exporting(), &Exporting::meshSaved, this, tellSaved);
+    connect(&workbench_.exporting(), &Exporting::meshSaved, this,
+            [this, tellSaved](const QString& path, const QStringList& remarks) {
+                tellSaved(path);
+                for (const QString& remark : remarks)
+                    messages_->tell(remark, MessageSubject::Program);
+            });
     connect(&workbench_.exporting(), &Exporting::textSaved, this, tellSaved);
     connect(&workbench_.opening(), &Opening::sessionSaved, this, tellSaved);
     connect(&workbench_.exporting(), &Exporting::packedSaved, this,

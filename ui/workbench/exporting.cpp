@@ -99,12 +99,17 @@ void Exporting::saveSurfaces(const std::filesystem::path& target)
     saveMesh(target, [this, order](const Progress& progress) { return writeSurfaces(host_, order, progress); });
 }
 
-void Exporting::saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write)
+void Exporting::saveMesh(const std::filesystem::path& target,
+                         const std::function<Result<FileRemarks>(const Progress&)>& write)
 {
     savingMesh_.enqueue([this, target, write](const Progress& progress) -> std::function<void()> {
         return [this, target, saved = write(progress)] {
-            if (tellSave(saved))
-                emit meshSaved(pathText(target));
+            if (!tellSave(saved ? Status() : Status(saved.error())))
+                return;
+            QStringList remarks;
+            for (const Message& remark : *saved)
+                remarks << translatedMessage(remark);
+            emit meshSaved(pathText(target), remarks);
         };
     });
 }

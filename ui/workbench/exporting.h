@@ -52,13 +52,14 @@ signals:
     void pictureSaved(const QString& path);
     void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
     void filmSaved(const QString& path);
-    void meshSaved(const QString& path);
+    void meshSaved(const QString& path, const QStringList& remarks); ///< on the file; translated
     void packedSaved(const QString& path, quint64 bytes, quint64 unpackedBytes);
     void textSaved(const QString& path);
 
 private:
     MeshOrder meshOrder(const std::filesystem::path& target) const;
-    void saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write);
+    void saveMesh(const std::filesystem::path& target,
+                  const std::function<Result<FileRemarks>(const Progress&)>& write);
     /// Whether there is a model; else it is told.
     bool tellModel();
     void tell(const Error& error);

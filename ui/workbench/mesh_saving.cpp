@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/mesh_saving.h"
 
-#include "plugins/host/file_saving.h"
-
 #include <tan/query.h>
 #include <tan/render.h>
 
@@ -85,10 +83,10 @@ bool hasSurfaceToSave(const Scene& scene)
                                [](const Drawable& drawable) { return savedSurface(drawable) != nullptr; });
 }
 
-Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress)
+Result<FileRemarks> writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress)
 {
-    if (Status writable = checkWritable(host, WrittenContent::Mesh, order.target); !writable)
-        return writable;
+    if (const Status writable = checkWritable(host, WrittenContent::Mesh, order.target); !writable)
+        return writable.error();
     if (!order.mesh) {
         auto made = MeshExtractor(order.model).extract(order.query, progress.part(0, 0.5));
         if (!made)
@@ -104,16 +102,16 @@ Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progr
         content.cellArrays = {{"birth_error", std::span<const float>(extracted.birthErrors)},
                               {"death_error", std::span<const float>(extracted.deathErrors)}};
     content.facts = factsOf(*order.model, order.query, extracted.scale);
-    if (Status right = order.model->confirm(progress.withCallback({})); !right)
-        return right;
+    if (const Status right = order.model->confirm(progress.withCallback({})); !right)
+        return right.error();
     return saveMesh(host, content, order.target, {}, progress);
 }
 
-Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress)
+Result<FileRemarks> writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress)
 {
     constexpr double made = 0.7;
-    if (Status writable = checkWritable(host, WrittenContent::Surface, order.target); !writable)
-        return writable;
+    if (const Status writable = checkWritable(host, WrittenContent::Surface, order.target); !writable)
+        return writable.error();
     if (!order.built) {
         auto built = ScenePipeline().make(order.scene, progress.part(0, made));
         if (!built)
@@ -125,8 +123,8 @@ Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress
         return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
     const Model& model = *order.scene.model;
     content.facts = factsOf(model, order.scene.query, order.built->mesh.scale);
-    if (Status right = model.confirm(progress.withCallback({})); !right)
-        return right;
+    if (const Status right = model.confirm(progress.withCallback({})); !right)
+        return right.error();
     return saveSurface(host, content, order.target, {}, progress);
 }
 

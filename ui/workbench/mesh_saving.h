@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/host/file_saving.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/workbench/scene_pipeline.h"
 
@@ -25,7 +26,7 @@ struct MeshOrder {
 
 /// Writes the mesh with its values and the sites of its vertices, and as facts where it is from and what errors it
 /// keeps. The format is that of the file's ending. Errors as of saveMesh().
-Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress);
+Result<FileRemarks> writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress);
 
 /// Surfaces to save: those of a scene that say so (Drawable::saved).
 struct SurfaceOrder {
@@ -39,6 +40,6 @@ bool hasSurfaceToSave(const Scene& scene);
 
 /// Writes the surfaces under their labels, with their values and their colours, as far as the format has any; it is
 /// that of the file's ending. Errors as of saveSurface(), and WrongUsage if there is no surface to save.
-Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress);
+Result<FileRemarks> writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress);
 
 } // namespace tetra

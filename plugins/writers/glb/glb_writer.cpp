@@ -247,6 +247,11 @@ public:
             if (!part.triangles.empty())
                 if (const Status written = writeArrays(file, part, shift); !written)
                     return written;
+        if (!shift.isZero(0))
+            file.remark(Message::say(
+                "In '%1' x, y and z are less than in the data by %2, %3 and %4, as single precision is "
+                "too coarse so far from the origin; the first node of the file adds these numbers.",
+                file.target().string(), formatNumber(shift[0]), formatNumber(shift[1]), formatNumber(shift[2])));
         return {};
     }
 };

@@ -19,7 +19,7 @@ constexpr std::size_t headBytes = 80;
 constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
 /// Eighty bytes that must not begin with "solid": that is how text files begin. If coordinates are less than the data's
-/// by a shift, that comes first, as there may be no room for all.
+/// by a shift, that comes first: there is room for three numbers, whatever they are, but perhaps not for the rest.
 std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
 {
     std::string head = shift.isZero(0) ? std::string("binary STL, ")
@@ -111,6 +111,11 @@ public:
         for (std::size_t part = 0; part < kept.size(); ++part)
             if (const Status written = writeTriangles(content.parts[part], kept[part], shift, file); !written)
                 return written;
+        if (!shift.isZero(0))
+            file.remark(Message::say(
+                "In '%1' x, y and z are less than in the data by %2, %3 and %4, as single precision is "
+                "too coarse so far from the origin: add these numbers to get places of the data.",
+                file.target().string(), formatNumber(shift[0]), formatNumber(shift[1]), formatNumber(shift[2])));
         return {};
     }
 };

@@ -38,9 +38,20 @@ inline Dataset scatteredPoints(std::size_t count)
     return dataset;
 }
 
-/// "integers", "floats", "bent", "bent doubles", "bent mirrored", "scattered".
+/// Samples as a survey has them, where single precision would put a vertex onto its neighbours.
+inline Dataset farLattice()
+{
+    Dataset dataset = bumps(SampleType::UInt8, {6, 5, 4});
+    dataset.lattice.origin = {339385, 4264212, 1e8};
+    dataset.lattice.spacing = {0.05, 0.05, 0.05};
+    return dataset;
+}
+
+/// "integers", "floats", "bent", "bent doubles", "bent mirrored", "scattered", "far".
 inline Dataset datasetOf(const QString& kind)
 {
+    if (kind == "far")
+        return farLattice();
     if (kind == "scattered")
         return scatteredPoints(150);
     if (kind.startsWith("bent"))

@@ -267,6 +267,14 @@ private slots:
             row(
                 "asked for more", [](Case& c) { c.query.error = 0.0; }, "more than the claimed");
         }
+        for (const char* kind : {"far", "bent doubles", "scattered"})
+            QTest::addRow("%s: one vertex rounded to floats", kind) << QString(kind) << Damage([](Case& c) {
+                for (Eigen::Vector3d& position : c.mesh.mesh.positions)
+                    if (const Eigen::Vector3d rounded = position.cast<float>().cast<double>(); rounded != position) {
+                        position = rounded;
+                        return;
+                    }
+            }) << QString("does not lie where site");
         QTest::newRow("bent: warping") << QString("bent") << Damage([](Case& c) { c.query.warping = 0.0; })
                                        << QString("The warping at sample");
         QTest::newRow("bent: hand") << QString("bent") << Damage([](Case& c) {

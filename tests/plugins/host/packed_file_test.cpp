@@ -50,7 +50,7 @@ private:
     }
     QByteArray nrrd() const
     {
-        const Status saved = saveDataset(
+        const auto saved = saveDataset(
             *host_, *makeSample({.name = "noise", .size = 8, .type = std::nullopt, .seed = 1}), path("noise.nrrd"));
         QFile file(QString::fromStdString(path("noise.nrrd").string()));
         return saved && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();

@@ -46,7 +46,7 @@ private slots:
     void whatWasSavedIsOpened()
     {
         const Dataset sample = smallSample();
-        const Status saved = saveDataset(*host_, sample, path("noise.nrrd"));
+        const auto saved = saveDataset(*host_, sample, path("noise.nrrd"));
         QVERIFY2(saved, saved ? "" : saved.error().text().c_str());
         const auto opened = openDataset(*host_, path("noise.nrrd"));
         QVERIFY2(opened, opened ? "" : opened.error().text().c_str());
@@ -68,7 +68,7 @@ private slots:
 
     void noWriterSaysWhatCanBeWritten()
     {
-        const Status saved = saveDataset(*host_, smallSample(), path("noise.unknown"));
+        const auto saved = saveDataset(*host_, smallSample(), path("noise.unknown"));
         QVERIFY(!saved);
         QVERIFY2(saved.error().text().find("nrrd") != std::string::npos, saved.error().text().c_str());
     }

@@ -78,7 +78,8 @@ template <class T> std::vector<T> numbersIn(std::span<const std::byte> bytes)
 
 Status writeMesh(const std::filesystem::path& path, const MeshContent& content, const Progress& progress = {})
 {
-    return saveMesh(pluginsOfThisBuild(), content, path, {}, progress);
+    const auto saved = saveMesh(pluginsOfThisBuild(), content, path, {}, progress);
+    return saved ? Status() : Status(saved.error());
 }
 
 } // namespace

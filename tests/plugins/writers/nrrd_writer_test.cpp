@@ -42,7 +42,8 @@ bool identical(const Dataset& a, const Dataset& b)
 
 Status saveNrrd(const Dataset& dataset, const fs::path& path, const ParameterValues& values, const Progress& progress)
 {
-    return saveDataset(pluginsOfThisBuild(), dataset, path, values, progress);
+    const auto saved = saveDataset(pluginsOfThisBuild(), dataset, path, values, progress);
+    return saved ? Status() : Status(saved.error());
 }
 
 QByteArray content(const fs::path& path)

@@ -25,7 +25,8 @@ namespace {
 
 Status writeSurface(const std::filesystem::path& path, const SurfaceContent& content, const Progress& progress = {})
 {
-    return saveSurface(pluginsOfThisBuild(), content, path, {}, progress);
+    const auto saved = saveSurface(pluginsOfThisBuild(), content, path, {}, progress);
+    return saved ? Status() : Status(saved.error());
 }
 
 const QStringList endings = {"vtp", "vtk", "vtu", "ply", "stl", "obj", "glb"};
@@ -137,7 +138,8 @@ private slots:
         QVERIFY2(written, written ? "" : written.error().text().c_str());
         const QByteArray bytes = ::contentOf(path);
         Eigen::Vector3d shift(0, 0, 0);
-        const double step = ending == "stl" || ending == "glb" ? 1e-7 : 0; // of doubles at 3e8, and more than of floats up to 0.2
+        const double step =
+            ending == "stl" || ending == "glb" ? 1e-7 : 0; // of doubles at 3e8, and more than of floats up to 0.2
         if (ending == "stl") {
             QVERIFY2(bytes.startsWith("add "), bytes.first(80).constData());
             const QList<QByteArray> words = bytes.first(80).mid(4).split(' ');
@@ -376,6 +378,79 @@ private slots:
                          float(one.positions[one.triangles[std::size_t(triangle % 2)][std::size_t(i / 3)]][i % 3]));
             QCOMPARE(numberAt<std::uint16_t>(bytes, at + 48), std::uint16_t(0)); // programs take others for colours
         }
+    }
+
+    /// A float has 24 bits: far from the origin coordinates are told from a corner, and the file and the writer say so.
+    void farSurfacesAreToldFromACorner_data()
+    {
+        QTest::addColumn<double>("place");
+        QTest::addColumn<double>("edge");
+        QTest::addColumn<double>("shift");
+        QTest::newRow("at the origin") << 0.0 << 1e-3 << 0.0;
+        QTest::newRow("a float step of a hundredth of the thousandth") << 100.0 << 1.0 << 0.0;
+        QTest::newRow("far") << 4264212.75 << 1.0 << 4264212.0;
+        QTest::newRow("far and large") << 42642124.75 << 1000.0 << 42641920.0;
+        QTest::newRow("far and fine") << -1e9 << 1e-3 << -1e9;
+        QTest::newRow("fine near 1") << 0.7 << 1e-9 << std::ldexp(std::floor(std::ldexp(0.7, 30)), -30);
+    }
+    void farSurfacesAreToldFromACorner()
+    {
+        QFETCH(double, place);
+        QFETCH(double, edge);
+        QFETCH(double, shift);
+        std::vector<Eigen::Vector3d> positions;
+        for (int i = 0; i < 4; ++i)
+            positions.push_back(Eigen::Vector3d(place, place, 0) + edge * Eigen::Vector3d(i & 1, i >> 1, 0));
+        const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {2, 1, 3}};
+        SurfaceContent content{
+            "boundary", "value", {{.name = "a", .positions = positions, .triangles = triangles}}, {}};
+        QCOMPARE(floatShift(content), Eigen::Vector3d(shift, shift, 0));
+        for (const char* ending : {"stl", "glb", "obj", "ply", "vtp"}) {
+            const QString path = folder_.filePath(QString("far.") + ending);
+            const auto saved = saveSurface(pluginsOfThisBuild(), content, path.toStdString());
+            QVERIFY(saved);
+            const bool isTold = shift != 0 && (ending == QByteArray("stl") || ending == QByteArray("glb"));
+            QCOMPARE(saved->size(), std::size_t(isTold ? 1 : 0));
+            const QByteArray bytes = ::contentOf(path);
+            const QByteArray number = QByteArray::fromStdString(formatNumber(shift));
+            if (!isTold)
+                continue;
+            const std::string& remark = saved->front().text();
+            QVERIFY2(remark.starts_with("In '" + path.toStdString() + "' x, y and z are less than in the data by " +
+                                        number.toStdString() + ", " + number.toStdString() + " and 0, as"),
+                     remark.c_str());
+            if (ending == QByteArray("stl")) {
+                QVERIFY(bytes.startsWith("add " + number + " " + number + " 0, boundary by TAn"));
+                for (qsizetype corner = 0; corner < 3; ++corner)
+                    for (qsizetype axis = 0; axis < 3; ++axis) {
+                        const double told =
+                            double(numberAt<float>(bytes, 96 + 12 * corner + 4 * axis)) + (axis < 2 ? shift : 0);
+                        QVERIFY(std::abs(told - positions[std::size_t(corner)][axis]) <=
+                                1e-6 * edge + 1e-15 * std::abs(place));
+                    }
+            } else {
+                QVERIFY(bytes.contains("\"matrix\":[1,0,0,0,0,0,-1,0,0,1,0,0," + number + ",0," +
+                                       QByteArray::fromStdString(formatNumber(-shift)) + ",1]"));
+            }
+        }
+    }
+
+    /// A layer so thin that floats would make its sides one, though the mean edge is long; and one that is at the wrong
+    /// end, where no corner would help.
+    void thinLayersAreToldFromACorner()
+    {
+        const auto shiftOf = [](double wall, double away) {
+            std::vector<Eigen::Vector3d> positions;
+            for (const double y : {wall, wall + 1e-7 * away, wall + away})
+                for (const double x : {0, 1})
+                    positions.emplace_back(x, y, 0);
+            const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}};
+            return floatShift(
+                {"boundary", "value", {{.name = "a", .positions = positions, .triangles = triangles}}, {}});
+        };
+        QCOMPARE(shiftOf(0, 1), Eigen::Vector3d(0, 0, 0));
+        QCOMPARE(shiftOf(10, 1), Eigen::Vector3d(0, 10, 0));
+        QCOMPARE(shiftOf(1, -1), Eigen::Vector3d(0, 0, 0));
     }
 
     void wrongUseIsRefused()

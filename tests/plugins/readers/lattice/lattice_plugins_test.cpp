@@ -32,7 +32,7 @@ private slots:
         const Result<Dataset> made = makeSample({"c60", 16, {}, 1});
         QVERIFY(made.ok());
         const auto path = folder.path() / "c60.nrrd";
-        const Status saved = saveDataset(host_, *made, path, {{"encoding", std::string("gzip")}}, {});
+        const auto saved = saveDataset(host_, *made, path, {{"encoding", std::string("gzip")}}, {});
         QVERIFY2(saved.ok(), saved.ok() ? "" : saved.error().text().c_str());
         const Result<Dataset> opened = openDataset(host_, path, {}, {});
         QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());

@@ -388,7 +388,7 @@ void Plot3dReaderTest::whatIsWrittenComesBack()
         const auto dataset = read(writePair({.order = std::endian::big, .doubles = doubles}));
         QVERIFY(dataset.ok());
         const std::filesystem::path path = folder_->filePath("copy.xyz").toStdString();
-        const Status written = saveDataset(pluginsOfThisBuild(), *dataset, path);
+        const auto written = saveDataset(pluginsOfThisBuild(), *dataset, path);
         QVERIFY2(written.ok(), written.ok() ? "" : written.error().text().c_str());
         const auto copy = read(path);
         QVERIFY2(copy.ok(), copy.ok() ? "" : copy.error().text().c_str());
