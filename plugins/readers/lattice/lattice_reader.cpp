@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/lattice_reader.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_fields.h"
 #include "plugins/readers/lattice/nrrd_layout.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <vector>
 
 namespace tetra {
 
@@ -50,11 +52,12 @@ Error withHeader(const fs::path& header, Error error)
     return error;
 }
 
-/// What a file's bytes are, once it is known how they are to be taken.
-struct VolumeFile {
-    File file;
-    std::size_t headerBytes = 0;
+/// What the bytes of one or more files are, once it is known how they are to be taken.
+struct VolumeFiles {
+    std::vector<fs::path> paths; ///< equally many of the samples in each, in their order
     SampleLayout layout;
+    File first; ///< is open
+    std::size_t headerBytes = 0;
 };
 
 Result<File> openFile(const fs::path& path)
@@ -65,29 +68,54 @@ Result<File> openFile(const fs::path& path)
     return file;
 }
 
-/// The data file of a detached header, else the header's own file.
-Result<VolumeFile> openNrrd(const fs::path& path, const File& headerFile)
+/// What the header of a NRRD file leaves to the user.
+Status placeByUser(const ParameterValues& values, NrrdLayout& layout)
+{
+    const auto spacing = placementValue(values, "spacing");
+    if (!spacing)
+        return spacing.error();
+    const auto origin = placementValue(values, "origin");
+    if (!origin)
+        return origin.error();
+    if (*spacing && layout.tellsSpacing)
+        return placementIsKnown("spacing");
+    if (*origin && layout.tellsOrigin)
+        return placementIsKnown("origin");
+    Lattice& lattice = layout.samples.lattice;
+    lattice.spacing = spacing->value_or(lattice.spacing);
+    lattice.origin = origin->value_or(lattice.origin);
+    return checkLatticePlacement(lattice);
+}
+
+/// The data files of a detached header, else the header's own file.
+Result<VolumeFiles> openNrrd(const fs::path& path, const File& headerFile, const ParameterValues& values)
 {
     const Result<NrrdFields> fields = parseNrrdFields(asText(headerFile->bytes()));
     if (!fields)
         return inFile(path, fields.error());
-    const Result<NrrdLayout> layout = nrrdLayout(*fields);
+    Result<NrrdLayout> layout = nrrdLayout(*fields);
     if (!layout)
         return inFile(path, layout.error());
-    if (layout->dataFile.empty())
-        return VolumeFile{headerFile, fields->headerBytes, layout->samples};
-    const Result<File> dataFile = openFile(path.parent_path() / layout->dataFile);
-    if (!dataFile)
-        return withHeader(path, dataFile.error());
-    return VolumeFile{*dataFile, 0, layout->samples};
+    if (const Status placed = placeByUser(values, *layout); !placed)
+        return inFile(path, placed.error());
+    if (layout->dataFiles.empty())
+        return VolumeFiles{{path}, layout->samples, headerFile, fields->headerBytes};
+    VolumeFiles volume{{}, layout->samples, nullptr, 0};
+    for (const std::string& name : layout->dataFiles)
+        volume.paths.push_back(path.parent_path() / name);
+    const Result<File> first = openFile(volume.paths.front());
+    if (!first)
+        return withHeader(path, first.error());
+    volume.first = *first;
+    return volume;
 }
 
-Result<VolumeFile> openRaw(const fs::path& path, const File& file, const ParameterValues& values)
+Result<VolumeFiles> openRaw(const fs::path& path, const File& file, const ParameterValues& values)
 {
     const Result<SampleLayout> layout = rawLayout(values, path.filename().string(), file->bytes().size());
     if (!layout)
         return inFile(path, layout.error());
-    return VolumeFile{file, 0, *layout};
+    return VolumeFiles{{path}, *layout, file, 0};
 }
 
 bool isNrrd(const fs::path& path, const File& file)
@@ -95,16 +123,17 @@ bool isNrrd(const fs::path& path, const File& file)
     return isNrrdName(path) || looksLikeNrrd(asText(file->bytes()));
 }
 
-Result<VolumeFile> openVolume(const fs::path& path, const File& file, const ParameterValues& values)
+Result<VolumeFiles> openVolume(const fs::path& path, const File& file, const ParameterValues& values)
 {
     if (!isNrrd(path, file))
         return openRaw(path, file, values);
-    if (!values.empty())
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.",
-                                  values.begin()->first, path.string()),
-                     path};
-    return openNrrd(path, file);
+    for (const auto& [id, value] : values)
+        if (id != "spacing" && id != "origin")
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.", id,
+                                      path.string()),
+                         path};
+    return openNrrd(path, file, values);
 }
 
 bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole)
@@ -113,24 +142,75 @@ bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole
            std::less_equal{}(bytes.data() + bytes.size(), whole.data() + whole.size());
 }
 
-Result<Dataset> readDataset(const fs::path& path, const VolumeFile& volume, const Progress& progress)
+/// An error in a data file of the volume that is opened as `path`.
+Error inVolume(const fs::path& path, const fs::path& dataFile, const Error& error)
 {
-    const std::span<const std::byte> content = volume.file->bytes();
-    const Result<ScalarField> values =
-        readSamples(content.subspan(volume.headerBytes), volume.layout, progress, volume.file);
-    if (volume.file->damaged())
-        return inFile(volume.file->path(),
-                      {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
-    if (!values) {
-        const Error error = inFile(volume.file->path(), values.error());
-        return volume.file->path() == path ? error : withHeader(path, error);
+    const Error named = inFile(dataFile, error);
+    return dataFile == path ? named : withHeader(path, named);
+}
+
+/// Calls `use(bytes)` with the samples of each file as it is opened; the first error ends it.
+template <class Use> Status forEachFile(const fs::path& path, const VolumeFiles& volume, const Use& use)
+{
+    for (const fs::path& name : volume.paths) {
+        const Result<File> file = &name == &volume.paths.front() ? Result<File>(volume.first) : openFile(name);
+        if (!file)
+            return withHeader(path, file.error());
+        const Status used = use((*file)->bytes().subspan(volume.headerBytes));
+        if ((*file)->damaged())
+            return inFile(name, {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
+        if (!used)
+            return inVolume(path, name, used.error());
     }
+    return {};
+}
+
+Result<ScalarField> samplesOf(const fs::path& path, const VolumeFiles& volume, const Progress& progress)
+{
+    const SampleLayout& layout = volume.layout;
+    if (volume.paths.size() == 1) {
+        Result<ScalarField> values = Error{};
+        const Status read = forEachFile(path, volume, [&](std::span<const std::byte> bytes) -> Status {
+            values = readSamples(bytes, layout, progress, volume.first);
+            return values ? Status() : values.error();
+        });
+        return read ? values : read.error();
+    }
+    const SampleLayout each = layoutOfEach(layout, volume.paths.size());
+    if (const Status whole =
+            forEachFile(path, volume, [&](std::span<const std::byte> bytes) { return checkSampleBytes(bytes, each); });
+        !whole)
+        return whole.error();
+    Result<std::shared_ptr<std::byte>> samples = allocateSamples(layout.type, layout.lattice.pointCount());
+    if (!samples)
+        return inFile(path, samples.error());
+    std::span<std::byte> room(samples->get(), layout.sampleBytes());
+    std::size_t done = 0;
+    const Status read = forEachFile(path, volume, [&](std::span<const std::byte> bytes) {
+        const auto files = static_cast<double>(volume.paths.size());
+        const Progress part = progress.part(static_cast<double>(done) / files, static_cast<double>(done + 1) / files);
+        ++done;
+        const auto own = room.first(each.sampleBytes());
+        room = room.subspan(own.size());
+        return readSamplesInto(own, bytes, each, part);
+    });
+    return read ? Result<ScalarField>(ScalarField(layout.type, layout.lattice.pointCount(), *std::move(samples)))
+                : read.error();
+}
+
+Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, const Progress& progress)
+{
+    const Result<ScalarField> values = samplesOf(path, volume, progress);
+    if (!values)
+        return values.error();
     Dataset dataset;
     dataset.lattice = volume.layout.lattice;
     dataset.values = *values;
+    dataset.space = volume.layout.space;
+    dataset.lengthUnit = volume.layout.lengthUnit;
     dataset.source = {path.filename().string(), path, 0};
-    if (isWithin(values->bytes(), content))
-        dataset.mappedFile = volume.file;
+    if (isWithin(values->bytes(), volume.first->bytes()))
+        dataset.mappedFile = volume.first;
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }
@@ -146,13 +226,13 @@ FileContents guessedContents(const fs::path& path, std::uint64_t bytes)
     return contents;
 }
 
-Result<FileContents> contentsOf(const fs::path& path, const VolumeFile& volume)
+Result<FileContents> contentsOf(const fs::path& path, const VolumeFiles& volume)
 {
-    const Status whole = checkSampleBytes(volume.file->bytes().subspan(volume.headerBytes), volume.layout);
-    if (!whole) {
-        const Error error = inFile(volume.file->path(), whole.error());
-        return volume.file->path() == path ? error : withHeader(path, error);
-    }
+    const SampleLayout each = layoutOfEach(volume.layout, volume.paths.size());
+    if (const Status whole =
+            forEachFile(path, volume, [&](std::span<const std::byte> bytes) { return checkSampleBytes(bytes, each); });
+        !whole)
+        return whole.error();
     return FileContents{.domain = DomainClass::RegularLattice,
                         .lattice = volume.layout.lattice,
                         .points = volume.layout.lattice.pointCount(),
@@ -187,7 +267,7 @@ Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues&
     const Result<File> file = openFile(path);
     if (!file)
         return file.error();
-    const Result<VolumeFile> volume = openVolume(path, *file, values);
+    const Result<VolumeFiles> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
     return readDataset(path, *volume, progress);
@@ -200,9 +280,9 @@ std::vector<fs::path> LatticeReader::companions(const fs::path& path, const Para
         return {};
     const Result<NrrdFields> fields = parseNrrdFields(asText((*file)->bytes()));
     const Result<NrrdLayout> layout = fields ? nrrdLayout(*fields) : fields.error();
-    if (!layout || layout->dataFile.empty())
+    if (!layout || layout->dataFiles.size() != 1)
         return {};
-    return {path.parent_path() / layout->dataFile};
+    return {path.parent_path() / layout->dataFiles.front()};
 }
 
 Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterValues& values,
@@ -213,7 +293,7 @@ Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterV
         return file.error();
     if (!isNrrd(path, *file) && !describesSize(values))
         return guessedContents(path, (*file)->bytes().size());
-    const Result<VolumeFile> volume = openVolume(path, *file, values);
+    const Result<VolumeFiles> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
     return contentsOf(path, *volume);

@@ -3,6 +3,7 @@
 
 #include "plugins/readers/lattice/field_text.h"
 
+#include <array>
 #include <cmath>
 
 namespace tetra {
@@ -110,32 +111,43 @@ Status parseDirections(const NrrdFields& fields, std::vector<NrrdAxis>& axes)
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
         if (lowerCase(words[axis]) == "none")
             continue;
-        axes[axis].direction = parseNrrdVector(words[axis]);
-        if (!axes[axis].direction)
+        const auto vector = parseNrrdVector(words[axis], nrrdSpaceHasTime(fields));
+        if (!vector)
             return wrongField(field, fields[field],
                               Message::say("must be 'none' or three numbers in parentheses for each axis."));
+        if (vector->place.array().isNaN().all()) // as programs wrote 'none' before the format had the word
+            continue;
+        axes[axis].direction = vector->place;
+        axes[axis].runsThroughTime = vector->time != 0;
     }
     return {};
 }
 
 } // namespace
 
-std::optional<Eigen::Vector3d> parseNrrdVector(std::string_view text)
+bool nrrdSpaceHasTime(const NrrdFields& fields)
+{
+    const std::string space = lowerCase(fields["space"]);
+    return space.ends_with("-time") || space == "rast" || space == "last" || space == "lpst" ||
+           fields["space dimension"] == "4";
+}
+
+std::optional<NrrdVector> parseNrrdVector(std::string_view text, bool withTime)
 {
     text = trimmed(text);
     if (!text.starts_with('(') || !text.ends_with(')'))
         return {};
     const std::vector<std::string_view> words = split(text.substr(1, text.size() - 2), ",");
-    if (words.size() != 3)
+    if (words.size() != (withTime ? 4 : 3))
         return {};
-    Eigen::Vector3d vector;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const auto number = parseNumber<double>(trimmed(words[static_cast<std::size_t>(i)]));
+    std::array<double, 4> numbers{};
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto number = parseNumber<double>(trimmed(words[i]));
         if (!number)
             return {};
-        vector[i] = *number;
+        numbers[i] = *number;
     }
-    return vector;
+    return NrrdVector{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 
 Result<std::vector<NrrdAxis>> parseNrrdAxes(const NrrdFields& fields)

@@ -21,13 +21,23 @@ struct NrrdAxis {
     bool centeredInCells = false;
     std::optional<double> spacing, minimum, maximum;
     std::optional<Eigen::Vector3d> direction;
+    bool runsThroughTime = false; ///< its direction leads along the fourth axis of a space with time
+};
+
+struct NrrdVector {
+    Eigen::Vector3d place;
+    double time = 0;
 };
 
 /// The axes in the header's order, fastest first. Errors: missing or wrong dimension and sizes, lists of another length
 /// than the dimension, words that are no numbers, directions of a space that has not three dimensions.
 Result<std::vector<NrrdAxis>> parseNrrdAxes(const NrrdFields& fields);
 
-/// "(1, 2.5, -3)", as in space origin and space directions; nothing if it is not three numbers.
-std::optional<Eigen::Vector3d> parseNrrdVector(std::string_view text);
+/// Whether `space` or `space dimension` say that vectors have a fourth component.
+bool nrrdSpaceHasTime(const NrrdFields& fields);
+
+/// "(1, 2.5, -3)", as in space origin and space directions, or "(1, 2.5, -3, 0)" in a space with time; nothing if it is
+/// not three or four numbers.
+std::optional<NrrdVector> parseNrrdVector(std::string_view text, bool withTime);
 
 } // namespace tetra

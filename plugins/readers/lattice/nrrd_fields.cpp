@@ -101,6 +101,12 @@ Status addField(NrrdFields& fields, std::string_view line, std::size_t number)
 
 } // namespace
 
+bool namesListOfFiles(std::string_view dataFile)
+{
+    const auto words = split(dataFile, " \t");
+    return !words.empty() && words.size() <= 2 && words[0] == "LIST";
+}
+
 bool looksLikeNrrd(std::string_view firstBytes)
 {
     return firstBytes.starts_with(magic);
@@ -123,6 +129,8 @@ Result<NrrdFields> parseNrrdFields(std::string_view file)
                 return known.error();
         } else if (line.empty() || line == "\r") {
             return fields;
+        } else if (namesListOfFiles(fields["data file"])) {
+            fields.listedFiles.emplace_back(trimmed(line));
         } else if (!line.starts_with('#')) {
             if (const Status added = addField(fields, line, number); !added)
                 return added.error();

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetra {
 
@@ -14,6 +15,7 @@ namespace tetra {
 /// https://teem.sourceforge.net/nrrd/format.html.)
 struct NrrdFields {
     std::map<std::string, std::string> values; ///< by field name in lower case and in its present-day spelling
+    std::vector<std::string> listedFiles;      ///< that stand below 'data file: LIST', to the end of the header
     std::size_t headerBytes = 0;               ///< up to and with the empty line that ends the header
 
     /// Empty if the field is not there.
@@ -27,6 +29,9 @@ struct NrrdFields {
 
 /// True if a file begins as NRRD files do.
 bool looksLikeNrrd(std::string_view firstBytes);
+
+/// "LIST" or "LIST 2": the names of the files are the last lines of the header.
+bool namesListOfFiles(std::string_view dataFile);
 
 /// Reads the header at the beginning of `file`: magic, fields, comments and key/value pairs, lines ending in LF or CR
 /// LF. It ends at the first empty line or with the file. Errors: no NRRD, a later version, a line that is no field, an

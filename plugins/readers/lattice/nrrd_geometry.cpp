@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/nrrd_geometry.h"
 
+#include "plugins/api/lattice_steps.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_axes.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <set>
+#include <vector>
 
 namespace tetra {
 
@@ -43,48 +45,37 @@ std::optional<double> spacingOf(const NrrdAxis& axis)
     return {};
 }
 
-/// By spacings, axis mins and axis maxs.
+/// By spacings, axis mins and axis maxs; where they fall along an axis, it runs backwards.
 Status placeAlongAxes(const ThreeAxes& axes, Lattice& lattice)
 {
     const auto known = std::ranges::count_if(axes, [](const NrrdAxis& axis) { return spacingOf(axis).has_value(); });
     if (known != 0 && known != 3)
         return Error{ErrorKind::BadInput,
                      Message::say("its header gives the spacing of some axes only. Give all three, or none.")};
+    Eigen::Vector3d spacing, origin;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
-        lattice.spacing[axis] = spacingOf(axes[i]).value_or(1);
-        lattice.origin[axis] = axes[i].minimum.value_or(0);
+        spacing[axis] = spacingOf(axes[i]).value_or(1);
+        origin[axis] = axes[i].minimum.value_or(0);
         if (axes[i].minimum && axes[i].centeredInCells)
-            lattice.origin[axis] += lattice.spacing[axis] / 2;
+            origin[axis] += spacing[axis] / 2;
     }
+    placeBySteps(lattice, spacing.asDiagonal(), origin);
     return {};
-}
-
-/// Length of a vector, exact if it lies along an axis.
-double lengthOf(const Eigen::Vector3d& vector)
-{
-    const double largest = vector.cwiseAbs().maxCoeff();
-    return (vector.array() != 0).count() <= 1 ? largest : vector.norm();
 }
 
 /// By space directions and space origin.
 Status placeInSpace(const ThreeAxes& axes, const Eigen::Vector3d& spaceOrigin, Lattice& lattice)
 {
-    Eigen::Matrix3d directions;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto axis = static_cast<Eigen::Index>(i);
-        const Eigen::Vector3d& direction = *axes[i].direction;
-        lattice.spacing[axis] = lengthOf(direction);
-        directions.col(axis) = direction / lattice.spacing[axis];
+    Eigen::Matrix3d steps;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (axes[axis].runsThroughTime)
+            return Error{ErrorKind::BadInput, Message::say("one of its axes, of size %1, runs through time. A volume "
+                                                           "has three in space: take out one time step.",
+                                                           axes[axis].size)};
+        steps.col(static_cast<Eigen::Index>(axis)) = *axes[axis].direction;
     }
-    constexpr double rightAngle = 1e-4; // headers hold few digits
-    const Eigen::Matrix3d cosines = directions.transpose() * directions;
-    if (!((cosines - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= rightAngle))
-        return Error{
-            ErrorKind::BadInput,
-            Message::say(
-                "its space directions are not three vectors at right angles. Resample it on a rectangular grid.")};
-    lattice.origin = directions.transpose() * spaceOrigin;
+    placeBySteps(lattice, steps, spaceOrigin);
     return {};
 }
 
@@ -93,11 +84,11 @@ Result<std::optional<Eigen::Vector3d>> parseSpaceOrigin(const NrrdFields& fields
 {
     if (!fields.has("space origin"))
         return std::optional<Eigen::Vector3d>();
-    const std::optional<Eigen::Vector3d> origin = parseNrrdVector(fields["space origin"]);
+    const auto origin = parseNrrdVector(fields["space origin"], nrrdSpaceHasTime(fields));
     if (!origin)
         return Error{ErrorKind::BadInput, Message::say("its space origin '%1' is not three numbers in parentheses.",
                                                        printable(fields["space origin"]))};
-    return origin->allFinite() ? origin : std::nullopt;
+    return origin->place.allFinite() ? std::optional(origin->place) : std::nullopt;
 }
 
 Status place(const ThreeAxes& axes, const std::optional<Eigen::Vector3d>& spaceOrigin, Lattice& lattice)
@@ -115,7 +106,53 @@ Status place(const ThreeAxes& axes, const std::optional<Eigen::Vector3d>& spaceO
     return placed;
 }
 
+/// The texts of '"mm" "mm" "mm"'.
+std::vector<std::string_view> quotedTexts(std::string_view text)
+{
+    std::vector<std::string_view> texts;
+    for (auto begin = text.find('"'); begin != std::string_view::npos; begin = text.find('"')) {
+        text.remove_prefix(begin + 1);
+        const auto end = std::min(text.find('"'), text.size());
+        texts.push_back(trimmed(text.substr(0, end)));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return texts;
+}
+
 } // namespace
+
+bool tellsNrrdSpacing(const NrrdFields& fields)
+{
+    const auto axes = parseNrrdAxes(fields);
+    return axes && std::ranges::any_of(*axes, [](const NrrdAxis& axis) {
+               return axis.size > 1 && (axis.direction || spacingOf(axis));
+           });
+}
+
+bool tellsNrrdOrigin(const NrrdFields& fields)
+{
+    const auto axes = parseNrrdAxes(fields);
+    const auto origin = parseSpaceOrigin(fields);
+    return (origin && *origin) ||
+           (axes && std::ranges::any_of(*axes, [](const NrrdAxis& axis) { return axis.size > 1 && axis.minimum; }));
+}
+
+std::string nrrdSpace(const NrrdFields& fields)
+{
+    constexpr std::array<std::array<std::string_view, 2>, 3> spaces = {
+        {{"right-anterior-superior", "ras"}, {"left-anterior-superior", "las"}, {"left-posterior-superior", "lps"}}};
+    const std::string name = lowerCase(fields["space"]);
+    if (!fields.has("space directions"))
+        return {};
+    for (const auto& [words, letters] : spaces)
+        if (name == words || name == letters || name == std::string(words) + "-time" ||
+            name == std::string(letters) + "t") {
+            std::string capitals(letters);
+            std::ranges::transform(capitals, capitals.begin(), [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+            return capitals;
+        }
+    return {};
+}
 
 Result<Lattice> nrrdLattice(const NrrdFields& fields)
 {
@@ -138,6 +175,20 @@ Result<Lattice> nrrdLattice(const NrrdFields& fields)
     if (const Status checked = checkLatticePlacement(lattice); !checked)
         return checked.error();
     return lattice;
+}
+
+std::string nrrdLengthUnit(const NrrdFields& fields)
+{
+    const bool isInSpace = fields.has("space directions");
+    const auto sizes = split(fields["sizes"], " \t");
+    const auto units = quotedTexts(fields[isInSpace ? "space units" : "units"]);
+    if (units.size() != (!isInSpace ? sizes.size() : nrrdSpaceHasTime(fields) ? 4 : 3))
+        return {};
+    std::set<std::string_view> found;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (isInSpace ? i < 3 : sizes[i] != "1")
+            found.insert(units[i]);
+    return found.size() == 1 ? printable(*found.begin()) : std::string();
 }
 
 } // namespace tetra

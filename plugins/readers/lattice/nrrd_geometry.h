@@ -6,14 +6,25 @@
 #include <tan/base.h>
 #include <tan/data.h>
 
+#include <string>
+
 namespace tetra {
 
 /// Makes a lattice out of the fields that describe the axes: dimension, sizes, kinds, spacings, axis mins and maxs,
 /// centers, space directions and space origin. Axes beyond three are accepted if they hold one point.
 ///
-/// Space directions must be at right angles; their lengths are the spacing. The lattice stands along its own axes: a
-/// turned volume has the origin turned with it, so that distances and volumes are those of the space. What is unknown
+/// Space directions are the steps of its frame, whichever way they run, if they do not lie in a plane. What is unknown
 /// (NaN, in the format's way of saying) becomes spacing 1 and origin 0.
 Result<Lattice> nrrdLattice(const NrrdFields& fields);
+
+/// Whether the header says the spacing of the axes, and where the first point lies: what it does not say are 1 and 0.
+bool tellsNrrdSpacing(const NrrdFields& fields);
+bool tellsNrrdOrigin(const NrrdFields& fields);
+
+/// Dataset::space, if the header says how the axes lie in it.
+std::string nrrdSpace(const NrrdFields& fields);
+
+/// Dataset::lengthUnit: that of the space, else of the axes, if it is the same for all that hold points.
+std::string nrrdLengthUnit(const NrrdFields& fields);
 
 } // namespace tetra

@@ -2,9 +2,8 @@
 #include "plugins/readers/lattice/nrrd_layout.h"
 
 #include "plugins/readers/lattice/field_text.h"
+#include "plugins/readers/lattice/nrrd_files.h"
 #include "plugins/readers/lattice/nrrd_geometry.h"
-
-#include <algorithm>
 
 namespace tetra {
 
@@ -15,14 +14,6 @@ Status missing(const NrrdFields& fields, const std::string& field)
     if (!fields[field].empty())
         return {};
     return Error{ErrorKind::BadInput, Message::say("its header has no field '%1'. Add it.", field)};
-}
-
-/// "LIST", or a pattern such as "slice%03d.raw 1 100 1".
-bool namesSeveralFiles(std::string_view dataFile)
-{
-    const auto words = split(dataFile, " \t");
-    return !words.empty() &&
-           (words[0] == "LIST" || (words.size() >= 4 && words[0].find('%') != std::string_view::npos));
 }
 
 Status parseEncoding(const NrrdFields& fields, SampleLayout& layout)
@@ -77,16 +68,6 @@ Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
         if (const Status there = missing(fields, field); !there)
             return there.error();
     NrrdLayout layout;
-    if (namesSeveralFiles(fields["data file"]))
-        return Error{ErrorKind::BadInput, Message::say("its samples are spread over several files ('data file: %1'), "
-                                                       "which is not read. Join them into one file first.",
-                                                       printable(fields["data file"]))};
-    layout.dataFile = fields["data file"];
-    // One with a zero byte would open another file than messages name.
-    if (std::ranges::any_of(layout.dataFile, [](char c) { return static_cast<unsigned char>(c) < ' '; }))
-        return Error{ErrorKind::BadInput,
-                     Message::say("its data file is called '%1', with characters that no name should have. Correct it.",
-                                  printable(layout.dataFile))};
     if (const Status parsed = parseEncoding(fields, layout.samples); !parsed)
         return parsed.error();
     if (const Status parsed = parseSkips(fields, layout.samples); !parsed)
@@ -95,6 +76,14 @@ Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
     if (!lattice)
         return lattice.error();
     layout.samples.lattice = *lattice;
+    layout.tellsSpacing = tellsNrrdSpacing(fields);
+    layout.tellsOrigin = tellsNrrdOrigin(fields);
+    layout.samples.space = nrrdSpace(fields);
+    layout.samples.lengthUnit = nrrdLengthUnit(fields);
+    auto files = nrrdDataFiles(fields);
+    if (!files)
+        return files.error();
+    layout.dataFiles = *std::move(files);
     return layout;
 }
 

@@ -7,17 +7,19 @@
 #include <tan/base.h>
 
 #include <string>
+#include <vector>
 
 namespace tetra {
 
 /// What a NRRD header means.
 struct NrrdLayout {
     SampleLayout samples;
-    std::string dataFile; ///< of a detached header, relative to the header's folder; empty: the data follow the header
+    std::vector<std::string> dataFiles; ///< nrrdDataFiles()
+    bool tellsSpacing = false;
+    bool tellsOrigin = false;
 };
 
-/// Errors: what is missing, contradicts itself, or is not read (several data files, 64-bit integers, blocks,
-/// encodings).
+/// Errors: what is missing, contradicts itself, or is not read (64-bit integers, blocks, encodings).
 Result<NrrdLayout> nrrdLayout(const NrrdFields& fields);
 
 } // namespace tetra

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/raw_description.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/raw_guess.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 namespace tetra {
@@ -13,32 +16,6 @@ namespace {
 Error wrongUsage(const Message& text)
 {
     return {ErrorKind::WrongUsage, text};
-}
-
-/// Three numbers with 'x', commas or blanks between them.
-template <class Number> Result<std::array<Number, 3>> parseThree(const std::string& id, const std::string& text)
-{
-    const std::vector<std::string_view> words = split(text, "xX*, \t");
-    std::array<Number, 3> numbers{};
-    bool understood = words.size() == 3;
-    for (std::size_t i = 0; understood && i < 3; ++i) {
-        const auto number = parseNumber<Number>(words[i]);
-        understood = number.has_value();
-        numbers[i] = number.value_or(Number{});
-    }
-    if (!understood)
-        return wrongUsage(
-            Message::say("'%1' for '%2' is not understood. Give three numbers, along x, y and z, as in 64x64x32.",
-                         printable(text), id));
-    return numbers;
-}
-
-Result<Eigen::Vector3d> parsePlace(const std::string& id, const std::string& text)
-{
-    const auto numbers = parseThree<double>(id, text);
-    if (!numbers)
-        return numbers.error();
-    return Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
 Error sizeIsMissing(std::string_view fileName, std::uint64_t fileBytes)
@@ -57,16 +34,16 @@ Error sizeIsMissing(std::string_view fileName, std::uint64_t fileBytes)
                                    fileBytes, examples));
 }
 
-Status parsePlacement(const std::vector<Parameter>& parameters, const ParameterValues& values, Lattice& lattice)
+Status parsePlacement(const ParameterValues& values, Lattice& lattice)
 {
-    const auto spacing = parsePlace("spacing", parameterValue<std::string>(parameters, values, "spacing"));
+    const auto spacing = placementValue(values, "spacing");
     if (!spacing)
         return spacing.error();
-    const auto origin = parsePlace("origin", parameterValue<std::string>(parameters, values, "origin"));
+    const auto origin = placementValue(values, "origin");
     if (!origin)
         return origin.error();
-    lattice.spacing = *spacing;
-    lattice.origin = *origin;
+    lattice.spacing = spacing->value_or(lattice.spacing);
+    lattice.origin = origin->value_or(lattice.origin);
     return checkLatticePlacement(lattice);
 }
 
@@ -75,7 +52,7 @@ Status parsePlacement(const std::vector<Parameter>& parameters, const ParameterV
 std::vector<Parameter> rawParameters()
 {
     const std::string text;
-    return {
+    std::vector<Parameter> parameters{
         {"size",
          Message::marked("Size"),
          Message::marked("Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128."),
@@ -108,23 +85,9 @@ std::vector<Parameter> rawParameters()
          0,
          1e15,
          {}},
-        {"spacing",
-         Message::marked("Spacing"),
-         Message::marked("Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5."),
-         "",
-         std::string("1x1x1"),
-         0,
-         0,
-         {}},
-        {"origin",
-         Message::marked("Origin"),
-         Message::marked("Raw files: the position of the first point, as in 0,0,0."),
-         "",
-         std::string("0,0,0"),
-         0,
-         0,
-         {}},
     };
+    std::ranges::move(placementParameters(), std::back_inserter(parameters));
+    return parameters;
 }
 
 bool describesSize(const ParameterValues& values)
@@ -158,7 +121,7 @@ Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view f
     if (!order)
         return wrongUsage(order.error().message);
     layout.order = *order;
-    if (const Status placed = parsePlacement(parameters, values, layout.lattice); !placed)
+    if (const Status placed = parsePlacement(values, layout.lattice); !placed)
         return placed.error();
     return layout;
 }

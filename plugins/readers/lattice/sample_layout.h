@@ -7,12 +7,15 @@
 
 #include <bit>
 #include <cstdint>
+#include <string>
 
 namespace tetra {
 
 /// How the samples of a lattice lie in a file: what a NRRD header or the user says.
 struct SampleLayout {
-    Lattice lattice; ///< checked
+    Lattice lattice;   ///< checked
+    std::string space; ///< as those of a dataset
+    std::string lengthUnit{};
     SampleType type = SampleType::UInt8;
     SampleEncoding encoding = SampleEncoding::Raw;
     std::endian order = std::endian::native; ///< of types of more than one byte; text has none

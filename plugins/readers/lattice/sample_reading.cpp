@@ -8,6 +8,7 @@
 #include <tan/data.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace tetra {
@@ -100,12 +101,21 @@ bool areInPlace(std::span<const std::byte> encoded, const SampleLayout& layout)
            reinterpret_cast<std::uintptr_t>(encoded.data()) % size == 0;
 }
 
+/// What follows the skipped lines; of raw data the samples alone.
+Result<std::span<const std::byte>> encodedSamples(std::span<const std::byte> data, const SampleLayout& layout)
+{
+    const Result<std::span<const std::byte>> encoded = skipLines(data, layout.skippedLines);
+    if (encoded && layout.encoding == SampleEncoding::Raw)
+        return rawBytes(*encoded, layout);
+    if (encoded)
+        if (const Status enough = checkEnough(*encoded, layout); !enough)
+            return enough.error();
+    return encoded;
+}
+
 Result<ScalarField> decodedSamples(std::span<const std::byte> encoded, const SampleLayout& layout,
                                    const Progress& progress)
 {
-    if (layout.encoding != SampleEncoding::Raw)
-        if (const Status enough = checkEnough(encoded, layout); !enough)
-            return enough.error();
     Result<std::shared_ptr<std::byte>> samples = allocateSamples(layout.type, layout.lattice.pointCount());
     if (!samples)
         return samples.error();
@@ -118,21 +128,32 @@ Result<ScalarField> decodedSamples(std::span<const std::byte> encoded, const Sam
 
 Status checkSampleBytes(std::span<const std::byte> data, const SampleLayout& layout)
 {
-    const Result<std::span<const std::byte>> encoded = skipLines(data, layout.skippedLines);
-    if (!encoded)
-        return encoded.error();
-    if (layout.encoding != SampleEncoding::Raw)
-        return checkEnough(*encoded, layout);
-    const Result<std::span<const std::byte>> samples = rawBytes(*encoded, layout);
-    return samples ? Status() : samples.error();
+    const auto encoded = encodedSamples(data, layout);
+    return encoded ? Status() : encoded.error();
+}
+
+SampleLayout layoutOfEach(const SampleLayout& layout, std::uint64_t files)
+{
+    SampleLayout one = layout;
+    for (std::size_t axis = 3; axis-- > 0 && files > 1;) {
+        const std::uint64_t part = std::gcd<std::uint64_t>(one.lattice.size[axis], files);
+        one.lattice.size[axis] /= static_cast<std::uint32_t>(part);
+        files /= part;
+    }
+    return one;
+}
+
+Status readSamplesInto(std::span<std::byte> samples, std::span<const std::byte> data, const SampleLayout& layout,
+                       const Progress& progress)
+{
+    const auto encoded = encodedSamples(data, layout);
+    return encoded ? decode(*encoded, layout, samples, progress) : encoded.error();
 }
 
 Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress,
                                 const std::shared_ptr<const void>& owner)
 {
-    Result<std::span<const std::byte>> encoded = skipLines(data, layout.skippedLines);
-    if (encoded && layout.encoding == SampleEncoding::Raw)
-        encoded = rawBytes(*encoded, layout);
+    const auto encoded = encodedSamples(data, layout);
     if (!encoded)
         return encoded.error();
     return owner && areInPlace(*encoded, layout)

@@ -19,6 +19,13 @@ namespace tetra {
 Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress,
                                 const std::shared_ptr<const void>& owner = nullptr);
 
+/// The same, of the samples of this layout alone, into `samples`, which has exactly the room for them.
+Status readSamplesInto(std::span<std::byte> samples, std::span<const std::byte> data, const SampleLayout& layout,
+                       const Progress& progress);
+
+/// The layout of each of so many files that have all samples among them, equally many each.
+SampleLayout layoutOfEach(const SampleLayout& layout, std::uint64_t files);
+
 /// The errors of readSamples() that show without going through the data: their number of bytes.
 Status checkSampleBytes(std::span<const std::byte> data, const SampleLayout& layout);
 

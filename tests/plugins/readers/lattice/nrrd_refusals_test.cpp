@@ -58,6 +58,9 @@ void NrrdRefusalsTest::ofFiles_data()
     const auto fields = [&](const char* name, const QByteArray& text, const QList<QByteArray>& words) {
         row(name, nrrdHeader(text) + samples, words);
     };
+    const auto list = [&](const char* name, const QByteArray& lastLines, const QList<QByteArray>& words) {
+        row(name, nrrdHeader("").chopped(1) + lastLines, words);
+    };
     row("empty", "", {"empty"});
     row("no NRRD", "P5 3 4 255\n", {"no NRRD file"});
     row("a later version", "NRRD0006\n\n", {"version", "NRRD0006"});
@@ -84,10 +87,19 @@ void NrrdRefusalsTest::ofFiles_data()
     fields("unknown endian", "type: short\nendian: middle\n", {"middle", "little and big"});
     fields("hex", "encoding: hex\n", {"'hex'", "gzip"});
     fields("bzip2", "encoding: bzip2\n", {"'bzip2'", "gzip"});
-    fields("list of files", "data file: LIST\n", {"several files"});
-    fields("list of files with dimension", "data file: LIST 2\n", {"several files"});
+    list("list of files that is empty", "data file: LIST\n", {"names of 0 files", "line of its own"});
+    list("list of too few files", "data file: LIST\na.raw\nb.raw\n", {"names of 2 files"});
+    list("list of files of no dimension", "data file: LIST 0\n", {"from 1 to 3"});
+    list("list of files of too many", "data file: LIST 4\n", {"from 1 to 3"});
+    list("list of a name that cannot be", "data file: LIST 3\nsamples.\x01w\n", {"'samples.\\x01w'", "Correct it"});
     fields("control characters in a name", "data file: samples.\x01w\n", {"'samples.\\x01w'", "Correct it"});
-    fields("pattern of files", "data file: slice%03d.raw 1 5 1\n", {"several files"});
+    fields("pattern of too few files", "data file: slice%03d.raw 1 4 1\n", {"names 4 files", "sizes ask for"});
+    fields("pattern of endless files", "data file: slice%03d.raw 1 1000000000 1\n", {"names 1000000000 files"});
+    fields("pattern without step", "data file: slice%03d.raw 1 5 0\n", {"the step"});
+    fields("pattern of the wrong direction", "data file: slice%03d.raw 5 1 1\n", {"the step"});
+    fields("pattern of words", "data file: slice%03d.raw one five 1\n", {"number of the first file"});
+    fields("pattern of another kind", "data file: slice%s.raw 1 5 1\n", {"'%03d'"});
+    fields("pattern without files", "data file: slice%03d.raw 1 5 1\n", {"slice001.raw", "No such file"});
 
     fields("dimension 0", "dimension: 0\nsizes:\n", {"sizes"});
     fields("dimension not a number", "dimension: three\n", {"dimension: three"});
@@ -110,13 +122,20 @@ void NrrdRefusalsTest::ofFiles_data()
 
     fields("some spacings", "spacings: 1 nan 1\n", {"some axes"});
     fields("zero spacing", "spacings: 1 0 1\n", {"positive"});
-    fields("negative spacing", "spacings: 1 -1 1\n", {"positive"});
     fields("spacing not a number", "spacings: 1 1mm 1\n", {"spacings: 1 1mm 1"});
     fields("spacing too small", "spacings: 1 1 1e-30\naxis mins: 0 0 1e10\n", {"fall together"});
     fields("spacing too large", "spacings: 1 1 1e308\n", {"finite"});
-    fields("directions askew", "space directions: (1,0,0) (0.5,1,0) (0,0,1)\n", {"right angles"});
-    fields("directions alike", "space directions: (1,0,0) (1,0,0) (0,0,1)\n", {"right angles"});
-    fields("direction of no length", "space directions: (0,0,0) (0,1,0) (0,0,1)\n", {"right angles"});
+    fields("directions alike", "space directions: (1,0,0) (1,0,0) (0,0,1)\n", {"in a plane"});
+    fields("directions in a plane", "space directions: (1,0,0) (1,1,0) (2,-3,0)\n", {"in a plane"});
+    fields("directions all but in a plane", "space directions: (1,0,0) (1,1,0) (2,-3,1e-7)\n", {"in a plane"});
+    fields("direction of no length", "space directions: (0,0,0) (0,1,0) (0,0,1)\n", {"positive"});
+    fields("direction without end", "space directions: (inf,0,0) (0,1,0) (0,0,1)\n", {"positive"});
+    fields("direction in part unknown", "space directions: (nan,0,1) (0,1,0) (0,0,1)\n", {"positive"});
+    fields("directions too long", "space directions: (1e308,1e308,0) (0,1,0) (0,0,1)\n", {"finite"});
+    fields("directions too short", "space directions: (1e-320,1e-320,0) (0,1,0) (0,0,1)\nspace origin: (1,1,1)\n",
+           {"fall together"});
+    fields("origin too far", "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1e17,0,0)\n",
+           {"fall together"});
     fields("directions of a plane", "space directions: (1,0) (0,1) (1,1)\n", {"three numbers"});
     fields("too few directions", "space directions: (1,0,0) (0,1,0)\n", {"3 axes"});
     fields("some directions", "space directions: (1,0,0) none (0,0,1)\n", {"some axes"});
