@@ -32,24 +32,26 @@ std::vector<double> doublesOf(const VtkFindings& found)
 
 Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
 {
-    if (const Status size = checkLatticeSize({found.size[0], found.size[1], found.size[2]}); !size)
-        return size.error();
+    const auto& size = found.lattice.size;
+    if (const Status fits = checkLatticeSize({size[0], size[1], size[2]}); !fits)
+        return fits.error();
     Dataset dataset;
-    dataset.lattice.size = found.size;
+    dataset.lattice.size = size;
+    dataset.space = found.space;
+    dataset.lengthUnit = found.lengthUnit;
     const bool onLattice = found.kind == VtkDataKind::Lattice;
     dataset.domain = onLattice ? DomainClass::RegularLattice : DomainClass::Curvilinear;
     if (onLattice) {
-        dataset.lattice.spacing = found.spacing;
-        dataset.lattice.origin = found.origin;
+        dataset.lattice = found.lattice;
         if (const Status placed = checkLatticePlacement(dataset.lattice); !placed)
             return placed.error();
     } else {
-        if (found.positions.size() != product(found.size))
+        if (found.positions.size() != product(size))
             return Error{ErrorKind::BadInput, Message::say("it has %1 positions for a grid of %2 points.",
-                                                           found.positions.size(), product(found.size))};
+                                                           found.positions.size(), product(size))};
         dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(found.positions));
     }
-    const auto values = fieldOf(found, product(found.size), progress);
+    const auto values = fieldOf(found, product(size), progress);
     if (!values)
         return values.error();
     dataset.values = *values;

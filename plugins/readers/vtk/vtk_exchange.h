@@ -153,9 +153,15 @@ template <class Archive> void exchange(Archive& archive, ValueRange& range)
     exchangeAll(archive, range.minimum, range.maximum);
 }
 
+template <class Archive> void exchange(Archive& archive, Lattice& lattice)
+{
+    exchangeAll(archive, lattice.size, lattice.spacing, lattice.origin);
+    archive.bytes(lattice.directions.data(), 9 * sizeof(double));
+}
+
 template <class Archive> void exchange(Archive& archive, VtkFindings& found)
 {
-    exchangeAll(archive, found.kind, found.size, found.spacing, found.origin, found.type, found.perCell,
+    exchangeAll(archive, found.kind, found.lattice, found.space, found.lengthUnit, found.type, found.perCell,
                 found.arrayName, found.remarks);
     archive.list(found.positions);
     archive.list(found.samples);
@@ -172,8 +178,8 @@ template <class Archive> void exchange(Archive& archive, FileArray& array)
 
 template <class Archive> void exchange(Archive& archive, FileContents& contents)
 {
-    exchangeAll(archive, contents.domain, contents.lattice.size, contents.lattice.spacing, contents.lattice.origin,
-                contents.points, contents.cells, contents.type, contents.blocks);
+    exchangeAll(archive, contents.domain, contents.lattice, contents.points, contents.cells, contents.type,
+                contents.blocks);
     archive.list(contents.timeSteps);
     archive.each(contents.arrays, [&](FileArray& array) { exchange(archive, array); });
 }

@@ -35,9 +35,9 @@ inline constexpr std::uint8_t blankedForItsValue = 2;
 /// What VTK read, in plain arrays: not yet checked, the helper may have stumbled over a damaged file.
 struct VtkFindings {
     VtkDataKind kind = VtkDataKind::Lattice;
-    std::array<std::uint32_t, 3> size{}; ///< of a lattice or a grid
-    Eigen::Vector3d spacing{1, 1, 1};    ///< of a lattice, with origin
-    Eigen::Vector3d origin{0, 0, 0};
+    Lattice lattice{.size = {0, 0, 0}}; ///< its size also of a grid
+    std::string space{};                ///< as those of a dataset
+    std::string lengthUnit{};
     std::vector<Eigen::Vector3d> positions{}; ///< of all but lattices
     SampleType type = SampleType::Float32;
     Buffer<std::byte> samples{}; ///< of `type`, one a point, or a cell if `perCell`; of Cells doubles, whatever `type`

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_parameters.h"
 
+#include "plugins/api/placement_parameters.h"
+
+#include <algorithm>
+#include <iterator>
+
 namespace tetra {
 namespace {
 
@@ -46,7 +51,9 @@ std::vector<Parameter> vtkParameters()
         Message::marked("Of files with several blocks or parts: one, by name or number from 1; without it all "
                         "irregular meshes that have the values, or the first grid."),
         "");
-    return {array, component, time, part};
+    std::vector<Parameter> all{array, component, time, part};
+    std::ranges::move(placementParameters(), std::back_inserter(all));
+    return all;
 }
 
 VtkRequest vtkRequest(const ParameterValues& values)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_reader.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/vtk/helper_process.h"
 #include "plugins/readers/vtk/vtk_dataset.h"
 #include "plugins/readers/vtk/vtk_format.h"
@@ -12,6 +13,21 @@ namespace tetra {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What a TIFF file leaves to the user.
+Status placeByUser(VtkFormat format, const ParameterValues& values, Lattice& lattice)
+{
+    for (const char* id : {"spacing", "origin"}) {
+        const auto place = placementValue(values, id);
+        if (!place)
+            return place.error();
+        if (*place && format != VtkFormat::Tiff)
+            return placementIsKnown(id);
+        if (*place)
+            (id == std::string_view("spacing") ? lattice.spacing : lattice.origin) = **place;
+    }
+    return {};
+}
 
 Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& values)
 {
@@ -28,6 +44,9 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     if (request.format == VtkFormat::None)
         return Error{ErrorKind::BadInput,
                      Message::say("it is of no format that TAn leaves to VTK. Let TAn choose the reader.")};
+    Lattice unused;
+    if (const Status fits = placeByUser(request.format, values, unused); !fits)
+        return fits.error();
     return request;
 }
 
@@ -87,7 +106,10 @@ Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& reg
     auto answer = askVtkHelper(helper_, *request, progress.part(0, untilFound));
     if (!answer)
         return answer.error();
-    return toDataset(std::get<VtkFindings>(std::move(*answer)), path, region, progress.part(untilFound, 1));
+    auto& findings = std::get<VtkFindings>(*answer);
+    if (const Status placed = placeByUser(request->format, values, findings.lattice); !placed)
+        return placed.error();
+    return toDataset(std::move(findings), path, region, progress.part(untilFound, 1));
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,
@@ -100,7 +122,10 @@ Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValue
     auto answer = askVtkHelper(helper_, *request, progress);
     if (!answer)
         return answer.error();
-    return std::get<FileContents>(std::move(*answer));
+    auto& contents = std::get<FileContents>(*answer);
+    if (const Status placed = placeByUser(request->format, values, contents.lattice); !placed)
+        return placed.error();
+    return std::move(contents);
 }
 
 } // namespace tetra

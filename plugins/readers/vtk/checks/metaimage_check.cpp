@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The format: https://itk.org/Wiki/ITK/MetaIO/Documentation; where its library goes other ways, as the library does.
 #include "plugins/readers/vtk/checks/format_checks.h"
+#include "plugins/readers/vtk/checks/metaimage_header.h"
 
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -16,24 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view metaBlanks = " \t\r\n\v\f";
-
-std::string_view stripped(std::string_view text)
-{
-    text.remove_prefix(std::min(text.find_first_not_of(metaBlanks), text.size()));
-    return text.substr(0, text.find_last_not_of(metaBlanks) + 1);
-}
-
-std::vector<std::string> wordsOf(std::string_view text)
-{
-    std::vector<std::string> words;
-    for (text = stripped(text); !text.empty(); text = stripped(text)) {
-        words.emplace_back(text.substr(0, text.find_first_of(metaBlanks)));
-        text.remove_prefix(words.back().size());
-    }
-    return words;
-}
-
 /// The library reads every number as a double and takes its whole part.
 std::optional<std::int64_t> wholeNumber(std::string_view text)
 {
@@ -41,44 +22,6 @@ std::optional<std::int64_t> wholeNumber(std::string_view text)
     if (!number || !(*number >= -9e15 && *number <= 9e15))
         return std::nullopt;
     return static_cast<std::int64_t>(*number);
-}
-
-/// The fields up to ElementDataFile, and where what follows begins.
-struct MetaHeader {
-    std::map<std::string, std::string, std::less<>> fields;
-    std::size_t end = 0;
-
-    std::string_view text(std::string_view name) const
-    {
-        const auto field = fields.find(name);
-        return field == fields.end() ? std::string_view() : std::string_view(field->second);
-    }
-    bool isTrue(std::string_view name) const
-    {
-        const std::string_view value = text(name);
-        return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
-    }
-};
-
-std::optional<MetaHeader> headerOf(std::string_view bytes)
-{
-    constexpr std::size_t longest = 1 << 20; // real ones have some hundred bytes
-    MetaHeader header;
-    for (std::size_t place = 0; place < std::min(bytes.size(), longest);) {
-        const auto end = bytes.find('\n', place);
-        const std::string_view line = bytes.substr(place, end == std::string_view::npos ? end : end - place);
-        place = end == std::string_view::npos ? bytes.size() : end + 1;
-        const auto separator = line.find_first_of("=:");
-        if (separator == std::string_view::npos)
-            continue;
-        const std::string name(stripped(line.substr(0, separator)));
-        header.fields[name] = stripped(line.substr(separator + 1));
-        if (name == "ElementDataFile") {
-            header.end = place;
-            return header;
-        }
-    }
-    return std::nullopt;
 }
 
 struct MetaLayout {
@@ -131,7 +74,7 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
     if (*dimensions < 1 || *dimensions > 3)
         return Error{ErrorKind::BadInput,
                      Message::say("it has %1 dimensions. Write a part of it with three.", *dimensions)};
-    const auto sizes = wordsOf(header.text("DimSize"));
+    const auto sizes = metaWords(header.text("DimSize"));
     for (std::int64_t i = 0; i < *dimensions; ++i) {
         const auto size =
             static_cast<std::size_t>(i) < sizes.size() ? wholeNumber(sizes[static_cast<std::size_t>(i)]) : std::nullopt;
@@ -285,10 +228,9 @@ public:
         if (!file)
             return file.error();
         const std::string_view bytes(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
-        auto header = headerOf(bytes);
+        auto header = metaHeaderOf(bytes);
         if (!header)
-            return Error{ErrorKind::BadInput, Message::say("its header has no line 'ElementDataFile = ...', so that it "
-                                                           "is cut short or no MetaImage. Copy the file again.")};
+            return header.error();
         const auto layout = layoutOf(*header);
         if (!layout)
             return layout.error();
@@ -345,7 +287,7 @@ private:
     /// The names stand below the header, one a line, each for a part of so many dimensions.
     Status checkList(const std::string& name, std::string_view lines) const
     {
-        const auto words = wordsOf(name);
+        const auto words = metaWords(name);
         const auto last = static_cast<std::int64_t>(layout_.size.size()) - 1;
         std::int64_t dimensions = words.size() > 1 ? wholeNumber(words[1]).value_or(last) : last;
         if (dimensions <= 0 || dimensions > last + 1)
@@ -360,7 +302,7 @@ private:
                              Message::say("it should name %1 data files, each in a line of its own that ends, and "
                                           "names %2. It is cut short: copy the file again.",
                                           files, i)};
-            const Status fits = checkFile(std::string(stripped(lines.substr(0, end))),
+            const Status fits = checkFile(std::string(strippedOfBlanks(lines.substr(0, end))),
                                           layout_.samples(static_cast<std::size_t>(dimensions)));
             if (!fits)
                 return fits;
@@ -373,7 +315,7 @@ private:
     Status checkSeries(const std::string& name) const
     {
         constexpr std::size_t longestWord = 79; // that the library has room for
-        auto words = wordsOf(name);
+        auto words = metaWords(name);
         const auto layers = static_cast<std::int64_t>(layout_.size.back());
         while (words.size() > 4) { // blanks in the name
             words[0] += " " + words[1];

@@ -201,6 +201,9 @@ private:
             for (const std::string_view name : {"Spacing", "Origin"})
                 if (const auto value = xmlAttribute(tag, name); !value.empty() && !numbersIn<double, 3>(value))
                     return wrongXml(Message::say("its %1 is '%2' and not three numbers.", name, printable(value)));
+            const auto directions = xmlAttribute(tag, "Direction");
+            if (!directions.empty() && !numbersIn<double, 9>(directions))
+                return wrongXml(Message::say("its Direction is '%1' and not nine numbers.", printable(directions)));
         }
         return {};
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/contents.h"
 
+#include "plugins/api/lattice_steps.h"
 #include "plugins/readers/vtk/helper/arrays.h"
 #include "plugins/readers/vtk/helper/grid_findings.h"
 
@@ -13,7 +14,6 @@
 #include <vtkXMLUnstructuredDataReader.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tetra {
 namespace {
@@ -34,16 +34,8 @@ std::optional<ValueRange> rangeOf(const VtkArray& array)
 
 void addGrid(vtkDataSet& data, FileContents& contents)
 {
-    const auto grid = gridOf(data);
-    if (!grid)
-        return;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto along = static_cast<Eigen::Index>(grid->onLattice ? grid->axes[axis] : static_cast<int>(axis));
-        contents.lattice.size[static_cast<std::size_t>(along)] = grid->size[axis];
-        const double spacing = grid->spacing[static_cast<Eigen::Index>(axis)];
-        contents.lattice.spacing[along] = std::abs(spacing);
-        contents.lattice.origin[along] = grid->origin[along] + std::min(0., (grid->size[axis] - 1.) * spacing);
-    }
+    if (const auto grid = gridOf(data))
+        contents.lattice = grid->lattice;
 }
 
 /// The fields of points or cells that the information names; false if one has no name.
@@ -72,16 +64,21 @@ bool addExtent(vtkInformation& information, FileContents& contents)
     if (information.Has(Pipeline::WHOLE_EXTENT()) == 0)
         return false;
     const int* extent = information.Get(Pipeline::WHOLE_EXTENT());
+    Eigen::Vector3d first;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (extent[2 * axis + 1] < extent[2 * axis])
             return false;
         contents.lattice.size[axis] = static_cast<std::uint32_t>(extent[2 * axis + 1] - extent[2 * axis] + 1);
-        if (information.Has(vtkDataObject::SPACING()) != 0 && information.Has(vtkDataObject::ORIGIN()) != 0) {
-            const auto index = static_cast<Eigen::Index>(axis);
-            contents.lattice.spacing[index] = information.Get(vtkDataObject::SPACING())[axis];
-            contents.lattice.origin[index] =
-                information.Get(vtkDataObject::ORIGIN())[axis] + extent[2 * axis] * contents.lattice.spacing[index];
-        }
+        first[static_cast<Eigen::Index>(axis)] = extent[2 * axis];
+    }
+    if (information.Has(vtkDataObject::SPACING()) != 0 && information.Has(vtkDataObject::ORIGIN()) != 0) {
+        using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+        Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
+        if (information.Has(vtkDataObject::DIRECTION()) != 0)
+            directions = Eigen::Map<const Rows>(information.Get(vtkDataObject::DIRECTION()));
+        const Eigen::Vector3d spacing(information.Get(vtkDataObject::SPACING()));
+        const Eigen::Vector3d origin(information.Get(vtkDataObject::ORIGIN()));
+        placeByDirections(contents.lattice, directions, spacing, origin + directions * spacing.cwiseProduct(first));
     }
     contents.points = contents.lattice.pointCount();
     return true;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace tetra {
 namespace {
@@ -79,75 +78,26 @@ VtkSamples meansAtPoints(const Size& size, const VtkSamples& cells, std::vector<
     return points;
 }
 
-/// Brings what there is of `bytes` bytes for each of `size` points or cells along the axes of the file into the order
-/// of ascending x, y, z, where the axes of a lattice run backwards or are exchanged.
-template <class List> void straighten(const VtkGrid& grid, const Size& size, std::size_t bytes, List& list)
-{
-    std::array<std::int64_t, 3> stride{}; // in the list, along each axis of space
-    Size sorted{};
-    std::int64_t start = 0;
-    std::int64_t step = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto along = static_cast<std::size_t>(grid.axes[axis]);
-        const bool backwards = grid.spacing[static_cast<Eigen::Index>(axis)] < 0;
-        sorted[along] = size[axis];
-        start += backwards ? (std::int64_t(size[axis]) - 1) * step : 0;
-        stride[along] = backwards ? -step : step;
-        step *= size[axis];
-    }
-    if (stride == std::array<std::int64_t, 3>{1, size[0], std::int64_t(size[0]) * size[1]})
-        return;
-    const List before = std::move(list);
-    list = List(before.size());
-    auto* to = reinterpret_cast<std::byte*>(list.data());
-    for (std::int64_t k = 0; k < sorted[2]; ++k)
-        for (std::int64_t j = 0; j < sorted[1]; ++j)
-            for (std::int64_t i = 0; i < sorted[0]; ++i, to += bytes)
-                std::memcpy(to,
-                            reinterpret_cast<const std::byte*>(before.data()) +
-                                static_cast<std::size_t>(start + i * stride[0] + j * stride[1] + k * stride[2]) * bytes,
-                            bytes);
-}
-
-/// The same of a lattice with all that it has.
-void straighten(const VtkGrid& grid, VtkFindings& found)
-{
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto along = static_cast<std::size_t>(grid.axes[axis]);
-        const double spacing = grid.spacing[static_cast<Eigen::Index>(axis)];
-        found.size[along] = grid.size[axis];
-        found.spacing[static_cast<Eigen::Index>(along)] = std::abs(spacing);
-        if (spacing < 0)
-            found.origin[static_cast<Eigen::Index>(along)] += (double(grid.size[axis]) - 1) * spacing;
-    }
-    straighten(grid, grid.size, sampleSize(found.type), found.samples);
-    if (!found.blanked.empty())
-        straighten(grid, {grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1}, 1, found.blanked);
-}
-
 } // namespace
 
 Result<VtkFindings> gridFindings(vtkDataSet& data, const VtkGrid& grid, const VtkArray& array, VtkSamples samples)
 {
-    const bool isVolume = std::ranges::all_of(grid.size, [](std::uint32_t points) { return points > 1; });
-    const bool fits = static_cast<std::uint64_t>(data.GetNumberOfPoints()) == product(grid.size);
+    const bool isVolume = std::ranges::all_of(grid.lattice.size, [](std::uint32_t points) { return points > 1; });
+    const bool fits = static_cast<std::uint64_t>(data.GetNumberOfPoints()) == product(grid.lattice.size);
     VtkFindings found;
     if (isVolume && fits) { // otherwise it will be refused for its size
         found.blanked = blankedCells(data);
         if (array.perCell)
-            samples = meansAtPoints(grid.size, samples, found.blanked);
+            samples = meansAtPoints(grid.lattice.size, samples, found.blanked);
     }
     found.kind = grid.onLattice ? VtkDataKind::Lattice : VtkDataKind::Grid;
-    found.size = grid.size;
-    found.origin = grid.origin;
+    found.lattice = grid.lattice;
     found.type = samples.type;
     found.samples = std::move(samples.samples);
     found.arrayName = std::move(samples.name);
     found.remarks = std::move(samples.remarks);
     if (!grid.onLattice)
         found.positions = positionsOf(data);
-    else if (isVolume && fits)
-        straighten(grid, found);
     return found;
 }
 

@@ -14,19 +14,16 @@ namespace tetra {
 
 /// The points of a grid: of image data, a rectilinear or a structured grid.
 struct VtkGrid {
-    std::array<std::uint32_t, 3> size{};
+    Lattice lattice{.size = {0, 0, 0}}; ///< its size, and if it is one where it lies
     bool onLattice = false;
-    Eigen::Vector3d spacing{1, 1, 1}; ///< of a lattice, of either sign, along the grid's own axes
-    Eigen::Vector3d origin{0, 0, 0};  ///< of its first point
-    std::array<int, 3> axes{0, 1, 2}; ///< along which axis of space each axis of the grid runs
 };
 
-/// Nothing if `data` is no grid. A lattice are image data along the axes of space, also exchanged or backwards, and
-/// rectilinear grids of equal steps.
+/// Nothing if `data` is no grid. Lattices are image data, whatever their directions, and rectilinear grids of equal
+/// steps, of either sign.
 std::optional<VtkGrid> gridOf(vtkDataSet& data);
 
-/// The findings of a grid: a lattice brought to ascending axes, or a grid with its positions. Values of cells become
-/// the mean of the cells around each point. Holes are left to withHoles().
+/// The findings of a grid, in the order of its points: a lattice in its frame, or a grid with its positions. Values of
+/// cells become the mean of the cells around each point. Holes are left to withHoles().
 Result<VtkFindings> gridFindings(vtkDataSet& data, const VtkGrid& grid, const VtkArray& array, VtkSamples samples);
 
 } // namespace tetra

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/lattice_steps.h"
 #include "plugins/readers/vtk/helper/grid_findings.h"
 
 #include <vtkImageData.h>
@@ -12,8 +13,6 @@
 namespace tetra {
 namespace {
 
-constexpr double largestSkew = 1e-9; ///< of a direction that counts as one along an axis
-
 std::array<std::uint32_t, 3> sizeOf(const int* dimensions)
 {
     std::array<std::uint32_t, 3> size{};
@@ -22,35 +21,16 @@ std::array<std::uint32_t, 3> sizeOf(const int* dimensions)
     return size;
 }
 
-/// The axis of space along which this axis of the image runs; nothing if it runs across them.
-std::optional<int> axisAlong(vtkMatrix3x3& directions, int column)
-{
-    std::optional<int> along;
-    for (int row = 0; row < 3; ++row) {
-        const double element = std::abs(directions.GetElement(row, column));
-        if (std::abs(element - 1) <= largestSkew && !along)
-            along = row;
-        else if (element > largestSkew)
-            return std::nullopt;
-    }
-    return along;
-}
-
 void placeImage(vtkImageData& image, VtkGrid& grid)
 {
-    vtkMatrix3x3& directions = *image.GetDirectionMatrix();
-    image.GetPoint(0, grid.origin.data());
+    Eigen::Matrix3d directions;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            directions(row, column) = image.GetDirectionMatrix()->GetElement(row, column);
+    Eigen::Vector3d origin;
+    image.GetPoint(0, origin.data());
     grid.onLattice = true;
-    std::array<bool, 3> taken{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto along = axisAlong(directions, axis);
-        grid.onLattice = grid.onLattice && along && !taken[static_cast<std::size_t>(*along)];
-        if (!grid.onLattice)
-            return;
-        taken[static_cast<std::size_t>(*along)] = true;
-        grid.axes[static_cast<std::size_t>(axis)] = *along;
-        grid.spacing[axis] = image.GetSpacing()[axis] * (directions.GetElement(*along, axis) < 0 ? -1 : 1);
-    }
+    placeByDirections(grid.lattice, directions, Eigen::Vector3d(image.GetSpacing()), origin);
 }
 
 /// Whether the coordinates are equal steps within the rounding of their type.
@@ -74,12 +54,15 @@ bool isUniform(vtkDataArray& coordinates, double& first, double& step)
 void placeRectilinear(vtkRectilinearGrid& data, VtkGrid& grid)
 {
     vtkDataArray* const coordinates[] = {data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates()};
+    Eigen::Vector3d first{0, 0, 0}, step{1, 1, 1};
     grid.onLattice = true;
     for (int axis = 0; axis < 3; ++axis)
-        grid.onLattice =
-            grid.onLattice && coordinates[axis] != nullptr &&
-            static_cast<std::uint64_t>(coordinates[axis]->GetNumberOfTuples()) == grid.size[std::size_t(axis)] &&
-            isUniform(*coordinates[axis], grid.origin[axis], grid.spacing[axis]);
+        grid.onLattice = grid.onLattice && coordinates[axis] != nullptr &&
+                         static_cast<std::uint64_t>(coordinates[axis]->GetNumberOfTuples()) ==
+                             grid.lattice.size[std::size_t(axis)] &&
+                         isUniform(*coordinates[axis], first[axis], step[axis]);
+    if (grid.onLattice)
+        placeBySteps(grid.lattice, step.asDiagonal(), first);
 }
 
 } // namespace
@@ -88,19 +71,19 @@ std::optional<VtkGrid> gridOf(vtkDataSet& data)
 {
     VtkGrid grid;
     if (auto* image = vtkImageData::SafeDownCast(&data)) {
-        grid.size = sizeOf(image->GetDimensions());
+        grid.lattice.size = sizeOf(image->GetDimensions());
         placeImage(*image, grid);
         return grid;
     }
     if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(&data)) {
-        grid.size = sizeOf(rectilinear->GetDimensions());
+        grid.lattice.size = sizeOf(rectilinear->GetDimensions());
         placeRectilinear(*rectilinear, grid);
         return grid;
     }
     if (auto* structured = vtkStructuredGrid::SafeDownCast(&data)) {
         int dimensions[3] = {};
         structured->GetDimensions(dimensions);
-        grid.size = sizeOf(dimensions);
+        grid.lattice.size = sizeOf(dimensions);
         return grid;
     }
     return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/image_sources.h"
 
+#include "plugins/readers/vtk/checks/metaimage_header.h"
 #include "plugins/readers/vtk/checks/slice_names.h"
 
 #include <vtkDICOMImageReader.h>
@@ -20,6 +21,30 @@ template <class Reader> VtkSource imageSource(const std::string& path)
     const auto reader = vtkSmartPointer<Reader>::New();
     reader->SetFileName(path.c_str());
     return {.reader = reader, .knowsContents = true};
+}
+
+/// VTK takes no notice of the directions.
+Result<VtkSource> metaImageSource(const std::string& path)
+{
+    const auto place = metaImagePlace(fs::path(path));
+    if (!place)
+        return place.error();
+    VtkSource source = imageSource<vtkMetaImageReader>(path);
+    if (!*place)
+        return source;
+    const auto put = [stated = (*place)->lattice](Lattice& lattice) {
+        const auto size = lattice.size;
+        lattice = stated;
+        lattice.size = size;
+    };
+    source.finish = [put, stated = **place](VtkFindings& found) {
+        put(found.lattice);
+        found.space = stated.space;
+        found.lengthUnit = stated.lengthUnit;
+        found.remarks.insert(found.remarks.end(), stated.remarks.begin(), stated.remarks.end());
+    };
+    source.finishContents = [put](FileContents& contents) { put(contents.lattice); };
+    return source;
 }
 
 VtkSource tiffSource(const std::string& path)
@@ -87,7 +112,7 @@ VtkSource dicomSource(const std::string& path)
 Result<VtkSource> makeImageSource(const VtkRequest& request)
 {
     switch (request.format) {
-    case VtkFormat::MetaImage: return imageSource<vtkMetaImageReader>(request.path);
+    case VtkFormat::MetaImage: return metaImageSource(request.path);
     case VtkFormat::Nifti: return niftiSource(request.path);
     case VtkFormat::Mrc: return imageSource<vtkMRCReader>(request.path);
     case VtkFormat::Tiff: return tiffSource(request.path);

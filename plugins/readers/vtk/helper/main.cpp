@@ -62,6 +62,7 @@ Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request
             return done.error();
         if (auto contents = contentsFromInformation(*source.reader)) {
             contents->timeSteps = timesOf(*source.reader);
+            source.finishContents(*contents);
             return *contents;
         }
     }
@@ -70,6 +71,7 @@ Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request
         return data.error();
     FileContents contents = contentsOf(leavesOf(**data), request.part);
     contents.timeSteps = timesOf(*source.reader);
+    source.finishContents(contents);
     return contents;
 }
 

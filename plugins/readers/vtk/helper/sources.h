@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/reader.h"
 #include "plugins/readers/vtk/vtk_findings.h"
 
 #include <tan/base.h>
@@ -19,6 +20,8 @@ struct VtkSource {
     std::function<void()> selectArrays = [] {};
     /// Changes of what was found that the file asks for and VTK leaves out.
     std::function<void(VtkFindings&)> finish = [](VtkFindings&) {};
+    /// The same of what it holds.
+    std::function<void(FileContents&)> finishContents = [](FileContents&) {};
     bool knowsContents = false; ///< UpdateInformation() alone tells arrays and sizes
 };
 

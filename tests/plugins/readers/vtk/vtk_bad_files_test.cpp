@@ -46,6 +46,9 @@ std::vector<BadFile> wrongFiles()
                {"Spacing=\"0.5 1 2\"", "Spacing=\"nan 1 2\""},
                {"Spacing=\"0.5 1 2\"", "Spacing=\"1 2\""},
                {"Origin=\"1 2 3\"", "Origin=\"1e300 2 3\""},
+               {" Origin", " Direction=\"1 0 0 0 1 0 0 0\" Origin"},
+               {" Origin", " Direction=\"1 0 0 0 1 0 0 0 nan\" Origin"},
+               {" Origin", " Direction=\"1 0 0 0 1 0 1 1 0\" Origin"},
                {"type=\"ImageData\"", "type=\"Table\""},
                {"type=\"ImageData\"", "type=\"PolyData\""}}));
     add(wrong("bad.vts", vtsText(),

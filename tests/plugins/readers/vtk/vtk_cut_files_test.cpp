@@ -42,8 +42,9 @@ bool isSame(const Dataset& a, const Dataset& b)
                                        : b.tetrahedra != nullptr && *a.tetrahedra == *b.tetrahedra;
     };
     return a.domain == b.domain && a.lattice.size == b.lattice.size && a.lattice.spacing == b.lattice.spacing &&
-           a.lattice.origin == b.lattice.origin && a.values.type() == b.values.type() &&
-           std::ranges::equal(a.values.bytes(), b.values.bytes()) && samePositions() && sameTetrahedra();
+           a.lattice.origin == b.lattice.origin && a.lattice.directions == b.lattice.directions &&
+           a.values.type() == b.values.type() && std::ranges::equal(a.values.bytes(), b.values.bytes()) &&
+           samePositions() && sameTetrahedra();
 }
 
 /// The same, or it says what it lacks: a part without values, a last number that may be cut.
