@@ -20,10 +20,14 @@ namespace {
 constexpr std::uint32_t notUsed = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t tetrahedraOfCell = 6; ///< at most
 
-/// The corners of the cell with the lowest corner `point`, as a hexahedron's.
-std::array<std::uint64_t, 8> cornersOfCell(const Lattice& lattice, std::uint64_t point)
+/// The corners of the cell with the lowest corner `point`, as a hexahedron's, which in a mirrored frame stands on its
+/// head.
+std::array<std::uint64_t, 8> cornersOfCell(const Lattice& lattice, bool isMirrored, std::uint64_t point)
 {
-    const std::uint64_t row = lattice.size[0], layer = row * lattice.size[1], above = point + layer;
+    const std::uint64_t row = lattice.size[0], layer = row * lattice.size[1];
+    std::uint64_t above = point + layer;
+    if (isMirrored)
+        std::swap(point, above);
     return {point, point + 1, point + row + 1, point + row, above, above + 1, above + row + 1, above + row};
 }
 
@@ -37,6 +41,7 @@ bool areFinite(const ScalarField& values, std::span<const std::uint64_t> points)
 template <class Visit> Status forEachCell(const Dataset& grid, const Progress& progress, const Visit& visit)
 {
     const auto& size = grid.lattice.size;
+    const bool isMirrored = grid.lattice.isLeftHanded();
     std::uint64_t cell = 0;
     for (std::uint32_t k = 0; k + 1 < size[2]; ++k) {
         if (progress.cancelled())
@@ -44,7 +49,7 @@ template <class Visit> Status forEachCell(const Dataset& grid, const Progress& p
         progress.report(double(k) / size[2], Message::marked("Reading"));
         for (std::uint32_t j = 0; j + 1 < size[1]; ++j)
             for (std::uint32_t i = 0; i + 1 < size[0]; ++i, ++cell) {
-                const auto corners = cornersOfCell(grid.lattice, grid.lattice.index(i, j, k));
+                const auto corners = cornersOfCell(grid.lattice, isMirrored, grid.lattice.index(i, j, k));
                 GridCell what = grid.cells ? (*grid.cells)[cell] : GridCell::Kept;
                 if (what == GridCell::Kept && !areFinite(grid.values, corners))
                     what = GridCell::NotFinite;
@@ -168,6 +173,7 @@ Result<Dataset> makeHoles(const Dataset& grid, const Progress& progress)
                                           grid.source, progress.part(searched, 1));
     if (!dataset)
         return dataset.error();
+    dataset->space = grid.space;
     if (dataset->faultyCells)
         dataset->faultyCells = byCellsOfGrid(grid, *dataset->faultyCells);
     std::vector<Message> remarks = grid.remarks;
