@@ -12,25 +12,43 @@
 namespace tetra {
 namespace {
 
-std::string vectorText(double x, double y, double z)
+std::string vectorText(const Eigen::Vector3d& vector)
 {
-    return "(" + formatNumber(x) + "," + formatNumber(y) + "," + formatNumber(z) + ")";
+    return "(" + formatNumber(vector[0]) + "," + formatNumber(vector[1]) + "," + formatNumber(vector[2]) + ")";
+}
+
+/// The unit of each axis of the space; nothing if it could not be read again.
+std::string unitText(const std::string& unit)
+{
+    if (unit.empty() || unit.find_first_of("\"\\") != std::string::npos || printable(unit) != unit)
+        return {};
+    const std::string quoted = "\"" + unit + "\"";
+    return "space units: " + quoted + " " + quoted + " " + quoted + "\n";
+}
+
+/// The steps of the frame in the space that the dataset names, or in one without a name.
+std::string placeText(const Lattice& lattice, const std::string& space)
+{
+    const auto step = [&](Eigen::Index axis) {
+        return vectorText(lattice.directions.col(axis) * lattice.spacing[axis]);
+    };
+    const std::string named = space == "RAS"   ? "right-anterior-superior"
+                              : space == "LAS" ? "left-anterior-superior"
+                              : space == "LPS" ? "left-posterior-superior"
+                                               : "";
+    return (named.empty() ? "space dimension: 3\n" : "space: " + named + "\n") +
+           "sizes: " + std::to_string(lattice.size[0]) + " " + std::to_string(lattice.size[1]) + " " +
+           std::to_string(lattice.size[2]) + "\nspace directions: " + step(0) + " " + step(1) + " " + step(2) +
+           "\nspace origin: " + vectorText(lattice.origin) + "\n";
 }
 
 std::string headerText(const Dataset& dataset, const std::string& encoding)
 {
-    const Lattice& lattice = dataset.lattice;
-    const Eigen::Vector3d& spacing = lattice.spacing;
     std::string text = "NRRD0004\n";
     if (!dataset.source.name.empty())
         text += "content: " + printable(dataset.source.name) + "\n";
     text += "type: " + std::string(sampleTypeName(dataset.values.type())) + "\n";
-    text += "dimension: 3\nspace dimension: 3\n";
-    text += "sizes: " + std::to_string(lattice.size[0]) + " " + std::to_string(lattice.size[1]) + " " +
-            std::to_string(lattice.size[2]) + "\n";
-    text += "space directions: " + vectorText(spacing[0], 0, 0) + " " + vectorText(0, spacing[1], 0) + " " +
-            vectorText(0, 0, spacing[2]) + "\n";
-    text += "space origin: " + vectorText(lattice.origin[0], lattice.origin[1], lattice.origin[2]) + "\n";
+    text += "dimension: 3\n" + placeText(dataset.lattice, dataset.space) + unitText(dataset.lengthUnit);
     text += "kinds: domain domain domain\n";
     text += std::string("endian: ") + (std::endian::native == std::endian::little ? "little" : "big") + "\n";
     text += "encoding: " + encoding + "\n\n";
@@ -90,7 +108,8 @@ Status writeGzip(std::span<const std::byte> content, OutputFile& file)
 
 } // namespace
 
-/// `.nrrd`: NRRD0004 with the data attached, raw or gzip. Reading it gives the same lattice and samples, bit for bit.
+/// `.nrrd`: NRRD0004 with the data attached, raw or gzip. Reading it gives the same lattice and
+/// samples, bit for bit, but for a rounding of directions that are not along the axes.
 class NrrdWriter : public QObject, public Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "nrrd_writer.json")

@@ -6,6 +6,7 @@
 #include "tests/core/base/small_disk.h"
 #include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
+#include "tests/plugins/readers/world_function.h"
 
 #include <QtTest>
 
@@ -36,7 +37,8 @@ ParameterValues encoded(const char* encoding)
 bool identical(const Dataset& a, const Dataset& b)
 {
     return a.lattice.size == b.lattice.size && a.lattice.spacing == b.lattice.spacing &&
-           a.lattice.origin == b.lattice.origin && a.values.type() == b.values.type() &&
+           a.lattice.origin == b.lattice.origin && a.lattice.directions == b.lattice.directions && a.space == b.space &&
+           a.lengthUnit == b.lengthUnit && a.values.type() == b.values.type() &&
            std::ranges::equal(a.values.bytes(), b.values.bytes());
 }
 
@@ -66,6 +68,7 @@ private slots:
     void roundTrip_data();
     void roundTrip();
     void anyPlaceSurvives();
+    void anyFrameSurvives();
     void gzipIsSmaller();
     void anyNameIsOneLine();
     void overwritesAtTheEndOnly();
@@ -127,6 +130,38 @@ void NrrdWriterTest::gzipIsSmaller()
     QVERIFY(saveNrrd(*dataset, folder.path() / "raw.nrrd", {}, {}).ok());
     QVERIFY(saveNrrd(*dataset, folder.path() / "gzip.nrrd", encoded("gzip"), {}).ok());
     QVERIFY(fs::file_size(folder.path() / "gzip.nrrd") < fs::file_size(folder.path() / "raw.nrrd") * 3 / 4);
+}
+
+/// Exactly where axes run along those of the world; directions at an angle but for a rounding.
+void NrrdWriterTest::anyFrameSurvives()
+{
+    const TestFolder folder;
+    const fs::path path = folder.path() / "frame.nrrd";
+    Dataset dataset = volume(SampleType::UInt8, 3);
+    dataset.lattice.spacing = {0.1, 1.0 / 3, 3e-7};
+    dataset.lattice.origin = {-1e-3, 12345.678, -0.1};
+    const std::array<const char*, 4> spaces{"", "RAS", "LAS", "LPS"};
+    std::size_t frame = 0;
+    for (const Eigen::Matrix3d& directions : signedPermutations()) {
+        dataset.lattice.directions = directions;
+        dataset.space = spaces[frame++ % spaces.size()];
+        dataset.lengthUnit = frame % 3 == 0 ? "" : "\xc2\xb5m";
+        QVERIFY(saveNrrd(dataset, path, {}, {}).ok());
+        const Result<Dataset> again = openDataset(pluginsOfThisBuild(), path);
+        QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
+        QVERIFY(identical(*again, dataset));
+    }
+    for (int i = 0; i < 50; ++i) {
+        Eigen::Matrix3d& directions = dataset.lattice.directions;
+        directions = Eigen::AngleAxisd(i * 0.7 + 0.1, Eigen::Vector3d(i, 1, 3).normalized()).toRotationMatrix();
+        directions.col(1) = (directions.col(1) + i % 5 * 0.2 * directions.col(2)).normalized();
+        QVERIFY(saveNrrd(dataset, path, {}, {}).ok());
+        const Result<Dataset> again = openDataset(pluginsOfThisBuild(), path);
+        QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
+        QVERIFY(again->lattice.directions.isApprox(directions, 1e-14));
+        QVERIFY(again->lattice.spacing.isApprox(dataset.lattice.spacing, 1e-14));
+        QVERIFY(again->lattice.origin == dataset.lattice.origin);
+    }
 }
 
 void NrrdWriterTest::anyNameIsOneLine()
