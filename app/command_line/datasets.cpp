@@ -32,6 +32,31 @@ std::string placeText(const Eigen::Vector3d& place)
     return "(" + rounded(place[0]) + ", " + rounded(place[1]) + ", " + rounded(place[2]) + ")";
 }
 
+/// ", first point (10, 20, 30), axes along (0, 1, 0), ..." of a lattice that does not lie along x, y and z.
+std::string frameText(const Lattice& lattice)
+{
+    if (lattice.isAlongAxes())
+        return {};
+    const auto direction = [&](Eigen::Index axis) { return placeText(lattice.directions.col(axis)); };
+    return ", first point " + placeText(lattice.origin) + ", axes along " + direction(0) + ", " + direction(1) + ", " +
+           direction(2);
+}
+
+/// "LPS" as "left-posterior-superior".
+std::string spaceText(const std::string& space)
+{
+    std::string text;
+    for (const char letter : space)
+        text += std::string(text.empty() ? "" : "-") + (letter == 'R'   ? "right"
+                                                        : letter == 'L' ? "left"
+                                                        : letter == 'A' ? "anterior"
+                                                        : letter == 'P' ? "posterior"
+                                                        : letter == 'S' ? "superior"
+                                                        : letter == 'I' ? "inferior"
+                                                                        : "unknown");
+    return text;
+}
+
 std::optional<std::uint64_t> cellsOf(DomainClass domain, const Lattice& lattice,
                                      std::optional<std::uint64_t> tetrahedra)
 {
@@ -128,7 +153,9 @@ DatasetSummary summaryOf(const Dataset& dataset)
             dataset.values.type(),
             dataset.values.range(),
             cellsOf(dataset.domain, dataset.lattice, dataset.tetrahedra ? dataset.tetrahedra->size() : 0),
-            canWarp(dataset.domain) ? std::optional(dataset.convex) : std::nullopt};
+            canWarp(dataset.domain) ? std::optional(dataset.convex) : std::nullopt,
+            dataset.space,
+            dataset.lengthUnit};
 }
 
 DatasetSummary summaryOf(const Model& model)
@@ -136,15 +163,21 @@ DatasetSummary summaryOf(const Model& model)
     const ModelDescription& description = model.description();
     model.check(model.meshSizes().back()); // what it finds is known to checkIntact()
     // The finest mesh of irregular data is the dataset's own.
-    return {description.domain, description.lattice,
-            description.bounds, description.sampleType,
-            description.range,  cellsOf(description.domain, description.lattice, model.meshSizes().back())};
+    DatasetSummary summary = summaryOf(description);
+    summary.cells = cellsOf(description.domain, description.lattice, model.meshSizes().back());
+    return summary;
 }
 
 DatasetSummary summaryOf(const ModelDescription& description)
 {
-    return {description.domain,     description.lattice, description.bounds,
-            description.sampleType, description.range,   cellsOf(description.domain, description.lattice, {})};
+    return {.domain = description.domain,
+            .lattice = description.lattice,
+            .bounds = description.bounds,
+            .type = description.sampleType,
+            .range = description.range,
+            .cells = cellsOf(description.domain, description.lattice, {}),
+            .space = description.space,
+            .lengthUnit = description.lengthUnit};
 }
 
 QJsonObject datasetFigures(const DatasetSummary& summary)
@@ -162,7 +195,14 @@ QJsonObject datasetFigures(const DatasetSummary& summary)
     if (summary.domain == DomainClass::RegularLattice) {
         figures["spacing"] = toJson(lattice.spacing);
         figures["origin"] = toJson(lattice.origin);
+        if (!lattice.isAlongAxes())
+            figures["directions"] = QJsonArray{toJson(lattice.directions.col(0)), toJson(lattice.directions.col(1)),
+                                               toJson(lattice.directions.col(2))};
     }
+    if (!summary.space.empty())
+        figures["space"] = QString::fromStdString(spaceText(summary.space));
+    if (!summary.lengthUnit.empty())
+        figures["unit"] = QString::fromStdString(summary.lengthUnit);
     if (summary.convex)
         figures["convex"] = *summary.convex;
     return figures;
@@ -184,9 +224,12 @@ std::string datasetText(const DatasetSummary& summary)
                " points " + type;
     else
         text = "lattice of " + sizeText(lattice) + " points " + type + ", spacing " + rounded(lattice.spacing[0]) +
-               " x " + rounded(lattice.spacing[1]) + " x " + rounded(lattice.spacing[2]);
+               " x " + rounded(lattice.spacing[1]) + " x " + rounded(lattice.spacing[2]) +
+               (summary.lengthUnit.empty() ? "" : " " + visibleText(summary.lengthUnit)) + frameText(lattice);
     if (summary.domain != DomainClass::RegularLattice)
         text += ", from " + placeText(summary.bounds.min()) + " to " + placeText(summary.bounds.max());
+    if (!summary.space.empty())
+        text += ", coordinates " + spaceText(summary.space);
     return text + ", values " + rangeText(summary.range.minimum, summary.range.maximum);
 }
 

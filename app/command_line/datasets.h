@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace tetra {
@@ -31,6 +32,8 @@ struct DatasetSummary {
     ValueRange range;
     std::optional<std::uint64_t> cells{}; ///< of grids their cells, of irregular data the tetrahedra if they are known
     std::optional<bool> convex{};         ///< Dataset::convex, of a dataset that is a grid or a mesh
+    std::string space{};                  ///< Dataset::space
+    std::string lengthUnit{};             ///< Dataset::lengthUnit
 };
 
 DatasetSummary summaryOf(const Dataset& dataset);
@@ -39,7 +42,8 @@ DatasetSummary summaryOf(const Model& model);
 DatasetSummary summaryOf(const ModelDescription& description);
 
 /// "kind", "points", "range", "type" and "bounds"; "cells" if they are known; of grids also "size", of lattices
-/// "spacing" and "origin"; of other grids and meshes "convex".
+/// "spacing" and "origin" and, if it does not lie along x, y and z, the "directions" of its axes; "space" and
+/// "unit" if the file says them; of other grids and meshes "convex".
 QJsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
 std::string datasetText(const DatasetSummary& summary);

@@ -45,6 +45,44 @@ private slots:
         QVERIFY(!QFileInfo::exists(path("no.tan")));
     }
 
+    /// Where it lies in the world, of the data and of their model (D1).
+    void aFrameIsTold()
+    {
+        QFile file(path("turned.nrrd"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 4 5\nencoding: raw\nspace: LPS\n"
+                   "space directions: (0,2,0) (0,0,-3) (-4,0,0)\nspace origin: (10,20,30)\nspace units: \"mm\" \"mm\" "
+                   "\"mm\"\n\n");
+        for (int n = 0; n < 3 * 4 * 5; ++n)
+            file.putChar(static_cast<char>(n * n % 251));
+        file.close();
+        const Run build = tan({"build", "turned.nrrd", "-o", "turned.tan"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        const QJsonArray directions{QJsonArray{0, 1, 0}, QJsonArray{0, 0, -1}, QJsonArray{-1, 0, 0}};
+        for (const char* input : {"turned.nrrd", "turned.tan"}) {
+            const Run info = tan({"info", input, "--json"});
+            QVERIFY2(info.exitCode == 0, info.messages);
+            QCOMPARE(info.json()["spacing"].toArray(), (QJsonArray{2, 3, 4}));
+            QCOMPARE(info.json()["origin"].toArray(), (QJsonArray{10, 20, 30}));
+            QCOMPARE(info.json()["directions"].toArray(), directions);
+            QCOMPARE(info.json()["space"].toString(), QString("left-posterior-superior"));
+            QCOMPARE(info.json()["unit"].toString(), QString("mm"));
+            QCOMPARE(info.json()["bounds"].toArray(), (QJsonArray{QJsonArray{-6, 20, 21}, QJsonArray{10, 24, 30}}));
+            const QByteArray text = tan({"info", input}).output;
+            QVERIFY2(
+                text.contains(
+                    "spacing 2 x 3 x 4 mm, first point (10, 20, 30), axes along (0, 1, 0), (0, 0, -1), (-1, 0, 0)"),
+                text);
+            QVERIFY2(text.contains("coordinates left-posterior-superior"), text);
+        }
+        QCOMPARE(tan({"verify", "turned.tan", "--against", "turned.nrrd", "--lod", "1,0"}).exitCode, 0);
+        const Run part = tan({"info", "turned.nrrd", "--json", "--region", "1,1,1,2,3,4"});
+        QCOMPARE(part.json()["origin"].toArray(), (QJsonArray{6, 22, 27}));
+        QCOMPARE(part.json()["directions"].toArray(), directions);
+        const Run plain = tan({"info", "c60.nrrd", "--json"});
+        QVERIFY(!plain.json().contains("directions") && !plain.json().contains("space"));
+    }
+
     void aModelOfARawFileKnowsItsLayout()
     {
         QFile raw(path("samples.dat"));
