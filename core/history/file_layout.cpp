@@ -541,6 +541,8 @@ void readLine(std::string_view line, ModelDescription& description)
     std::string value = unescaped(line.substr(separator + 1));
     if (key == "source")
         description.sourceName = std::move(value);
+    else if (key == "value.name")
+        description.valueName = std::move(value);
     else if (key == "length.unit")
         description.lengthUnit = std::move(value);
     else if (key == "space")
@@ -566,12 +568,15 @@ void describeSource(ModelDescription& description, const Dataset& dataset)
     description.lengthUnit = dataset.lengthUnit;
     description.sourceName = dataset.source.name;
     description.sourceHash = dataset.source.hash;
+    description.valueName = dataset.source.valueName;
 }
 
 Result<std::string> textOf(const ModelDescription& description, const std::filesystem::path& target)
 {
     std::string text;
     appendLine(text, "source", description.sourceName);
+    if (!description.valueName.empty())
+        appendLine(text, "value.name", description.valueName);
     appendLine(text, "builder", description.builder);
     if (!description.space.empty())
         appendLine(text, "space", description.space);

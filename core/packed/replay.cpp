@@ -170,6 +170,7 @@ std::optional<Dataset> replayedDataset(const ModelDescription& description, cons
     dataset.space = description.space;
     dataset.lengthUnit = description.lengthUnit;
     dataset.source.name = description.sourceName;
+    dataset.source.valueName = description.valueName;
     dataset.source.hash = contentHash(dataset.values, nullptr);
     if (dataset.source.hash != description.sourceHash || dataset.values.notFiniteCount() > 0)
         return std::nullopt;

@@ -264,6 +264,7 @@ struct Source {
     std::filesystem::path path; ///< empty when it was never a file
     std::uint64_t hash = 0;     ///< XXH3 of the samples' bytes in memory order, followed by the positions and the
                                 ///< tetrahedra, if there are any
+    std::string valueName{};    ///< what the file calls the values: an array, a column; empty if it does not say
 };
 
 /// Where each point lies, all finite; shared and never changed.

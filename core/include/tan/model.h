@@ -78,6 +78,7 @@ struct ModelDescription {
     std::string lengthUnit;                                      ///< as Dataset::lengthUnit
     std::string sourceName;                                      ///< provenance: the dataset's name ...
     std::uint64_t sourceHash = 0;                                ///< ... and Source::hash
+    std::string valueName;                                       ///< Source::valueName; empty: unknown
     std::string builder;                                         ///< id of the builder plugin
     std::vector<std::pair<std::string, std::string>> parameters; ///< the builder's parameters, as text
 

@@ -298,6 +298,9 @@ struct ExtractedMesh {
     /// The mesh is known to keep keptPercent(asked, scale) everywhere: 1, or more if the budget did not allow it or the
     /// model has nothing finer.
     double scale = 1;
+    /// The largest error and warping that the mesh really has anywhere, before values and window choose from it: bounds
+    /// as the model tells them, at most what it keeps. Nothing where points were inserted, and of a range.
+    std::optional<Accuracy> reached{};
     VariableMethod method = VariableMethod::ClosedSet; ///< that was used; a uniform mesh is a closed set, too
     /// Of a range of accuracies, for each tetrahedron: the error from which it lives and the one from which it does not
     /// any more, in % of the value range. It is in the mesh of an error e if death <= e < birth; the first ones have
