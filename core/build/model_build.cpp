@@ -134,7 +134,7 @@ std::string nameOf(DecimationOrder order)
 
 // What a model keeps of how it was built, by the names of the builders' parameters.
 
-ModelDescription descriptionOf(const Refinement& refinement, const Dataset& dataset)
+ModelDescription provenanceOf(const Refinement& refinement, const Dataset& dataset)
 {
     ModelDescription description;
     description.builder = "refinement";
@@ -156,7 +156,7 @@ ModelDescription descriptionOf(const Refinement& refinement, const Dataset& data
     return description;
 }
 
-ModelDescription descriptionOf(const Decimation& decimation, const Dataset& dataset)
+ModelDescription provenanceOf(const Decimation& decimation, const Dataset& dataset)
 {
     ModelDescription description;
     description.builder = "decimation";
@@ -225,7 +225,7 @@ template <class Method> Result<BuildReport> buildFile(const Dataset& dataset, co
     const auto taken = takenFor(method, dataset, progress.part(0, 0.05));
     if (!taken)
         return taken.error();
-    return fillFile(*taken, output, descriptionOf(method, *taken),
+    return fillFile(*taken, output, provenanceOf(method, *taken),
                     [&](BuildTarget& target) { return buildInto(*taken, method, target, progress.part(0.05, 1)); });
 }
 

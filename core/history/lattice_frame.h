@@ -21,7 +21,7 @@ struct FrameSection {
     std::vector<double> numbers;
 };
 
-constexpr std::array frameSectionIds{format::SectionId::Frame, format::SectionId::Metric};
+inline constexpr std::array frameSectionIds{format::SectionId::Frame, format::SectionId::Metric};
 
 /// Those that a model of this description has: none if the lattice lies along the axes and its mesh was made by its
 /// own spacing.
