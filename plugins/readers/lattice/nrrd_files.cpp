@@ -11,7 +11,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view betweenWords = " \t";
 
 Error wrongDataFile(const NrrdFields& fields, const Message& why)
 {
@@ -51,7 +51,7 @@ std::optional<Pattern> patternOf(std::string_view text)
 bool fits(const NrrdFields& fields, std::uint64_t files, std::size_t dimensions)
 {
     std::uint64_t wanted = 1;
-    const auto sizes = split(fields["sizes"], blanks);
+    const auto sizes = split(fields["sizes"], betweenWords);
     for (std::size_t axis = dimensions; axis < sizes.size(); ++axis)
         wanted *= parseNumber<std::uint64_t>(sizes[axis]).value_or(1);
     if (dimensions < sizes.size())
@@ -63,7 +63,7 @@ bool fits(const NrrdFields& fields, std::uint64_t files, std::size_t dimensions)
 Result<std::size_t> dimensionsOf(const NrrdFields& fields, const std::vector<std::string_view>& words,
                                  std::size_t others)
 {
-    const std::size_t all = split(fields["sizes"], blanks).size();
+    const std::size_t all = split(fields["sizes"], betweenWords).size();
     if (words.size() <= others)
         return all - 1;
     const auto dimensions = parseNumber<std::size_t>(words.back());
@@ -105,7 +105,7 @@ Result<std::vector<std::string>> namesOfPattern(const NrrdFields& fields, const 
 
 Result<std::vector<std::string>> namesOfList(const NrrdFields& fields)
 {
-    const auto dimensions = dimensionsOf(fields, split(fields["data file"], blanks), 1);
+    const auto dimensions = dimensionsOf(fields, split(fields["data file"], betweenWords), 1);
     if (!dimensions)
         return dimensions.error();
     if (!fits(fields, fields.listedFiles.size(), *dimensions))
@@ -135,7 +135,7 @@ Result<std::vector<std::string>> nrrdDataFiles(const NrrdFields& fields)
     const std::string_view text = fields["data file"];
     if (text.empty())
         return std::vector<std::string>();
-    const auto words = split(text, blanks);
+    const auto words = split(text, betweenWords);
     const bool isPattern = words.size() >= wordsOfPattern && words[0].find('%') != std::string_view::npos;
     auto names = namesListOfFiles(text) ? namesOfList(fields)
                  : isPattern            ? namesOfPattern(fields, words)
