@@ -63,11 +63,8 @@ void describeMesh(PluginHost& host, const std::filesystem::path& output, Outcome
     if (isSurfaceFileOnly(host, output))
         outcome.text += ", of which the file has the boundary";
     const bool isScaled = outcome.figures["scale"].toDouble() > 1;
-    if (outcome.figures.contains("reached_error")) {
-        outcome.text += ", with errors of up to " + rounded(outcome.figures["reached_error"].toDouble()) + " %";
-        if (const double warping = outcome.figures["reached_warping"].toDouble(); warping > 0)
-            outcome.text += " and a warping of up to " + rounded(warping) + " %";
-    } else if (isScaled) {
+    outcome.text += reachedText(outcome.figures);
+    if (!outcome.figures.contains("reached_error") && isScaled)
         outcome.text += ", with errors of up to " + rounded(outcome.figures["error"].toDouble()) + " %";
     }
 }

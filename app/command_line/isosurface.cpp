@@ -219,8 +219,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     Outcome outcome{.figures = figures,
                     .text = visibleText(output.string()) + ": " + std::to_string(vertices) + " vertices, " +
                             std::to_string(triangles) + " triangles from " +
-                            std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra, in " +
-                            rounded(elapsed.count(), 3) + " s\n"};
+                            std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra" + reachedText(figures) +
+                            ", in " + rounded(elapsed.count(), 3) + " s\n"};
     tellEmptySurfaces(*isovalues, model->description().range, outcome);
     addRemarks(*written, outcome);
     tellPart(*found, outcome);

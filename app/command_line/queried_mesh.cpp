@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/queried_mesh.h"
 
+#include "app/command_line/table.h"
+
 #include <QJsonDocument>
 
 #include <vector>
@@ -15,6 +17,16 @@ void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& rang
             remarks.emplace_back("The surface of " + formatNumber(isovalue) + " is empty: the data lie between " +
                                  formatNumber(range.minimum) + " and " + formatNumber(range.maximum) + ".");
     addRemarks(remarks, outcome);
+}
+
+std::string reachedText(const QJsonObject& figures)
+{
+    if (!figures.contains("reached_error"))
+        return "";
+    std::string text = ", with errors of up to " + rounded(figures["reached_error"].toDouble()) + " %";
+    if (const double warping = figures["reached_warping"].toDouble(); warping > 0)
+        text += " and a warping of up to " + rounded(warping) + " %";
+    return text;
 }
 
 QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)

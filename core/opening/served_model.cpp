@@ -137,6 +137,10 @@ std::optional<Message> impossibleAnswer(const ExtractedMesh& mesh, const Unpacke
                             mesh.wholeTetrahedra, whole.tetrahedra);
     if (!std::isfinite(mesh.scale) || !(mesh.scale >= 1))
         return Message::say("a mesh keeps %1 times the error", formatNumber(mesh.scale));
+    if (const auto& has = mesh.reached; has && (!std::isfinite(has->error) || !(has->error >= 0) ||
+                                                !std::isfinite(has->warping) || !(has->warping >= 0)))
+        return Message::say("a mesh has the error %1 % and the warping %2 %", formatNumber(has->error),
+                            formatNumber(has->warping));
     if (!std::ranges::all_of(sent.birthErrors, isLife) || !std::ranges::all_of(sent.deathErrors, isLife))
         return Message::say("a tetrahedron lives at errors that are not numbers from 0");
     return {};
@@ -216,6 +220,10 @@ bool takeFigures(const JsonValue& told, ExtractedMesh& mesh)
     mesh.keptSites = *keptSites;
     mesh.keptTetrahedra = *keptTetrahedra;
     mesh.scale = *scale;
+    const auto error = numberIn<double>(*figures, "reached_error");
+    const auto warping = numberIn<double>(*figures, "reached_warping");
+    if (error && warping)
+        mesh.reached = Accuracy{*error, *warping};
     mesh.method = *known;
     mesh.overlaps = *isOver;
     return true;

@@ -87,11 +87,8 @@ std::string meshFigures(const Model& model, const MeshQuery& query, const Extrac
     }
     const Accuracy kept = keptEverywhere(query, mesh.scale);
     const bool warps = model.description().warpingWeight > 0;
-    // Of a mesh of one accuracy it is known what it reaches, which may be less than what was asked for.
-    if (query.error.isConstant() && query.warping.isConstant() && model.elsewhere() == nullptr) {
-        const MeshSize reached = meshSizeAt(model, kept);
-        figures.add("reached_error", reached.error).add("reached_warping", warps ? reached.warping : 0.0);
-    }
+    if (mesh.reached)
+        figures.add("reached_error", mesh.reached->error).add("reached_warping", warps ? mesh.reached->warping : 0.0);
     return figures.add("error", kept.error)
         .add("warping", warps ? kept.warping : 0.0)
         .add("scale", mesh.scale)

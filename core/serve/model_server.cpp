@@ -214,18 +214,19 @@ std::string factsText(const ServedFile& file, const Model& model, const MeshQuer
             fact.add(std::get<double>(value));
         facts.addText(fact.text());
     }
-    const std::string ofMesh = JsonObjectText()
-                                   .add("whole_sites", mesh.wholeSites)
-                                   .add("whole_tetrahedra", mesh.wholeTetrahedra)
-                                   .add("kept_sites", mesh.keptSites)
-                                   .add("kept_tetrahedra", mesh.keptTetrahedra)
-                                   .add("scale", mesh.scale)
-                                   .add("method", wordOf(methodWords, mesh.method))
-                                   .text();
+    JsonObjectText ofMesh;
+    ofMesh.add("whole_sites", mesh.wholeSites)
+        .add("whole_tetrahedra", mesh.wholeTetrahedra)
+        .add("kept_sites", mesh.keptSites)
+        .add("kept_tetrahedra", mesh.keptTetrahedra)
+        .add("scale", mesh.scale)
+        .add("method", wordOf(methodWords, mesh.method));
+    if (mesh.reached)
+        ofMesh.add("reached_error", mesh.reached->error).add("reached_warping", mesh.reached->warping);
     return JsonObjectText()
         .addText("figures", meshFigures(model, query, mesh))
         .addText("facts", facts.text())
-        .addText("mesh", ofMesh)
+        .addText("mesh", ofMesh.text())
         .add("overlaps", mesh.overlaps)
         .add("tag", file.tag)
         .text();

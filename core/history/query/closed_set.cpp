@@ -343,21 +343,51 @@ constexpr std::uint32_t starsAtOnce = 1 << 14;
 /// Sites between asking memory for a star and reading it.
 constexpr std::size_t starsAhead = 6;
 
+/// The largest of many numbers of which each is the smaller of its own bound, rounded up in the file, and what the mesh
+/// had that its tetrahedron died in. Few of the latter, which lie anywhere, are looked at.
+class LargestBound {
+public:
+    /// `own` as in the file, where numbers that are not negative come in the order of their bits.
+    template <class Bound, class AtDeath> void take(std::uint16_t own, const Bound& bound, const AtDeath& atDeath)
+    {
+        if (own <= seen_)
+            return;
+        const double ownBound = bound(), other = atDeath();
+        if (ownBound <= other)
+            seen_ = own;
+        largest_ = std::max(largest_, std::min(ownBound, other));
+    }
+    double largest() const { return largest_; }
+
+private:
+    std::uint16_t seen_ = 0;
+    double largest_ = 0;
+};
+
 /// Copies the tetrahedra of the stars that none of the sites destroys.
 class SetScan {
 public:
-    SetScan(const Model& model, const ClosedSet& set, ExtractedMesh& out) : model_(model), set_(set), out_(out) {}
+    SetScan(const Model& model, const ClosedSet& set, ExtractedMesh& out)
+        : model_(model), set_(set), out_(out), warps_(model.description().warpingWeight > 0)
+    {
+    }
 
     void numberVertices();
     Status run(const Progress& progress);
+    /// Of the tetrahedra that were copied.
+    Accuracy reached() const;
 
 private:
     void scanStar(std::uint32_t site);
+    void noteBounds(std::uint64_t tetrahedron);
     std::uint32_t vertexOf(std::uint32_t site) const { return site < set_.prefix ? site : later_[site - set_.prefix]; }
 
     const Model& model_;
     const ClosedSet& set_;
     ExtractedMesh& out_;
+    const bool warps_;
+    LargestBound error_;          ///< in units of the values
+    LargestBound warping_;        ///< in units of length
     Buffer<std::uint32_t> later_; ///< the vertices of the sites behind the prefix
     Buffer<std::uint64_t> alive_;
     std::uint64_t found_ = 0;
@@ -417,10 +447,36 @@ void SetScan::scanStar(std::uint32_t site)
     const std::uint32_t creator = vertexOf(site);
     for (const std::uint64_t t : std::span(alive_).first(count)) {
         const std::array<std::uint32_t, 3> others = model_.otherSites()[t];
+        noteBounds(t);
         right_ &= others[0] < site && others[1] < site && others[2] < site;
         tetrahedra[found_++] = {creator, vertexOf(std::min(others[0], site)), vertexOf(std::min(others[1], site)),
                                 vertexOf(std::min(others[2], site))};
     }
+}
+
+void SetScan::noteBounds(std::uint64_t tetrahedron)
+{
+    const auto keyAtDeath = [&] {
+        const std::uint32_t destroyer = model_.destroyers()[tetrahedron];
+        if (destroyer >= model_.siteCount())
+            return model_.finalKey();
+        model_.check(model_.runningKeys()[destroyer]); // it may lie behind all that the query was expected to read
+        return model_.runningKeys()[destroyer];
+    };
+    error_.take(
+        model_.ownErrors()[tetrahedron], [&] { return model_.ownError(tetrahedron); },
+        [&] { return static_cast<double>(keyAtDeath()); });
+    if (warps_)
+        warping_.take(
+            model_.ownWarpings()[tetrahedron], [&] { return model_.ownWarping(tetrahedron); },
+            [&] { return keyAtDeath() / model_.description().warpingWeight; });
+}
+
+Accuracy SetScan::reached() const
+{
+    const double extent = model_.description().range.extent();
+    return {extent > 0 ? 100 * error_.largest() / extent : 0,
+            warps_ ? 100 * warping_.largest() / model_.diagonal() : 0};
 }
 
 } // namespace
@@ -449,6 +505,7 @@ Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& pl
     out.wholeSites = set.sites.count();
     out.wholeTetrahedra = out.mesh.tetrahedra.size();
     out.scale = set.scale;
+    out.reached = scan.reached();
     out.method = VariableMethod::ClosedSet;
     return {};
 }

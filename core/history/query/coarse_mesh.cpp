@@ -79,6 +79,7 @@ void writeRefined(const Model& model, const TetrahedralMesh& coarse, const Local
     out.wholeSites = static_cast<std::uint32_t>(count);
     out.wholeTetrahedra = out.mesh.tetrahedra.size();
     out.scale = 1;
+    out.reached.reset();
     out.method = VariableMethod::Insertion;
 }
 

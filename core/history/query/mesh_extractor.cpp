@@ -321,6 +321,7 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
         uniformSites_ = size.sites;
     }
     whole_->content.scale = scaleReached(size, asked);
+    whole_->content.reached = Accuracy{size.error, size.warping};
     return {};
 }
 

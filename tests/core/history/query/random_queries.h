@@ -101,11 +101,34 @@ inline bool isMesh(const Model& model, const BruteForce& brute, const ExtractedM
            byPoints(mesh.mesh.tetrahedra, points) == byPoints(tetrahedra, model.points());
 }
 
-/// Both.
+/// Whether it says what its tetrahedra say of themselves, and of the mesh that each died in: never more than is kept.
+inline bool isReachedToldOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                            const BruteForce::Answer& expected)
+{
+    const ModelDescription& about = model.description();
+    double error = 0, warping = 0;
+    for (const std::uint64_t t : expected.tetrahedra) {
+        const std::uint32_t destroyer = model.destroyers()[t];
+        const double key = destroyer == Model::never ? model.finalKey() : model.runningKeys()[destroyer];
+        error = std::max(error, std::min(model.ownError(t), key));
+        if (about.warpingWeight > 0)
+            warping = std::max(warping, std::min(model.ownWarping(t), key / about.warpingWeight));
+    }
+    const Accuracy right{about.range.extent() > 0 ? 100 * error / about.range.extent() : 0,
+                         about.warpingWeight > 0 ? 100 * warping / model.diagonal() : 0};
+    constexpr double nearly = 1 + 1e-9;
+    const bool isRight =
+        mesh.reached && mesh.reached->error <= right.error * nearly && right.error <= mesh.reached->error * nearly &&
+        mesh.reached->warping <= right.warping * nearly && right.warping <= mesh.reached->warping * nearly;
+    return isRight && mesh.reached->error <= keptPercent(query.error.bounds().maximum, mesh.scale) * nearly;
+}
+
+/// All of it.
 inline bool isAnswer(const Model& model, const Dataset& dataset, const BruteForce& brute, const MeshQuery& query,
                      const ExtractedMesh& mesh, const BruteForce::Answer& expected)
 {
-    return isMesh(model, brute, mesh, expected) && isProved(model, dataset, query, mesh);
+    return isMesh(model, brute, mesh, expected) && isReachedToldOf(model, query, mesh, expected) &&
+           isProved(model, dataset, query, mesh);
 }
 
 /// Whether three random fields, one after the other, give their smallest closed sets.
