@@ -170,12 +170,12 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     const UnpackedMesh& found = mesh->content;
     if (mesh->overlaps && isSurfaceFileOnly(invocation.host, output))
         return noBoundary();
-    if (const Status safe = checkMeshOutput(output, mesh->source()); !safe)
+    if (const Status safe = checkMeshOutput(output, mesh->fact("source")); !safe)
         return safe.error();
     MeshContent content;
     content.positions = found.mesh.positions;
     content.tetrahedra = found.mesh.tetrahedra;
-    content.pointArrays = {{"value", std::span<const float>(found.mesh.values)}};
+    content.pointArrays = {{valueArrayName(mesh->fact("array")), std::span<const float>(found.mesh.values)}};
     if (query.range)
         content.cellArrays = {{"birth_error", std::span<const float>(found.birthErrors)},
                               {"death_error", std::span<const float>(found.deathErrors)}};
@@ -211,9 +211,9 @@ Syntax extractSyntax(PluginHost& host)
         .explanation =
             "The smallest mesh that keeps what is asked for: the same error everywhere, or a smaller one in a focus or "
             "near certain values, without cracks; or the best one of so many tetrahedra; or a part of it. The file is "
-            "a VTK XML unstructured grid (.vtu) or a legacy one (.vtk), with the array 'value' of the vertices; or the "
-            "boundary of the mesh alone, as triangles: VTK polydata (.vtp), binary PLY (.ply), STL (.stl), Wavefront "
-            "text (.obj) or binary glTF (.glb).",
+            "a VTK XML unstructured grid (.vtu) or a legacy one (.vtk), with the values of the vertices, called as in "
+            "the data; or the boundary of the mesh alone, as triangles: VTK polydata (.vtp), binary PLY (.ply), STL "
+            "(.stl), Wavefront text (.obj) or binary glTF (.glb).",
         .positionals = {{"MODEL", modelExplanation()}},
         .options = queryOptions(),
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},

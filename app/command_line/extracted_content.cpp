@@ -10,7 +10,7 @@ MeshContent contentOf(const Model& model, const MeshQuery& query, const Extracte
     MeshContent content;
     content.positions = mesh.mesh.positions;
     content.tetrahedra = mesh.mesh.tetrahedra;
-    content.pointArrays = {{"value", std::span<const float>(mesh.mesh.values)}};
+    content.pointArrays = {{valueArrayName(model.description().valueName), std::span<const float>(mesh.mesh.values)}};
     if (query.range)
         content.cellArrays = {{"birth_error", std::span<const float>(mesh.birthErrors)},
                               {"death_error", std::span<const float>(mesh.deathErrors)}};

@@ -8,7 +8,7 @@
 
 namespace tetra {
 
-/// A mesh for a file: the array "value" of its vertices; of a range of accuracies also "birth_error" and "death_error"
+/// A mesh for a file: the array of its vertices' values; of a range of accuracies also "birth_error" and "death_error"
 /// of the tetrahedra; and meshFacts(). Points into `mesh`.
 MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
 

@@ -33,14 +33,23 @@ QString toQString(const std::string& text)
     return QString::fromStdString(text);
 }
 
+/// "array": what the values are called, where that is known.
+void addArrayName(const std::string& name, QJsonObject& figures)
+{
+    if (!name.empty())
+        figures["array"] = toQString(name);
+}
+
 QJsonObject provenanceFigures(const ModelDescription& description)
 {
     QJsonObject parameters;
     for (const auto& [id, value] : description.parameters)
         parameters[toQString(id)] = toQString(value);
-    return {{"builder", toQString(description.builder)},
-            {"parameters", parameters},
-            {"source", toQString(description.sourceName)}};
+    QJsonObject figures{{"builder", toQString(description.builder)},
+                        {"parameters", parameters},
+                        {"source", toQString(description.sourceName)}};
+    addArrayName(description.valueName, figures);
+    return figures;
 }
 
 std::string provenanceText(const ModelDescription& description)
@@ -292,6 +301,7 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
                     .text = visibleText(path) + ": " + visibleText(dataset->source.name) + ", " + datasetText(summary) +
                             "\n"};
     outcome.figures["source"] = toQString(dataset->source.name);
+    addArrayName(dataset->source.valueName, outcome.figures);
     outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
     addEstimates(invocation.host, *dataset, outcome);
     addRemarks(*dataset, outcome);

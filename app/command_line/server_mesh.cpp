@@ -24,9 +24,9 @@ QJsonObject jsonOf(std::string_view text)
 
 } // namespace
 
-std::string ServerMesh::source() const
+std::string ServerMesh::fact(std::string_view name) const
 {
-    const auto found = std::ranges::find(facts, "source", &MeshFacts::value_type::first);
+    const auto found = std::ranges::find(facts, name, &MeshFacts::value_type::first);
     return found == facts.end() ? "" : factText(found->second);
 }
 

@@ -10,6 +10,7 @@
 #include <QJsonObject>
 
 #include <string>
+#include <string_view>
 
 namespace tetra {
 
@@ -20,8 +21,8 @@ struct ServerMesh {
     MeshFacts facts;     ///< as meshFacts()
     bool overlaps = false;
 
-    /// The name of the model's dataset, one of the facts.
-    std::string source() const;
+    /// One of the facts as text, empty if there is none of the name: "source" is that of the model's dataset.
+    std::string fact(std::string_view name) const;
 };
 
 /// Asks a server for a mesh: of the model at http://HOST/NAME.tan, the one that the words ask for. Errors: those of

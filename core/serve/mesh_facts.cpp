@@ -56,6 +56,8 @@ bool isLimited(const ValueRange& lives)
 Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
     Facts facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
+    if (!model.description().valueName.empty())
+        facts.emplace_back("array", model.description().valueName);
     if (query.range) {
         // Of a model at a server the sizes are known only about.
         const auto errorOf = [&model](const Accuracy& end) {

@@ -16,6 +16,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -59,6 +60,19 @@ struct NamedArray {
         return std::visit([](const auto& all) { return sizeof(all[0]); }, values);
     }
 };
+
+/// What a file calls the array of a mesh's values: as their dataset calls them (ModelDescription::valueName), "value"
+/// where it does not say. At most 80 bytes, none of which is a control character; a name that files have for other
+/// arrays gets "value_" in front.
+inline std::string valueArrayName(std::string_view ofDataset)
+{
+    constexpr std::array<std::string_view, 6> others = {"site",     "birth_error", "death_error",
+                                                        "isovalue", "colour",      "Normals"};
+    if (ofDataset.empty())
+        return "value";
+    const bool isTaken = std::ranges::find(others, ofDataset) != others.end();
+    return (isTaken ? "value_" : "") + printable(ofDataset);
+}
 
 /// A mesh of tetrahedra to be written. Points into arrays that outlive the writing.
 struct MeshContent {

@@ -171,6 +171,7 @@ private:
                 source.name = path.filename().string();
             if (source.path.empty())
                 source.path = path;
+            source.valueName = printable(source.valueName); // it goes into other files
             if (source.hash == 0) {
                 const auto hash = hashOf(*dataset, progress.part(readEnd, 1));
                 if (!hash)

@@ -147,8 +147,8 @@ def hashes_of_model(path):
 
 def kept_form(legacy):
     """A mesh in a legacy VTK file as the record has it: the facts of its title, then its vertices with their values, then its
-    tetrahedra with theirs, as a PLY file would hold them."""
-    title = re.split(rb"; (?=[a-z_]+: )", legacy.split(b"\n", 2)[1])
+    tetrahedra with theirs, as a PLY file would hold them. What the data call the values makes no difference."""
+    title = [fact for fact in re.split(rb"; (?=[a-z_]+: )", legacy.split(b"\n", 2)[1]) if not fact.startswith(b"array: ")]
     at = 0
 
     def block(pattern, count, form):
@@ -169,7 +169,7 @@ def kept_form(legacy):
     if legacy.find(b"\nCELL_DATA ", at) > 0:
         lives.append(block(rb"\nSCALARS (birth_error) float 1\nLOOKUP_TABLE default\n", lambda _: cells, "f"))
         lives.append(block(rb"\n(death_error) 1 \d+ float\n", lambda _: cells, "f"))
-    _, values = block(rb"\nSCALARS value float 1\nLOOKUP_TABLE default\n", lambda _: vertices, "f")
+    _, values = block(rb"\nSCALARS (\S+) float 1\nLOOKUP_TABLE default\n", lambda _: vertices, "f")
     head = [b"ply", b"format binary_little_endian 1.0", *(b"comment " + fact for fact in title), b"element vertex %d" % vertices,
             *(b"property float " + axis for axis in (b"x", b"y", b"z", b"value")), b"element cell %d" % cells,
             b"property list uchar int vertex_indices", *(b"property float " + found[1] for found, _ in lives), b"end_header", b""]
@@ -189,7 +189,8 @@ def hash_of_mesh(path):
     child = os.fork()
     if child == 0:
         content = path.read_bytes()
-        os.write(writing, short_hash(content if path.suffix == ".ply" else kept_form(content)).encode())
+        content = re.sub(rb"\ncomment array: .*", b"", content, count=1) if path.suffix == ".ply" else kept_form(content)
+        os.write(writing, short_hash(content).encode())
         os._exit(0)
     os.close(writing)
     with open(reading, encoding="ascii") as pipe:

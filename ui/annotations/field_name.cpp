@@ -27,6 +27,8 @@ bool isPart(const QString& text)
 
 QString fieldName(const ModelDescription& description)
 {
+    if (!description.valueName.empty())
+        return shownText(description.valueName);
     for (const auto& [name, text] : description.parameters)
         if (name.ends_with(".array") && !text.empty())
             return shownText(text);

@@ -27,6 +27,8 @@ MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
     MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
     if (query.range) {
         facts.emplace_back("smallest error in percent", std::min(query.range->one.error, query.range->other.error));
+    if (!model.description().valueName.empty())
+        facts.emplace_back("array", model.description().valueName);
         facts.emplace_back("largest error in percent", std::max(query.range->one.error, query.range->other.error));
         return facts;
     }
@@ -59,7 +61,7 @@ const Surface* savedSurface(const Drawable& drawable)
 }
 
 /// Points into the scene.
-SurfaceContent contentOf(const Scene& scene)
+SurfaceContent contentOf(const Scene& scene, const ModelDescription& of)
 {
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
     for (const Drawable& drawable : scene.drawables) {
@@ -69,7 +71,7 @@ SurfaceContent contentOf(const Scene& scene)
         content.parts.push_back(partOf(drawable, *surface));
         if (!drawable.value) {
             content.title = "surfaces";
-            content.valueName = "value";
+            content.valueName = valueArrayName(of.valueName);
         }
     }
     return content;
@@ -95,7 +97,8 @@ Result<FileRemarks> writeMesh(PluginHost& host, const MeshOrder& order, const Pr
     }
     const ExtractedMesh& extracted = *order.mesh;
     MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
-    content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});
+    content.pointArrays.push_back(
+        {valueArrayName(order.model->description().valueName), std::span<const float>(extracted.mesh.values)});
     if (order.model->elsewhere() == nullptr) // a server does not tell them
         content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
     if (!extracted.birthErrors.empty())
@@ -118,7 +121,7 @@ Result<FileRemarks> writeSurfaces(PluginHost& host, const SurfaceOrder& order, c
             return built.error();
         return writeSurfaces(host, {order.scene, *std::move(built), order.target}, progress.part(made, 1));
     }
-    SurfaceContent content = contentOf(*order.built->scene);
+    SurfaceContent content = contentOf(*order.built->scene, order.scene.model->description());
     if (content.parts.empty())
         return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
     const Model& model = *order.scene.model;

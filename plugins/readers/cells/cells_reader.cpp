@@ -86,7 +86,8 @@ Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& 
             return file.error();
         file->complex.region = region;
         const std::string array = file->arrayName.empty() ? "" : ", " + printable(file->arrayName);
-        const Source source{.name = path.filename().string() + array, .path = path, .hash = 0};
+        const Source source{
+            .name = path.filename().string() + array, .path = path, .hash = 0, .valueName = file->arrayName};
         return orPoints && isFlat(*file) ? pointsOf(*std::move(file), source)
                                          : meshOf(*file, source, progress.part(readingShare, 1));
     };

@@ -149,7 +149,7 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     dataset.lattice.size = pair.grid.layout.sizes[pair.number];
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(*std::move(positions));
     dataset.values = array->values;
-    dataset.source = {pair.grid.path().filename().string() + ", " + array->name, path, 0};
+    dataset.source = {pair.grid.path().filename().string() + ", " + array->name, path, 0, array->name};
     dataset.cells = cellsWithout(blanked, dataset.lattice);
     if (const Status usable = hasHoles(dataset) ? Status() : checkGrid(dataset); !usable)
         return inPlot3dFile(pair.grid.path(), usable.error().message);

@@ -34,6 +34,7 @@ Result<Dataset> datasetOf(PointTable table, const std::filesystem::path& path)
     if (!dataset)
         return dataset;
     dataset->source.path = path;
+    dataset->source.valueName = table.valueName;
     if (table.skippedRows > 0)
         dataset->remarks.insert(dataset->remarks.begin(),
                                 table.skippedRows == 1

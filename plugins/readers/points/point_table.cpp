@@ -109,7 +109,8 @@ Status TableReading::readFront()
     if (!columns)
         return columns.error();
     columns_ = std::move(*columns);
-    table_.valueName = columns_.names[columns_.value];
+    if (!names.empty())
+        table_.valueName = columns_.names[columns_.value];
     return {};
 }
 

@@ -25,7 +25,7 @@ struct PointTableRequest {
 struct PointTable {
     std::vector<Eigen::Vector3d> positions;
     std::vector<double> values;
-    std::string valueName;
+    std::string valueName; ///< empty if the table names no columns
     std::uint64_t skippedRows = 0;
 };
 

@@ -50,10 +50,24 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     return request;
 }
 
-Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const std::optional<Eigen::AlignedBox3d>& region,
-                          const Progress& progress)
+/// Whether files of the format give their arrays names. Images have none, and VTK calls theirs after itself.
+bool namesArrays(VtkFormat format)
 {
-    const Source source{path.filename().string() + ", " + findings.arrayName, path, 0};
+    switch (format) {
+    case VtkFormat::MetaImage:
+    case VtkFormat::Nifti:
+    case VtkFormat::Mrc:
+    case VtkFormat::Tiff:
+    case VtkFormat::Dicom: return false;
+    default: return true;
+    }
+}
+
+Result<Dataset> toDataset(VtkFindings findings, VtkFormat format, const fs::path& path,
+                          const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
+{
+    const Source source{path.filename().string() + ", " + findings.arrayName, path, 0,
+                        namesArrays(format) ? findings.arrayName : ""};
     auto dataset = datasetOf(std::move(findings), source, region, progress);
     if (!dataset)
         return dataset.error();
@@ -109,7 +123,7 @@ Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& reg
     auto& findings = std::get<VtkFindings>(*answer);
     if (const Status placed = placeByUser(request->format, values, findings.lattice); !placed)
         return placed.error();
-    return toDataset(std::move(findings), path, region, progress.part(untilFound, 1));
+    return toDataset(std::move(findings), request->format, path, region, progress.part(untilFound, 1));
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,

@@ -5,7 +5,25 @@
 
 namespace tetra {
 
-/// `.csv`: the points of any dataset as a table with the columns x, y, z and value. Numbers are the shortest that are
+namespace {
+
+/// As the name of a column: in quotation marks where it has a character that could end it.
+std::string columnName(const std::string& name)
+{
+    if (name.empty())
+        return "value";
+    if (name.find_first_of(",;\t\" ") == std::string::npos)
+        return name;
+    std::string quoted = "\"";
+    for (const char c : name)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+} // namespace
+
+/// `.csv`: the points of any dataset as a table with the columns x, y, z and that of the values, called as the dataset
+/// calls them. Numbers are the shortest that are
 /// read as the same again. What connects the points is lost.
 class CsvWriter : public QObject, public Writer {
     Q_OBJECT
@@ -22,7 +40,7 @@ public:
     {
         constexpr std::uint64_t pointsAtOnce = 1 << 12, bytesOfPoint = 40;
         file.expect(bytesOfPoint * dataset.pointCount());
-        std::string text = "x,y,z,value\n";
+        std::string text = "x,y,z," + columnName(dataset.source.valueName) + "\n";
         for (std::uint64_t point = 0; point < dataset.pointCount(); ++point) {
             const Eigen::Vector3d position = dataset.position(point);
             for (const double coordinate : position)

@@ -133,10 +133,14 @@ private:
         ++count_;
     }
 
+    /// In the letters that names of attributes have.
     static std::string upper(std::string name)
     {
-        for (char& c : name)
-            c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        for (char& c : name) {
+            const bool isSmall = c >= 'a' && c <= 'z';
+            const bool isUsual = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+            c = isSmall ? static_cast<char>(c - 'a' + 'A') : isUsual ? c : '_';
+        }
         return name;
     }
 

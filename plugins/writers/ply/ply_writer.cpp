@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <type_traits>
 
@@ -13,7 +14,7 @@ namespace {
 /// More vertices cannot be numbered by an int.
 constexpr std::size_t mostVertices = std::numeric_limits<std::int32_t>::max();
 
-/// The head of a binary little-endian PLY file. Line breaks in texts and blanks in names are repaired.
+/// The head of a binary little-endian PLY file. Line breaks in texts, and what names cannot hold, are repaired.
 class PlyHead {
 public:
     PlyHead& comment(std::string_view text);
@@ -57,7 +58,7 @@ PlyHead& PlyHead::property(std::string_view type, std::string_view name)
 {
     std::string word(name);
     std::ranges::replace_if(
-        word, [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
+        word, [](char c) { return static_cast<unsigned char>(c) <= ' ' || static_cast<unsigned char>(c) > '~'; }, '_');
     text_ += "property " + std::string(type) + " " + word + "\n";
     return *this;
 }
@@ -102,6 +103,15 @@ void putValues(std::byte*& where, std::span<const NamedArray> arrays, std::uint6
         std::visit([&](const auto& values) { putNumber(where, values[index]); }, array.values);
 }
 
+/// With "value_" in front of what readers take for something else than a value.
+std::string freeName(const std::string& name)
+{
+    constexpr std::array<std::string_view, 15> taken = {"x",    "y",     "z", "nx", "ny", "nz", "red",    "green",
+                                                        "blue", "alpha", "s", "t",  "u",  "v",  "quality"};
+    const bool isTaken = std::ranges::find(taken, name) != taken.end();
+    return (isTaken ? "value_" : "") + name;
+}
+
 std::string headOf(const SurfaceContent& content, bool floats)
 {
     PlyHead head;
@@ -111,7 +121,7 @@ std::string headOf(const SurfaceContent& content, bool floats)
     if (content.hasNormals())
         for (const std::string_view axis : {"nx", "ny", "nz"})
             head.property("float", axis);
-    head.property("float", content.valueName);
+    head.property("float", freeName(content.valueName));
     if (content.hasColours())
         for (const std::string_view channel : {"red", "green", "blue"})
             head.property("uchar", channel);

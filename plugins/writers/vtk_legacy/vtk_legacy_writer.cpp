@@ -15,12 +15,16 @@ namespace {
 /// Numbers of vertices and lengths of lists are ints.
 constexpr auto mostNumbers = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
 
-/// A name in one word: blanks and whatever else could mislead a reader as %XX, which VTK turns back.
+/// A name in one word: blanks and whatever else could mislead a reader as %XX, which VTK turns back. Cut off where it
+/// would be too long for the line that VTK reads.
 std::string vtkLegacyWord(std::string_view name)
 {
     constexpr std::string_view digits = "0123456789ABCDEF";
+    constexpr std::size_t most = 200;
     std::string encoded;
     for (const char c : name) {
+        if (encoded.size() + 3 > most)
+            break;
         const auto code = static_cast<unsigned char>(c);
         if (code > ' ' && code < 127 && c != '%' && c != '"')
             encoded += c;

@@ -324,13 +324,14 @@ XmlGrid gridOf(const Dataset& dataset)
     const auto& tetrahedra = *dataset.tetrahedra;
     const std::uint64_t points = dataset.pointCount(), cells = tetrahedra.size();
     const std::span<const std::byte> samples = dataset.values.bytes();
-    XmlArray values{"value", vtkTypeName(dataset.values.type()), samples.size(), 1,
+    const std::string name = dataset.source.valueName.empty() ? "value" : dataset.source.valueName;
+    XmlArray values{name, vtkTypeName(dataset.values.type()), samples.size(), 1,
                     [samples](OutputFile& out) { return out.bytes(samples); }};
     const auto corner = [&tetrahedra](std::uint64_t i) { return tetrahedra[i / 4][i % 4]; };
     return {"UnstructuredGrid",
             " NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) + "\"",
             {},
-            {{"PointData", " Scalars=\"value\"", {std::move(values)}},
+            {{"PointData", " Scalars=\"" + xmlAttribute(name) + "\"", {std::move(values)}},
              {"Points", {}, {places(positions)}},
              {"Cells",
               {},

@@ -47,7 +47,8 @@ private slots:
     void whatIsWrittenComesBack()
     {
         QFETCH(SampleType, type);
-        const Dataset dataset = bumps(type, {4, 3, 5});
+        Dataset dataset = bumps(type, {4, 3, 5});
+        dataset.source.valueName = isInteger(type) ? "" : "p = rho\n\\ R T";
         const RecordedHistory& history = historyOf(dataset);
         writeModel(path(), dataset);
         const auto opened = Model::open(path());
@@ -63,6 +64,7 @@ private slots:
         QCOMPARE(description.range.maximum, dataset.values.range().maximum);
         QCOMPARE(description.sourceName, dataset.source.name);
         QCOMPARE(description.sourceHash, dataset.source.hash);
+        QCOMPARE(description.valueName, dataset.source.valueName);
         QCOMPARE(description.builder, std::string("slow"));
         QCOMPARE(description.parameters.size(), std::size_t(2));
         QCOMPARE(description.parameters[0], std::pair(std::string("stop=error"), std::string("0")));

@@ -108,7 +108,9 @@ private slots:
         QFETCH(int, block);
         QFETCH(double, noise);
         const Eigen::Vector3d spacing = block > 0 ? Eigen::Vector3d(1, 1.25, 2) : Eigen::Vector3d(1, 1, 1);
-        const Dataset dataset = wavesOf(SampleType(type), {13, 11, 9}, noise, 7, spacing);
+        Dataset dataset = wavesOf(SampleType(type), {13, 11, 9}, noise, 7, spacing);
+        if (type % 2 == 1)
+            dataset.source.valueName = "pressure";
         Refinement method;
         method.error = error;
         method.block = block;

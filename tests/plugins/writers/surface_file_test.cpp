@@ -340,6 +340,37 @@ private slots:
             QCOMPARE(numberAt<std::uint16_t>(bytes, faces + qsizetype(face + 1) * faceBytes - 2), kinds[face]);
     }
 
+    /// What the dataset calls its values is the name of their array, as far as the format and its readers bear it.
+    void valuesHaveTheirOwnName_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<QByteArray>("ply");
+        QTest::addColumn<QByteArray>("glb");
+        QTest::newRow("plain") << QByteArray("density") << QByteArray("density") << QByteArray("_DENSITY");
+        QTest::newRow("unit") << QByteArray("p (N/m²)") << QByteArray("p_(N/m__)") << QByteArray("_P__N_M___");
+        QTest::newRow("a coordinate") << QByteArray("x") << QByteArray("value_x") << QByteArray("_X");
+        QTest::newRow("a colour") << QByteArray("red") << QByteArray("value_red") << QByteArray("_RED");
+    }
+    void valuesHaveTheirOwnName()
+    {
+        QFETCH(QByteArray, name);
+        QFETCH(QByteArray, ply);
+        QFETCH(QByteArray, glb);
+        const RandomSurface one(5, 4, 1);
+        SurfaceContent content = contentOf(one.part("a", true), one.part("b", true));
+        content.valueName = valueArrayName(name.toStdString());
+        const auto written = [&](const QString& file) {
+            const QString path = folder_.filePath(file);
+            return writeSurface(path.toStdString(), content) ? ::contentOf(path) : QByteArray();
+        };
+        QVERIFY(written("named.ply").contains("property float " + ply + "\n"));
+        QVERIFY(written("named.glb").contains('"' + glb + "\":"));
+        QVERIFY(written("named.vtp").contains("Scalars=\"" + name + "\""));
+        QVERIFY(written("named.vtk").contains("SCALARS " + name.toPercentEncoding("()/") + " float 1\n"));
+        QCOMPARE(valueArrayName(""), std::string("value"));
+        QCOMPARE(valueArrayName("site"), std::string("value_site"));
+    }
+
     void objNamesItsGroups()
     {
         const RandomSurface one(5, 2, 1), other(5, 2, 2);

@@ -64,27 +64,36 @@ private slots:
     void allKindsOfTablesAreRead_data()
     {
         QTest::addColumn<QByteArray>("text");
-        QTest::newRow("names") << QByteArray("x,y,z,t\n1,2,3,10\n4,5,6,20\n");
-        QTest::newRow("no names") << QByteArray("1,2,3,10\n4,5,6,20");
-        QTest::newRow("other order, units") << QByteArray("T (K),z_m,X [m],y\n10,3,1,2\n20,6,4,5\n");
-        QTest::newRow("ParaView") << QByteArray(
-            "\"Temp\",\"Points:0\",\"Points:1\",\"Points:2\"\n10,1,2,3\n20,4,5,6\n");
-        QTest::newRow("unknown names") << QByteArray("lon,lat,depth,magnitude\n1,2,3,10\n4,5,6,20\n");
-        QTest::newRow("tabs") << QByteArray("x\ty\tz\tv\r\n1\t2\t3\t10\r\n4\t5\t6\t20\r\n");
-        QTest::newRow("semicolons, blanks") << QByteArray(" x ; y ; z ; v \n 1 ; 2 ; 3 ; 10 \n4;5;6;20\n");
-        QTest::newRow("blanks") << QByteArray("  1 2   3 10\n4  5 6\t20  \n");
-        QTest::newRow("comments, empty lines") << QByteArray("# made by hand\n\n// x\n1,2,3,10\n% no\n\n4,5,6,20\n\n");
-        QTest::newRow("names in a comment") << QByteArray("# y x z v\n2 1 3 10\n5 4 6 20\n");
-        QTest::newRow("quotes") << QByteArray("\"x\",y,z,\"a \"\"b\"\", c\"\n\"1\",2,\"3\",10\n4,5,6,\"20\"\n");
-        QTest::newRow("byte-order mark, CR") << QByteArray("\xef\xbb\xbfx,y,z,v\r1,2,3,10\r4,5,6,20\r");
-        QTest::newRow("exponents, signs") << QByteArray("+1e0,0.2e1,3.,1E1\n4,5,6,20\n");
-        QTest::newRow("more columns") << QByteArray("x,y,z,v,name\n1,2,3,10,a\n4,5,6,20,b\n");
+        QTest::addColumn<QByteArray>("name");
+        QTest::newRow("names") << QByteArray("x,y,z,t\n1,2,3,10\n4,5,6,20\n") << QByteArray("t");
+        QTest::newRow("no names") << QByteArray("1,2,3,10\n4,5,6,20") << QByteArray("");
+        QTest::newRow("other order, units")
+            << QByteArray("T (K),z_m,X [m],y\n10,3,1,2\n20,6,4,5\n") << QByteArray("T (K)");
+        QTest::newRow("ParaView") << QByteArray("\"Temp\",\"Points:0\",\"Points:1\",\"Points:2\"\n10,1,2,3\n20,4,5,6\n")
+                                  << QByteArray("Temp");
+        QTest::newRow("unknown names") << QByteArray("lon,lat,depth,magnitude\n1,2,3,10\n4,5,6,20\n")
+                                       << QByteArray("magnitude");
+        QTest::newRow("tabs") << QByteArray("x\ty\tz\tv\r\n1\t2\t3\t10\r\n4\t5\t6\t20\r\n") << QByteArray("v");
+        QTest::newRow("semicolons, blanks")
+            << QByteArray(" x ; y ; z ; v \n 1 ; 2 ; 3 ; 10 \n4;5;6;20\n") << QByteArray("v");
+        QTest::newRow("blanks") << QByteArray("  1 2   3 10\n4  5 6\t20  \n") << QByteArray("");
+        QTest::newRow("comments, empty lines")
+            << QByteArray("# made by hand\n\n// x\n1,2,3,10\n% no\n\n4,5,6,20\n\n") << QByteArray("");
+        QTest::newRow("names in a comment") << QByteArray("# y x z v\n2 1 3 10\n5 4 6 20\n") << QByteArray("v");
+        QTest::newRow("quotes") << QByteArray("\"x\",y,z,\"a \"\"b\"\", c\"\n\"1\",2,\"3\",10\n4,5,6,\"20\"\n")
+                                << QByteArray("a \"b\", c");
+        QTest::newRow("byte-order mark, CR")
+            << QByteArray("\xef\xbb\xbfx,y,z,v\r1,2,3,10\r4,5,6,20\r") << QByteArray("v");
+        QTest::newRow("exponents, signs") << QByteArray("+1e0,0.2e1,3.,1E1\n4,5,6,20\n") << QByteArray("");
+        QTest::newRow("more columns") << QByteArray("x,y,z,v,name\n1,2,3,10,a\n4,5,6,20,b\n") << QByteArray("v");
     }
     void allKindsOfTablesAreRead()
     {
         QFETCH(QByteArray, text);
+        QFETCH(QByteArray, name);
         const auto dataset = read(text);
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+        QCOMPARE(dataset->source.valueName, name.toStdString());
         QCOMPARE(dataset->domain, DomainClass::Scattered);
         QCOMPARE(dataset->pointCount(), std::uint64_t(2));
         QCOMPARE(dataset->position(0), Eigen::Vector3d(1, 2, 3));
