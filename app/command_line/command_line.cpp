@@ -4,6 +4,7 @@
 #include "app/command_line/help.h"
 #include "app/command_line/nearest.h"
 #include "app/command_line/progress_line.h"
+#include "app/command_line/result_output.h"
 #include "app/command_line/subcommand.h"
 #include "core/base/system_error.h"
 #include "core/base/text.h"
@@ -74,6 +75,15 @@ int print(const Streams& streams, const std::string& text, int code)
     return fail(streams, {ErrorKind::CannotWrite, "Standard output cannot be written" + reason + "."});
 }
 
+/// The figures of a subcommand, where they belong.
+int tell(const Streams& streams, const std::string& text, int code)
+{
+    if (!streams.resultIsOutput)
+        return print(streams, text, code);
+    streams.messages << visibleLines(text) << std::flush;
+    return code;
+}
+
 /// The same for programs, and nothing in it that a terminal obeys: such characters, which stand in its strings alone,
 /// are written as JSON's own escapes.
 std::string jsonText(const QJsonObject& figures)
@@ -142,24 +152,30 @@ std::string_view kindName(ErrorKind kind)
     return "cancelled";
 }
 
+bool wantsJson(std::span<const std::string> words)
+{
+    return std::ranges::find(words, "--json") != words.end();
+}
+
 /// With --json the error is an object, too.
 int failFor(std::span<const std::string> words, const Streams& streams, const Error& error)
 {
-    const int code = fail(streams, error);
-    if (std::ranges::find(words, "--json") == words.end())
+    const int code = wantsJson(words) && streams.resultIsOutput ? exitCode(error.kind) : fail(streams, error);
+    if (!wantsJson(words))
         return code;
     const QJsonObject told{{"error", QString::fromStdString(error.text())},
                            {"kind", QString::fromStdString(std::string(kindName(error.kind)))},
                            {"exit_code", code}};
-    return print(streams, jsonText(told), code);
+    return tell(streams, jsonText(told), code);
 }
 
-int runSubcommand(const Subcommand& subcommand, std::span<const std::string> words, PluginHost& host,
-                  const Streams& streams, const std::stop_token& stop)
+int runSubcommand(const Subcommand& subcommand, std::span<const std::string> words, PluginHost& host, Streams streams,
+                  const std::stop_token& stop)
 {
     const Syntax syntax = wholeSyntax(subcommand, host);
     if (asksForHelp(words))
         return print(streams, subcommandHelp(subcommand.name, syntax), 0);
+    streams.resultIsOutput = syntax.resultMayBeOutput && asksForStandardOutput(words);
     const auto arguments = parseArguments(syntax, words);
     if (!arguments)
         return failFor(words, streams,
@@ -168,7 +184,9 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
                                   host));
 
     ProgressLine line(streams.messages, streams.messagesAreTerminal);
-    const Progress progress = line.progress(stop);
+    // An object on standard error has it for itself.
+    const bool isSilent = streams.resultIsOutput && arguments->has("json");
+    const Progress progress = isSilent ? Progress(stop, {}) : line.progress(stop);
     const auto outcome = runGuarded(subcommand, {*arguments, host, progress, streams.messages});
     line.clear();
     if (!outcome)
@@ -176,7 +194,7 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
     if (!outcome->isHeard)
         return 0;
     const std::string text = arguments->has("json") ? jsonText(outcome->figures) : outcome->text;
-    return print(streams, text, outcome->isYes ? 0 : 1);
+    return tell(streams, text, outcome->isYes ? 0 : 1);
 }
 
 } // namespace

@@ -15,6 +15,7 @@ struct Streams {
     std::ostream& output;   ///< figures, and nothing else
     std::ostream& messages; ///< progress and errors
     bool messagesAreTerminal = false;
+    bool resultIsOutput = false; ///< then `output` is for the result alone, and figures go to the messages
 };
 
 /// Does what `words` (without the program's name) say and gives the exit code: docs/command-line.md. Never throws.

@@ -7,6 +7,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
 #include "app/command_line/query_options.h"
+#include "app/command_line/result_output.h"
 #include "app/command_line/server_mesh.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
@@ -35,24 +36,24 @@ constexpr double measuringEnd = 0.9;  ///< and when it was compared with a datas
 struct Task {
     const Invocation& invocation;
     const Arguments& arguments;
-    std::filesystem::path output;
+    const Destination& output;
     PluginHost& host;
     const ParameterValues& values; ///< of the writer
     const Model& model;
     const Progress& progress;
 };
 
-Outcome outcomeOf(const std::filesystem::path& output, const TetrahedralMesh& mesh)
+Outcome outcomeOf(const Destination& output, const TetrahedralMesh& mesh)
 {
-    return {.figures = {{"file", QFile::decodeName(output.c_str())},
+    return {.figures = {{"file", QFile::decodeName(nameInFigures(output).c_str())},
                         {"sites", static_cast<qint64>(mesh.positions.size())},
                         {"tetrahedra", static_cast<qint64>(mesh.tetrahedra.size())}},
-            .text = visibleText(output.string()) + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
+            .text = shownName(output) + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
                     std::to_string(mesh.tetrahedra.size()) + " tetrahedra"};
 }
 
 /// What there is to tell of one mesh, by its figures.
-void describeMesh(PluginHost& host, const std::filesystem::path& output, Outcome& outcome)
+void describeMesh(PluginHost& host, const Destination& output, Outcome& outcome)
 {
     const auto figure = [&](const char* name) { return outcome.figures[name].toInteger(); };
     if (figure("tetrahedra") != figure("kept_tetrahedra"))
@@ -60,13 +61,12 @@ void describeMesh(PluginHost& host, const std::filesystem::path& output, Outcome
                         std::to_string(figure("whole_tetrahedra")) + " of the whole mesh";
     else if (figure("kept_tetrahedra") != figure("whole_tetrahedra"))
         outcome.text += " of " + std::to_string(figure("whole_tetrahedra"));
-    if (isSurfaceFileOnly(host, output))
+    if (isSurfaceFileOnly(host, output.path))
         outcome.text += ", of which the file has the boundary";
     const bool isScaled = outcome.figures["scale"].toDouble() > 1;
     outcome.text += reachedText(outcome.figures);
     if (!outcome.figures.contains("reached_error") && isScaled)
         outcome.text += ", with errors of up to " + rounded(outcome.figures["error"].toDouble()) + " %";
-    }
 }
 
 void addFigures(Outcome& outcome, const QJsonObject& figures)
@@ -127,7 +127,7 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
     const ExtractedMesh& found = **extracted;
     if (const Status some = checkNotEmpty(query, task.model, found.mesh); !some)
         return some.error();
-    if (found.overlaps && isSurfaceFileOnly(task.host, task.output))
+    if (found.overlaps && isSurfaceFileOnly(task.host, task.output.path))
         return noBoundary();
     std::optional<ErrorStatistics> statistics;
     if (const auto against = task.arguments.value("against")) {
@@ -153,10 +153,10 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
 }
 
 /// --at-server: the mesh that a server finds.
-Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery& query, const ParameterValues& values)
+Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery& query, const Destination& output,
+                                   const ParameterValues& values)
 {
     const Arguments& arguments = invocation.arguments;
-    const std::filesystem::path output = *arguments.value("output");
     if (arguments.has("against"))
         return Error{ErrorKind::WrongUsage,
                      "'--against' needs the model at hand, so '--at-server' does not go with it."};
@@ -168,9 +168,9 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     if (!mesh)
         return mesh.error();
     const UnpackedMesh& found = mesh->content;
-    if (mesh->overlaps && isSurfaceFileOnly(invocation.host, output))
+    if (mesh->overlaps && isSurfaceFileOnly(invocation.host, output.path))
         return noBoundary();
-    if (const Status safe = checkMeshOutput(output, mesh->fact("source")); !safe)
+    if (const Status safe = checkMeshOutput(output.path, mesh->fact("source")); output.stream < 0 && !safe)
         return safe.error();
     MeshContent content;
     content.positions = found.mesh.positions;
@@ -220,11 +220,13 @@ Syntax extractSyntax(PluginHost& host)
                      {"tan extract engine.tan --error 4 --focus sphere:120,100,60,30 --focus-error 0.5 -o detail.vtu",
                       "Fine in a sphere, coarse elsewhere, conforming."},
                      {"tan extract engine.tan --budget 300000 -o engine.vtk", "As good as 300,000 tetrahedra allow."},
+                     {"tan extract engine.tan --error 1 -o - --format vtu", "Into a pipe, to another program."},
                      {"tan extract engine.tan --budget 300000 --against engine.nrrd -o engine.vtk",
                       "And how good that is on the whole."}}};
     syntax.options.push_back(againstOption());
     std::ranges::move(serverOptions(), std::back_inserter(syntax.options));
-    syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Mesh), "The file to write."));
+    std::ranges::move(resultOptions(host, WrittenContent::Mesh), std::back_inserter(syntax.options));
+    syntax.resultMayBeOutput = true;
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Mesh));
     return syntax;
 }
@@ -233,7 +235,9 @@ Result<Outcome> runExtract(const Invocation& invocation)
 {
     const Arguments& arguments = invocation.arguments;
     const std::filesystem::path input = arguments.positionals[0];
-    const std::filesystem::path output = *arguments.value("output");
+    const auto output = resultDestination(arguments);
+    if (!output)
+        return output.error();
     const auto query = queryOf(arguments);
     if (!query)
         return query.error();
@@ -243,14 +247,14 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Mesh));
     if (!values)
         return values.error();
-    if (const Status writable = checkWritable(invocation.host, WrittenContent::Mesh, output, *values); !writable)
+    if (const Status writable = checkWritable(invocation.host, WrittenContent::Mesh, output->path, *values); !writable)
         return writable.error();
-    if (const Status safe = checkOutput(output, std::array{input}); !safe)
+    if (const Status safe = checkOutput(output->path, std::array{input}); output->stream < 0 && !safe)
         return safe.error();
 
     const auto start = std::chrono::steady_clock::now();
     if (arguments.has("at-server")) {
-        auto extraction = extractAtServer(invocation, *query, *values);
+        auto extraction = extractAtServer(invocation, *query, *output, *values);
         if (!extraction)
             return extraction.error();
         return outcomeOf(*std::move(extraction), start);
@@ -262,10 +266,10 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const std::shared_ptr<const Model>& model = found->model;
     if (const Status warps = checkWarpingOption(arguments, *model); !warps)
         return warps.error();
-    if (const Status safe = checkMeshOutput(output, *model); !safe)
+    if (const Status safe = checkMeshOutput(output->path, *model); output->stream < 0 && !safe)
         return safe.error();
     const Progress progress = invocation.progress.part(opened, 1);
-    const Task task{invocation, arguments, output, invocation.host, *values, *model, progress};
+    const Task task{invocation, arguments, *output, invocation.host, *values, *model, progress};
     auto extraction = extractMesh(task, *query, model);
     if (!extraction)
         return extraction.error();

@@ -5,6 +5,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
 #include "app/command_line/query_options.h"
+#include "app/command_line/result_output.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/memory.h"
@@ -152,7 +153,8 @@ Syntax isosurfaceSyntax(PluginHost& host)
                                 "From a mesh that is fine near the surface."}}};
     for (auto options : {queryOptions(), serverOptions()})
         std::ranges::move(options, std::back_inserter(syntax.options));
-    syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Surface), "The file to write."));
+    std::ranges::move(resultOptions(host, WrittenContent::Surface), std::back_inserter(syntax.options));
+    syntax.resultMayBeOutput = true;
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Surface));
     return syntax;
 }
@@ -161,7 +163,9 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
 {
     const Arguments& arguments = invocation.arguments;
     const std::filesystem::path input = arguments.positionals[0];
-    const std::filesystem::path output = *arguments.value("output");
+    const auto output = resultDestination(arguments);
+    if (!output)
+        return output.error();
     const auto isovalues = isovaluesOf(arguments);
     if (!isovalues)
         return isovalues.error();
@@ -171,9 +175,10 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Surface));
     if (!values)
         return values.error();
-    if (const Status writable = checkWritable(invocation.host, WrittenContent::Surface, output, *values); !writable)
+    if (const Status writable = checkWritable(invocation.host, WrittenContent::Surface, output->path, *values);
+        !writable)
         return writable.error();
-    if (const Status safe = checkOutput(output, std::array{input}); !safe)
+    if (const Status safe = checkOutput(output->path, std::array{input}); output->stream < 0 && !safe)
         return safe.error();
 
     const auto start = std::chrono::steady_clock::now();
@@ -184,7 +189,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const std::shared_ptr<const Model>& model = found->model;
     if (const Status warps = checkWarpingOption(arguments, *model); !warps)
         return warps.error();
-    if (const Status safe = checkMeshOutput(output, *model); !safe)
+    if (const Status safe = checkMeshOutput(output->path, *model); output->stream < 0 && !safe)
         return safe.error();
     MeshExtractor extractor(model);
     const auto extracted =
@@ -199,7 +204,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto surfaces = extractAll(mesh, *isovalues, invocation.progress.part(0.3, 0.8));
     if (!surfaces)
         return surfaces.error();
-    const auto written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces), output, *values,
+    const auto written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces), *output, *values,
                                      invocation.progress.part(0.8, 1));
     if (!written)
         return written.error();
@@ -212,12 +217,12 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         triangles += surface.mesh.triangles.size();
     }
     QJsonObject figures = figuresOf(*model, *query, mesh);
-    figures["file"] = QFile::decodeName(output.c_str());
+    figures["file"] = QFile::decodeName(nameInFigures(*output).c_str());
     figures["vertices"] = static_cast<qint64>(vertices);
     figures["triangles"] = static_cast<qint64>(triangles);
     figures["seconds"] = elapsed.count();
     Outcome outcome{.figures = figures,
-                    .text = visibleText(output.string()) + ": " + std::to_string(vertices) + " vertices, " +
+                    .text = shownName(*output) + ": " + std::to_string(vertices) + " vertices, " +
                             std::to_string(triangles) + " triangles from " +
                             std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra" + reachedText(figures) +
                             ", in " + rounded(elapsed.count(), 3) + " s\n"};

@@ -38,6 +38,7 @@ struct Syntax {
     std::vector<Option> options;
     std::vector<Example> examples;
     std::vector<int> exitCodes{0, 2, 3, 4, 130}; ///< those that can occur
+    bool resultMayBeOutput = false; ///< '-o -' is standard output, which then holds the result and nothing else
 };
 
 } // namespace tetra

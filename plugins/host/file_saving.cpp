@@ -5,6 +5,7 @@
 #include "core/mesh/face_adjacency.h"
 #include "plugins/host/parameter_values.h"
 #include "plugins/host/safe_output.h"
+#include "plugins/host/stream_output.h"
 
 #include <algorithm>
 #include <set>
@@ -102,11 +103,19 @@ Result<Provided<Writer>> chooseWriter(PluginHost& host, WrittenContent content, 
 }
 
 /// Opens the file, has it written and puts it into its place.
-template <class Write> Result<FileRemarks> saveWith(const std::filesystem::path& path, MarkedText activity,
-                                                    const Progress& progress, Write&& write)
+template <class Write> Result<FileRemarks> saveWith(const Destination& to, MarkedText activity, const Progress& progress,
+                                                    Write&& write)
 {
     progress.report(0, activity);
-    const auto file = SafeOutput::create(path, activity, progress);
+    if (to.stream >= 0) {
+        StreamOutput out(to.stream, to.path, activity, progress);
+        if (const Status written = write(out); !written)
+            return written.error();
+        if (const Status finished = out.finish(); !finished)
+            return finished.error();
+        return out.remarks();
+    }
+    const auto file = SafeOutput::create(to.path, activity, progress);
     if (!file)
         return file.error();
     if (const Status written = write(**file); !written)
@@ -160,7 +169,7 @@ const NamedArray* valuesOf(const MeshContent& content)
     return nullptr;
 }
 
-Result<FileRemarks> saveBoundary(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
+Result<FileRemarks> saveBoundary(PluginHost& host, const MeshContent& mesh, const Destination& to,
                                  const ParameterValues& values, const Progress& progress)
 {
     constexpr double found = 0.4;
@@ -168,7 +177,7 @@ Result<FileRemarks> saveBoundary(PluginHost& host, const MeshContent& mesh, cons
         return Error{ErrorKind::OutOfResource,
                      Message::say("'%1' would be the boundary of more than 1073741824 tetrahedra, which is too many to "
                                   "find it. Write a .vtu file.",
-                                  path.string())};
+                                  to.path.string())};
     progress.report(0, writingMesh);
     const BoundaryFaces boundary = boundaryFaces(mesh.positions.size(), mesh.tetrahedra);
     if (progress.cancelled())
@@ -186,7 +195,7 @@ Result<FileRemarks> saveBoundary(PluginHost& host, const MeshContent& mesh, cons
         part.values = std::span<const float>(vertexValues);
     return saveSurface(host,
                        {"boundary of a tetrahedral mesh", array != nullptr ? array->name : "value", {part}, mesh.facts},
-                       path, values, progress.part(found, 1));
+                       to, values, progress.part(found, 1));
 }
 
 } // namespace
@@ -203,35 +212,35 @@ Result<FileRemarks> saveDataset(PluginHost& host, const Dataset& dataset, const 
     });
 }
 
-Result<FileRemarks> saveMesh(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
+Result<FileRemarks> saveMesh(PluginHost& host, const MeshContent& mesh, const Destination& to,
                              const ParameterValues& values, const Progress& progress)
 try {
-    const auto writer = chooseWriter(host, WrittenContent::Mesh, path, values);
+    const auto writer = chooseWriter(host, WrittenContent::Mesh, to.path, values);
     if (!writer)
         return writer.error();
     if (const Status fit = checkArrays(mesh.pointArrays, mesh.positions.size(), Message::marked("vertices")); !fit)
         return fit.error();
     if (const Status fit = checkArrays(mesh.cellArrays, mesh.tetrahedra.size(), Message::marked("tetrahedra")); !fit)
         return fit.error();
-    if (isSurfaceFileOnly(host, path))
-        return saveBoundary(host, mesh, path, values, progress);
-    return saveWith(path, writingMesh, progress,
+    if (isSurfaceFileOnly(host, to.path))
+        return saveBoundary(host, mesh, to, values, progress);
+    return saveWith(to, writingMesh, progress,
                     [&](OutputFile& file) { return writer->plugin->writeMesh(mesh, file, values); });
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", path.string())};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", to.path.string())};
 }
 
-Result<FileRemarks> saveSurface(PluginHost& host, const SurfaceContent& surface, const std::filesystem::path& path,
+Result<FileRemarks> saveSurface(PluginHost& host, const SurfaceContent& surface, const Destination& to,
                                 const ParameterValues& values, const Progress& progress)
 {
-    const auto writer = chooseWriter(host, WrittenContent::Surface, path, values);
+    const auto writer = chooseWriter(host, WrittenContent::Surface, to.path, values);
     if (!writer)
         return writer.error();
     const bool normals = surface.hasNormals();
     for (const SurfacePart& part : surface.parts)
         if (const Status fits = checkPart(part, normals); !fits)
             return fits.error();
-    return saveWith(path, writingSurfaces, progress,
+    return saveWith(to, writingSurfaces, progress,
                     [&](OutputFile& file) { return writer->plugin->writeSurface(surface, file, values); });
 }
 
