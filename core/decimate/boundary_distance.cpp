@@ -8,46 +8,8 @@ namespace tetra {
 
 BoundaryDistance::BoundaryDistance(std::span<const Eigen::Vector3d> positions,
                                    std::span<const SurfaceTriangle> original)
-    : positions_(positions), original_(original.begin(), original.end()),
-      tree_(
-          original_.size(),
-          [this](std::uint32_t t) {
-              Eigen::AlignedBox3d box;
-              for (const std::uint32_t corner : original_[t])
-                  box.extend(positions_[corner]);
-              return box;
-          },
-          [this](std::uint32_t t, Eigen::Index axis) {
-              const auto& [a, b, c] = original_[t];
-              return positions_[a][axis] + positions_[b][axis] + positions_[c][axis];
-          })
+    : positions_(positions), original_(original.begin(), original.end()), surface_(positions_, original_)
 {
-}
-
-double BoundaryDistance::distanceTo(std::uint32_t triangle, const Eigen::Vector3d& place) const
-{
-    std::array<std::array<double, 3>, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Eigen::Vector3d from = positions_[original_[triangle][i]] - place;
-        corners[i] = {from.x(), from.y(), from.z()};
-    }
-    const auto weights = nearestWeights(corners);
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < 3; ++i)
-        to += weights[i] * Eigen::Vector3d(corners[i][0], corners[i][1], corners[i][2]);
-    return to.norm();
-}
-
-BoundaryDistance::Nearest BoundaryDistance::nearest(const Eigen::Vector3d& place, std::uint32_t hint) const
-{
-    Nearest best{hint, distanceTo(hint, place)};
-    tree_.visitNearer(
-        place, [&best] { return best.distance; },
-        [&](std::uint32_t triangle) {
-            if (const double distance = distanceTo(triangle, place); distance < best.distance)
-                best = {triangle, distance};
-        });
-    return best;
 }
 
 /// Distances change no faster than places; that to one triangle, which is convex, is largest at a corner.
@@ -55,12 +17,12 @@ BoundaryDistance::Piece BoundaryDistance::looked(const std::array<Eigen::Vector3
                                                  double& found) const
 {
     const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
-    const Nearest next = nearest(middle, hint);
+    const NearestTriangle::Found next = surface_.nearest(middle, hint);
     found = std::max(found, next.distance);
     double size = 0, atCorners = 0;
     for (const Eigen::Vector3d& corner : corners) {
         size = std::max(size, (corner - middle).norm());
-        atCorners = std::max(atCorners, distanceTo(next.triangle, corner));
+        atCorners = std::max(atCorners, surface_.distanceTo(next.triangle, corner));
     }
     return {std::min(next.distance + size, atCorners), corners, next.triangle};
 }

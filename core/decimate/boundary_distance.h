@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/base/saved_state.h"
-#include "core/geometry/box_tree.h"
-#include "core/geometry/triangles.h"
+#include "core/geometry/nearest_triangle.h"
 
 #include <Eigen/Core>
 
@@ -22,6 +21,8 @@ class BoundaryDistance {
 public:
     /// `positions` outlive it; `original` is not empty.
     BoundaryDistance(std::span<const Eigen::Vector3d> positions, std::span<const SurfaceTriangle> original);
+    BoundaryDistance(BoundaryDistance&&) = default; // not copied: the tree looks at the triangles
+    BoundaryDistance& operator=(BoundaryDistance&&) = default;
 
     /// A bound that no place of the triangle exceeds, `known` at most, which is one. The triangle is cut up only until
     /// the bound is `enough`, or a place is farther than `tooMuch`, or a twentieth more than what was found, or there
@@ -31,10 +32,6 @@ public:
     void archive(StateArchive& archive) { archive(known_); }
 
 private:
-    struct Nearest {
-        std::uint32_t triangle = 0;
-        double distance = 0;
-    };
     /// A piece of a triangle, no place of which is farther than `bound`.
     struct Piece {
         double bound = 0;
@@ -51,13 +48,11 @@ private:
         }
     };
 
-    double distanceTo(std::uint32_t triangle, const Eigen::Vector3d& place) const;
-    Nearest nearest(const Eigen::Vector3d& place, std::uint32_t hint) const;
     Piece looked(const std::array<Eigen::Vector3d, 3>& corners, std::uint32_t hint, double& found) const;
 
     std::span<const Eigen::Vector3d> positions_;
     std::vector<SurfaceTriangle> original_;
-    BoxTree tree_;
+    NearestTriangle surface_;                                    ///< of `original_`
     std::unordered_map<SurfaceTriangle, double, KeyHash> known_; ///< by corners in increasing order
     std::vector<Piece> pieces_;
 };
