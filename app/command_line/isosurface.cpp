@@ -12,17 +12,21 @@
 #include "core/base/text.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
+#include "ui/workbench/surface_making.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
 
 #include <QFile>
+#include <QJsonArray>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 
 namespace tetra {
 namespace {
@@ -70,39 +74,74 @@ Status checkMemoryForSurfaces(const TetrahedralMesh& mesh, const std::vector<dou
                      " of memory, more than half of what there is. Ask for fewer values, or a larger error."};
 }
 
-/// The surface where the field has one value.
-struct ValuedSurface {
-    double value = 0;
-    TriangleMesh mesh;
+/// How the surfaces are made of a mesh, and what is asked about them.
+struct SurfaceWishes {
+    SurfaceMaking making;
+    bool deviation = false;
 };
+
+/// Options that make a surface one for a printer, and tell how far it is from what the model has.
+std::vector<Option> printingOptions()
+{
+    return {{.name = "close",
+             .placeholder = "above|below",
+             .explanation = "Close the surfaces where they meet the boundary of the mesh, with the part of it that has "
+                            "values above or below the isovalue: each is the surface of a solid then, watertight and "
+                            "without normals."},
+            {.name = "largest-part",
+             .placeholder = "",
+             .explanation = "Of each surface only the part with the largest area."},
+            {.name = "deviation",
+             .placeholder = "",
+             .explanation = "Also measure how far the surfaces are from those of the finest mesh of the model, made in "
+                            "the same way: the largest and the mean distance, both ways, in the unit of length of the "
+                            "data. Takes as long as '--error 0'."}};
+}
+
+Result<SurfaceWishes> wishesOf(const Arguments& arguments, const MeshQuery& query)
+{
+    const auto wrong = [](std::string text) { return Error{ErrorKind::WrongUsage, std::move(text)}; };
+    for (const char* option : {"close", "largest-part", "deviation"})
+        if (arguments.has(option) && query.range)
+            return wrong("'--range' gives many surfaces that lie over each other, so '--" + std::string(option) +
+                         "' does not go with it.");
+    SurfaceWishes wishes{{.largestPart = arguments.has("largest-part")}, arguments.has("deviation")};
+    if (const auto side = arguments.value("close")) {
+        if (*side != "above" && *side != "below")
+            return wrong("'--close " + *side + "': the solid is 'above' or 'below' the isovalue.");
+        wishes.making.solid = *side == "above" ? SolidSide::Above : SolidSide::Below;
+    }
+    if (!wishes.deviation)
+        return wishes;
+    if (arguments.has("at-server"))
+        return wrong("'--deviation' needs the model at hand, so '--at-server' does not go with it.");
+    if (!query.values.empty())
+        return wrong("'--deviation' measures whole surfaces, so '--values' does not go with it.");
+    if (query.window && query.window->border != WindowBorder::Clipped)
+        return wrong("'--deviation' needs surfaces that end at the same place: with '--window', give '--border "
+                     "clipped'.");
+    return wishes;
+}
 
 /// Isosurfaces, and of a range of accuracies the lives of the tetrahedra that their triangles lie in.
 struct ValuedSurfaces {
-    std::vector<ValuedSurface> all;
+    std::vector<MadeSurface> all;
     std::vector<float> births;
     std::vector<float> deaths;
 };
 
 Result<ValuedSurfaces> extractAll(const ExtractedMesh& extracted, const std::vector<double>& isovalues,
-                                  const Progress& progress)
+                                  const SurfaceMaking& making, const Progress& progress)
 {
-    const TetrahedralMesh& mesh = extracted.mesh;
     const bool haveLives = !extracted.birthErrors.empty();
-    const auto gradients = vertexGradients(mesh);
-    ValuedSurfaces surfaces;
-    for (std::size_t index = 0; index < isovalues.size(); ++index) {
-        const double share = 1.0 / static_cast<double>(isovalues.size());
-        const double begin = share * static_cast<double>(index);
-        Buffer<std::uint32_t> cells;
-        auto surface = extractIsosurface(mesh, gradients, isovalues[index], progress.part(begin, begin + share),
-                                         haveLives ? &cells : nullptr);
-        if (!surface)
-            return surface.error();
-        surfaces.all.push_back({isovalues[index], *std::move(surface)});
-        for (const std::uint32_t cell : cells) {
-            surfaces.births.push_back(extracted.birthErrors[cell]);
-            surfaces.deaths.push_back(extracted.deathErrors[cell]);
-        }
+    Buffer<std::uint32_t> cells;
+    auto made = makeSurfaces(extracted.mesh, isovalues, making, progress, haveLives ? &cells : nullptr);
+    if (!made)
+        return made.error();
+    ValuedSurfaces surfaces{*std::move(made), {}, {}};
+    for (const std::uint32_t cell : cells) {
+        surfaces.births.push_back(extracted.birthErrors[cell]);
+        surfaces.deaths.push_back(extracted.deathErrors[cell]);
     }
     return surfaces;
 }
@@ -112,7 +151,7 @@ SurfaceContent contentOf(const Model& model, const MeshQuery& query, const Extra
                          const ValuedSurfaces& surfaces)
 {
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
-    for (const ValuedSurface& surface : surfaces.all) {
+    for (const MadeSurface& surface : surfaces.all) {
         const Colour colour = distinctColour(content.parts.size());
         content.parts.push_back({.name = "isovalue " + formatNumber(surface.value),
                                  .positions = surface.mesh.positions,
@@ -122,10 +161,35 @@ SurfaceContent contentOf(const Model& model, const MeshQuery& query, const Extra
                                  .colour = {colour.red, colour.green, colour.blue, 1}});
     }
     content.facts = meshFacts(model, query, mesh);
+    addDeviation(surfaces.all, content.facts);
     if (query.range)
         content.cellArrays = {{"birth_error", std::span<const float>(surfaces.births)},
                               {"death_error", std::span<const float>(surfaces.deaths)}};
     return content;
+}
+
+QJsonObject figuresOf(const SurfaceDistance& distance)
+{
+    return {{"largest", distance.largest}, {"mean", distance.mean}};
+}
+
+QJsonObject figuresOf(const MadeSurface& surface)
+{
+    const SurfaceShape& shape = surface.shape;
+    QJsonObject figures{{"value", surface.value},
+                        {"vertices", static_cast<qint64>(surface.mesh.positions.size())},
+                        {"triangles", static_cast<qint64>(surface.mesh.triangles.size())},
+                        {"parts", static_cast<qint64>(shape.parts)},
+                        {"openings", static_cast<qint64>(shape.openings)},
+                        {"open_edges", static_cast<qint64>(shape.openEdges)},
+                        {"crowded_edges", static_cast<qint64>(shape.crowdedEdges)},
+                        {"area", shape.area}};
+    if (shape.isClosed())
+        figures["volume"] = shape.volume;
+    if (surface.deviation)
+        figures["deviation"] = QJsonObject{{"to_finest", figuresOf(surface.deviation->toFinest)},
+                                           {"from_finest", figuresOf(surface.deviation->fromFinest)}};
+    return figures;
 }
 
 } // namespace
@@ -148,10 +212,12 @@ Syntax isosurfaceSyntax(PluginHost& host)
                                .required = true}},
                   .examples = {{"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply",
                                 "Two surfaces in one file."},
-                               {"tan isosurface engine.tan --value 100 -o engine.stl", "A surface for a 3D printer."},
+                               {"tan isosurface engine.tan --value 100 --close above --largest-part --deviation -o "
+                                "engine.stl",
+                                "A solid for a 3D printer, and how true it is."},
                                {"tan isosurface engine.tan --value 100 --field 'isovalues(;0.2,4,30)' -o sharp.vtp",
                                 "From a mesh that is fine near the surface."}}};
-    for (auto options : {queryOptions(), serverOptions()})
+    for (auto options : {printingOptions(), queryOptions(), serverOptions()})
         std::ranges::move(options, std::back_inserter(syntax.options));
     std::ranges::move(resultOptions(host, WrittenContent::Surface), std::back_inserter(syntax.options));
     syntax.resultMayBeOutput = true;
@@ -172,6 +238,9 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto query = queryOf(arguments, {.isovalues = *isovalues});
     if (!query)
         return query.error();
+    const auto wishes = wishesOf(arguments, *query);
+    if (!wishes)
+        return wishes.error();
     const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Surface));
     if (!values)
         return values.error();
@@ -192,41 +261,57 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     if (const Status safe = checkMeshOutput(output->path, *model); output->stream < 0 && !safe)
         return safe.error();
     MeshExtractor extractor(model);
-    const auto extracted =
+    const auto asked =
         confirmed(*model, extractor.extract(*query, invocation.progress.part(opened, 0.3)), invocation.progress);
-    if (!extracted)
-        return extracted.error();
-    const ExtractedMesh& mesh = **extracted;
+    if (!asked)
+        return asked.error();
+    const ExtractedMesh& mesh = **asked;
     if (const Status some = checkNotEmpty(*query, *model, mesh.mesh); !some)
         return some.error();
     if (const Status fits = checkMemoryForSurfaces(mesh.mesh, *isovalues); !fits)
         return fits.error();
-    const auto surfaces = extractAll(mesh, *isovalues, invocation.progress.part(0.3, 0.8));
+    const double extracted = wishes->deviation ? 0.5 : 0.8, measured = 0.9;
+    auto surfaces = extractAll(mesh, *isovalues, wishes->making, invocation.progress.part(0.3, extracted));
     if (!surfaces)
         return surfaces.error();
+    if (wishes->deviation)
+        if (const Status held = measureDeviations(extractor, *query, wishes->making, surfaces->all,
+                                                  invocation.progress.part(extracted, measured));
+            !held)
+            return held.error();
     const auto written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces), *output, *values,
-                                     invocation.progress.part(0.8, 1));
+                                     invocation.progress.part(wishes->deviation ? measured : extracted, 1));
     if (!written)
         return written.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
     std::size_t vertices = 0;
     std::size_t triangles = 0;
-    for (const ValuedSurface& surface : surfaces->all) {
+    std::vector<double> empty;
+    QJsonArray each;
+    std::string shapes;
+    for (const MadeSurface& surface : surfaces->all) {
         vertices += surface.mesh.positions.size();
         triangles += surface.mesh.triangles.size();
+        if (surface.mesh.triangles.empty())
+            empty.push_back(surface.value);
+        else
+            shapes += shapeText(surface).text() + "\n";
+        each.append(figuresOf(surface));
     }
     QJsonObject figures = figuresOf(*model, *query, mesh);
     figures["file"] = QFile::decodeName(nameInFigures(*output).c_str());
     figures["vertices"] = static_cast<qint64>(vertices);
     figures["triangles"] = static_cast<qint64>(triangles);
     figures["seconds"] = elapsed.count();
+    if (!query->range)
+        figures["surfaces"] = each;
     Outcome outcome{.figures = figures,
                     .text = shownName(*output) + ": " + std::to_string(vertices) + " vertices, " +
                             std::to_string(triangles) + " triangles from " +
                             std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra" + reachedText(figures) +
-                            ", in " + rounded(elapsed.count(), 3) + " s\n"};
-    tellEmptySurfaces(*isovalues, model->description().range, outcome);
+                            ", in " + rounded(elapsed.count(), 3) + " s\n" + (query->range ? "" : shapes)};
+    tellEmptySurfaces(empty, model->description().range, outcome);
     addRemarks(*written, outcome);
     tellPart(*found, outcome);
     return outcome;

@@ -27,8 +27,8 @@ std::optional<Accuracy> finestAsked(const MeshQuery& query, const Arguments& arg
     if (query.range)
         return Accuracy{std::min(query.range->one.error, query.range->other.error),
                         std::min(query.range->one.warping, query.range->other.warping)};
-    // A mesh that points are inserted into needs all samples.
-    if (query.method == VariableMethod::Insertion)
+    // A mesh that points are inserted into needs all samples, and one is held against the finest.
+    if (query.method == VariableMethod::Insertion || arguments.has("deviation"))
         return std::nullopt;
     if (query.budget && !arguments.has("error"))
         return std::nullopt;
@@ -119,9 +119,10 @@ Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem
         return withToken.error();
     OpenOptions options = *withToken;
     options.accuracy = finestAsked(query, invocation.arguments);
-    if (isAddress(place.string()) && !saysHowAccurate(invocation.arguments))
+    const bool needsAll = invocation.arguments.has("deviation");
+    if (isAddress(place.string()) && !saysHowAccurate(invocation.arguments) && !needsAll)
         options.mostBytes = aMoment;
-    if (isBudgetAlone(query, invocation.arguments) && !isAtServer && !isAtHand(place))
+    if (isBudgetAlone(query, invocation.arguments) && !needsAll && !isAtServer && !isAtHand(place))
         return openForBudget(place.string(), *query.budget, std::move(options), progress);
     return openModel(isAtServer ? placeOf(place.string(), true) : place.string(), options, progress);
 }

@@ -3,12 +3,14 @@
 #include "tests/waiting.h"
 #include "ui/session/accuracy_scale.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
@@ -42,6 +44,7 @@ private slots:
     void theMeshIsSaved();
     void theSurfacesAreSaved();
     void whatAFileSaysOtherwiseIsTold();
+    void theSolidsAreSaved();
     void theStatisticsAreSaved();
     void noMeshOfAnotherPictureIsSaved();
     void aMeshThatCannotBeSavedIsTold();
@@ -351,6 +354,42 @@ void QueryPanelsTest::whatAFileSaysOtherwiseIsTold()
     const QString text = "In '%1' x, y and z are less than in the data by 339385, 4264212 and 1680, as";
     QVERIFY2(told[0].startsWith(text.arg(folder.filePath("far.glb"))), qPrintable(told[0]));
     QVERIFY2(told[1].startsWith(text.arg(folder.filePath("far.stl"))), qPrintable(told[1]));
+}
+
+/// By the dialog: closed, and what they are is told, with the deviation if that was asked for.
+void QueryPanelsTest::theSolidsAreSaved()
+{
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::solidsSaved);
+    const auto report = [&](int side, const QString& name) {
+        window_->find<QAction>("action.saveSolids").trigger();
+        auto& options = window_->find<QDialog>("solidOptions");
+        window_->find<QComboBox>("solid.side").setCurrentIndex(side);
+        window_->find<QCheckBox>("solid.largestPart").setChecked(true);
+        window_->find<QCheckBox>("solid.deviation").setChecked(side == 0);
+        options.accept();
+        auto& dialog = window_->find<QFileDialog>("solidDialog");
+        dialog.selectFile(window_->folder.filePath(name));
+        QMetaObject::invokeMethod(&dialog, "accept");
+        return waitFor([&] { return saved.count() == 1; }) ? saved.takeFirst()[1].toString()
+                                                           : window_->messages().join(", ");
+    };
+    const QString above = report(0, "above.stl"), below = report(1, "below.stl"), open = report(2, "open.stl");
+    QVERIFY2(above.contains(": closed; parts: 1, ") && above.contains("Deviation from the finest mesh: at most "),
+             qPrintable(above));
+    QVERIFY2(below.contains(": closed; parts: 1, ") && !below.contains("Deviation"), qPrintable(below));
+    QVERIFY2(open.contains("parts: 1, "), qPrintable(open));
+    QVERIFY(above != below);
+    QFile file(window_->folder.filePath("above.stl"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(80).startsWith("binary STL, deviation "));
+    QCOMPARE(window_->messages().size(), 3);
+    Isovalue hidden = session().view().isovalues.front();
+    hidden.visible = false;
+    for (std::size_t i = 0; i < session().view().isovalues.size(); ++i)
+        session().setIsovalue(i, hidden);
+    window_->workbench.exporting().saveSolids(window_->folder.filePath("none.stl").toStdString(), {}, false);
+    QTRY_COMPARE(window_->messages().size(), 4);
+    QVERIFY(!QFile::exists(window_->folder.filePath("none.stl")));
 }
 
 void QueryPanelsTest::theStatisticsAreSaved()

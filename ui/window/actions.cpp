@@ -78,6 +78,9 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.saveSurfaces =
         addAction(*menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
                   ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
+    actions.saveSolids =
+        addAction(*menu, "saveSolids", ActionTexts::tr("Save S&olids…"), {},
+                  ActionTexts::tr("Save the isosurfaces shown as closed surfaces of solids, for 3D printers"));
     actions.saveStatistics = addAction(*menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
                                        ActionTexts::tr("Save the mesh size at each accuracy as a table"));
     actions.savePacked =
@@ -237,8 +240,8 @@ void addNeeds(const Actions& actions)
 {
     for (QAction* action :
          QList<QAction*>{actions.saveSession, actions.saveSessionAs, actions.applyLook, actions.savePicture,
-                         actions.saveMesh, actions.saveSurfaces, actions.saveStatistics, actions.addIsovalue,
-                         actions.fit, actions.fitWhole, actions.resetView} +
+                         actions.saveMesh, actions.saveSurfaces, actions.saveSolids, actions.saveStatistics,
+                         actions.addIsovalue, actions.fit, actions.fitWhole, actions.resetView} +
              actions.namedViews)
         setNeed(*action, ActionTexts::tr("Open a model first"));
     setNeed(*actions.savePacked, ActionTexts::tr("Open a whole model first"));

@@ -26,6 +26,7 @@ struct Actions {
     QAction* saveMesh = nullptr;
     QAction* savePacked = nullptr;
     QAction* saveSurfaces = nullptr;
+    QAction* saveSolids = nullptr;
     QAction* saveStatistics = nullptr;
     QAction* quit = nullptr;
     QAction* undo = nullptr;

@@ -6,6 +6,7 @@
 #include "ui/panels/build_panel.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
+#include "ui/panels/solid_dialog.h"
 #include "ui/panels/statistics_panel.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
@@ -302,6 +303,7 @@ void MainWindow::connectActions()
     connectPictures();
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
+    connect(actions_.saveSolids, &QAction::triggered, this, &MainWindow::saveSolids);
     connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
     connect(actions_.savePacked, &QAction::triggered, this, &MainWindow::savePacked);
     connect(docks_.statisticsPanel, &StatisticsPanel::saveWanted, actions_.saveStatistics, &QAction::trigger);
@@ -405,6 +407,9 @@ void MainWindow::connectWorkbench()
                 for (const QString& remark : remarks)
                     messages_->tell(remark, MessageSubject::Program);
             });
+    connect(&workbench_.exporting(), &Exporting::solidsSaved, this, [this](const QString& path, const QString& report) {
+        messages_->tell(tr("Saved %1. %2").arg(path, report), MessageSubject::Program);
+    });
     connect(&workbench_.exporting(), &Exporting::textSaved, this, tellSaved);
     connect(&workbench_.opening(), &Opening::sessionSaved, this, tellSaved);
     connect(&workbench_.exporting(), &Exporting::packedSaved, this,
@@ -549,6 +554,21 @@ void MainWindow::saveSurfaces()
                      [this](const QString& path) { workbench_.exporting().saveSurfaces(filePath(path)); });
 }
 
+void MainWindow::saveSolids()
+{
+    if (solids_ == nullptr) {
+        solids_ = new SolidDialog(this);
+        connect(solids_, &QDialog::accepted, this, [this] {
+            askForTargetFile(
+                this, "solidDialog", tr("Save Solids"), fileFilters(workbench_.host(), WrittenContent::Surface),
+                workbench_.opening().proposedPath(".stl"), [this](const QString& path) {
+                    workbench_.exporting().saveSolids(filePath(path), solids_->making(), solids_->measuresDeviation());
+                });
+        });
+    }
+    solids_->open();
+}
+
 void MainWindow::saveStatistics()
 {
     askForStatisticsFile(this, "statisticsDialog", workbench_.opening().proposedPath(".csv"),
@@ -657,11 +677,12 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action : QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.applyLook,
-                                           actions_.savePicture, actions_.copyPicture, actions_.saveFilm,
-                                           actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
-                                           actions_.addIsovalue, actions_.fit, actions_.fitWhole, actions_.resetView} +
-                               actions_.namedViews)
+    for (QAction* action :
+         QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.applyLook, actions_.savePicture,
+                         actions_.copyPicture, actions_.saveFilm, actions_.saveMesh, actions_.saveSurfaces,
+                         actions_.saveSolids, actions_.saveStatistics, actions_.addIsovalue, actions_.fit,
+                         actions_.fitWhole, actions_.resetView} +
+             actions_.namedViews)
         action->setEnabled(model != nullptr);
     showWhatCanBePacked();
     viewport_->setScene(nullptr);

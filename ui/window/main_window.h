@@ -16,6 +16,7 @@ namespace tetra {
 class EmptyPage;
 class KeepSession;
 class FilmDialog;
+class SolidDialog;
 class ImportDialog;
 class Leaving;
 class MessageBar;
@@ -68,6 +69,7 @@ private:
     void savePacked();
     void showBackend();
     void saveSurfaces();
+    void saveSolids();
     void saveStatistics();
     void fillRecent();
     void resetView();
@@ -102,6 +104,7 @@ private:
     ImportDialog* import_ = nullptr;   ///< once a file needed it
     PictureDialog* picture_ = nullptr; ///< once it was asked for
     FilmDialog* film_ = nullptr;       ///< likewise
+    SolidDialog* solids_ = nullptr;    ///< likewise
     StatusLine* status_;
     TaskLine* readingLine_ = nullptr;
     RegionActions* regions_;

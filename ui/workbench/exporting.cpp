@@ -99,6 +99,19 @@ void Exporting::saveSurfaces(const std::filesystem::path& target)
     saveMesh(target, [this, order](const Progress& progress) { return writeSurfaces(host_, order, progress); });
 }
 
+void Exporting::saveSolids(const std::filesystem::path& target, const SurfaceMaking& making, bool deviation)
+{
+    if (!tellModel())
+        return;
+    const SolidOrder order{meshOrder(target), session_.view().isovalues, making, deviation};
+    savingMesh_.enqueue([this, order](const Progress& progress) -> std::function<void()> {
+        return [this, target = order.mesh.target, report = writeSolids(host_, order, progress)] {
+            if (tellSave(report ? Status() : Status(report.error())))
+                emit solidsSaved(pathText(target), translatedMessage(*report));
+        };
+    });
+}
+
 void Exporting::saveMesh(const std::filesystem::path& target,
                          const std::function<Result<FileRemarks>(const Progress&)>& write)
 {

@@ -29,6 +29,8 @@ public:
     void saveMesh(const std::filesystem::path& target);
     /// Saves those surfaces of its scene that can be saved (Drawable::saved), likewise.
     void saveSurfaces(const std::filesystem::path& target);
+    /// Saves the isosurfaces that are visible, of the present query's mesh, made as they are not seen: as solids.
+    void saveSolids(const std::filesystem::path& target, const SurfaceMaking& making, bool deviation);
     /// Saves the sizes of the model's meshes at the usual accuracies, as .csv or .json.
     void saveStatistics(const std::filesystem::path& target);
     /// Packs the model, which must be a whole one; not into its own file.
@@ -53,6 +55,7 @@ signals:
     void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
     void filmSaved(const QString& path);
     void meshSaved(const QString& path, const QStringList& remarks); ///< on the file; translated
+    void solidsSaved(const QString& path, const QString& report); ///< what they are, in sentences
     void packedSaved(const QString& path, quint64 bytes, quint64 unpackedBytes);
     void textSaved(const QString& path);
 

@@ -5,6 +5,8 @@
 #include <tan/render.h>
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
 #include <span>
 #include <variant>
 
@@ -25,10 +27,10 @@ void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& fiel
 MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
 {
     MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
-    if (query.range) {
-        facts.emplace_back("smallest error in percent", std::min(query.range->one.error, query.range->other.error));
     if (!model.description().valueName.empty())
         facts.emplace_back("array", model.description().valueName);
+    if (query.range) {
+        facts.emplace_back("smallest error in percent", std::min(query.range->one.error, query.range->other.error));
         facts.emplace_back("largest error in percent", std::max(query.range->one.error, query.range->other.error));
         return facts;
     }
@@ -77,6 +79,11 @@ SurfaceContent contentOf(const Scene& scene, const ModelDescription& of)
     return content;
 }
 
+Error noSurface()
+{
+    return {ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
+}
+
 } // namespace
 
 bool hasSurfaceToSave(const Scene& scene)
@@ -123,12 +130,90 @@ Result<FileRemarks> writeSurfaces(PluginHost& host, const SurfaceOrder& order, c
     }
     SurfaceContent content = contentOf(*order.built->scene, order.scene.model->description());
     if (content.parts.empty())
-        return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
+        return noSurface();
     const Model& model = *order.scene.model;
     content.facts = factsOf(model, order.scene.query, order.built->mesh.scale);
     if (const Status right = model.confirm(progress.withCallback({})); !right)
         return right.error();
     return saveSurface(host, content, order.target, {}, progress);
+}
+
+namespace {
+
+/// What the deviation cannot be measured of.
+Status checkMeasurable(const SolidOrder& order)
+{
+    const MeshQuery& query = order.mesh.query;
+    if (!order.deviation)
+        return {};
+    if (order.mesh.model->elsewhere() != nullptr)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The deviation is measured from the finest mesh, which stays at the server. Save "
+                                  "without it, or fetch the model.")};
+    if (!query.values.empty() || (query.window && query.window->border != WindowBorder::Clipped))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The deviation is that of whole surfaces. Show all values, and cut off what lies "
+                                  "outside of the crop box, or save without it.")};
+    return {};
+}
+
+} // namespace
+
+Result<Message> writeSolids(PluginHost& host, const SolidOrder& order, const Progress& progress)
+{
+    constexpr double extracted = 0.3, made = 0.5, measured = 0.9;
+    const Model& model = *order.mesh.model;
+    std::vector<Isovalue> shown;
+    std::ranges::copy_if(order.isovalues, std::back_inserter(shown), &Isovalue::visible);
+    if (shown.empty())
+        return noSurface();
+    if (const Status writable = checkWritable(host, WrittenContent::Surface, order.mesh.target); !writable)
+        return writable.error();
+    if (order.mesh.query.range)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("What lives in a range of errors lies over each other, so it makes no solid. Show "
+                                  "the mesh of one error.")};
+    if (const Status measurable = checkMeasurable(order); !measurable)
+        return measurable.error();
+    MeshExtractor extractor(order.mesh.model);
+    std::shared_ptr<const ExtractedMesh> mesh = order.mesh.mesh;
+    if (!mesh) {
+        auto found = extractor.extract(order.mesh.query, progress.part(0, extracted));
+        if (!found)
+            return found.error();
+        mesh = *std::move(found);
+    }
+    std::vector<double> values;
+    std::ranges::transform(shown, std::back_inserter(values), &Isovalue::value);
+    auto surfaces = makeSurfaces(mesh->mesh, values, order.making, progress.part(extracted, made));
+    if (!surfaces)
+        return surfaces.error();
+    if (order.deviation)
+        if (const Status held =
+                measureDeviations(extractor, order.mesh.query, order.making, *surfaces, progress.part(made, measured));
+            !held)
+            return held.error();
+    SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
+    Message report;
+    for (std::size_t i = 0; i < surfaces->size(); ++i) {
+        const MadeSurface& surface = (*surfaces)[i];
+        content.parts.push_back({.name = "isovalue " + formatNumber(surface.value),
+                                 .positions = surface.mesh.positions,
+                                 .normals = surface.mesh.normals,
+                                 .triangles = surface.mesh.triangles,
+                                 .values = static_cast<float>(surface.value),
+                                 .colour = {shown[i].red, shown[i].green, shown[i].blue, shown[i].opacity}});
+        report = report.empty() ? shapeText(surface) : Message::say("%1 %2", report, shapeText(surface));
+    }
+    content.facts = factsOf(model, order.mesh.query, mesh->scale);
+    addDeviation(*surfaces, content.facts);
+    if (const Status right = model.confirm(progress.withCallback({})); !right)
+        return right.error();
+    if (const Status saved =
+            saveSurface(host, content, order.mesh.target, {}, progress.part(order.deviation ? measured : made, 1));
+        !saved)
+        return saved.error();
+    return report;
 }
 
 } // namespace tetra

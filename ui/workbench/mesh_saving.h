@@ -4,6 +4,7 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/workbench/scene_pipeline.h"
+#include "ui/workbench/surface_making.h"
 
 #include <tan/base.h>
 #include <tan/model.h>
@@ -13,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace tetra {
 
@@ -34,6 +36,19 @@ struct SurfaceOrder {
     std::optional<BuiltScene> built; ///< of the request, if that is there already; else it is made
     std::filesystem::path target;
 };
+
+/// Isosurfaces of a mesh to save, made for more than to be seen.
+struct SolidOrder {
+    MeshOrder mesh; ///< of what mesh, and where to
+    std::vector<Isovalue> isovalues;
+    SurfaceMaking making;
+    bool deviation = false; ///< is measured, too
+};
+
+/// Writes them with their values and colours, in the format of the file's ending, and says what they are: closed or
+/// not, how large, how true. Errors as of saveSurface() and of measureDeviations(), and WrongUsage if no isovalue is
+/// visible.
+Result<Message> writeSolids(PluginHost& host, const SolidOrder& order, const Progress& progress);
 
 /// Whether a scene has a surface to save.
 bool hasSurfaceToSave(const Scene& scene);

@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -19,12 +20,16 @@ constexpr std::size_t headBytes = 80;
 constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
 /// Eighty bytes that must not begin with "solid": that is how text files begin. If coordinates are less than the data's
-/// by a shift, that comes first: there is room for three numbers, whatever they are, but perhaps not for the rest.
+/// by a shift, that comes first: there is room for three numbers, whatever they are, but perhaps not for the rest. Then how far the
+/// surface is from that of the data.
 std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
 {
     std::string head = shift.isZero(0) ? std::string("binary STL, ")
                                        : "add " + formatNumber(shift[0]) + " " + formatNumber(shift[1]) + " " +
                                              formatNumber(shift[2]) + ", "; // at most 78 bytes
+    const auto deviation = std::ranges::find(content.facts, "deviation", &MeshFacts::value_type::first);
+    if (deviation != content.facts.end())
+        head += "deviation " + factText(deviation->second) + ", ";
     head += content.title + " by TAn";
     head.resize(headBytes, ' ');
     return head;

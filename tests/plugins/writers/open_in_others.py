@@ -17,6 +17,8 @@ try:
     import meshio
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties, vtkPolyDataConnectivityFilter
+    from vtkmodules.vtkFiltersModeling import vtkHausdorffDistancePointSetFilter
     from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 except ImportError as missing:
@@ -37,12 +39,31 @@ def run(*words, folder=None):
     return done.stdout
 
 
-def write_ball(path):
-    """How far inside of a ball a point of a lattice lies."""
-    axis = numpy.arange(21) - 10.0
-    depth = RADIUS - numpy.sqrt(axis[:, None, None] ** 2 + axis[None, :, None] ** 2 + axis[None, None, :] ** 2).astype("<f4")
-    head = "NRRD0004\ntype: float\ndimension: 3\nsizes: 21 21 21\nencoding: raw\nendian: little\nspacings: 1 1 1\n\n"
-    path.write_bytes(head.encode() + depth.tobytes())
+def write_lattice(path, values):
+    """A cube of samples a unit apart."""
+    sizes = " ".join(str(size) for size in reversed(values.shape))
+    head = f"NRRD0004\ntype: float\ndimension: 3\nsizes: {sizes}\nencoding: raw\nendian: little\nspacings: 1 1 1\n\n"
+    path.write_bytes(head.encode() + values.astype("<f4").tobytes())
+
+
+def distance_from(x, y, z):
+    """Of the points of a lattice with 21 points along each axis."""
+    axis = numpy.arange(21.0)
+    return numpy.sqrt((axis[:, None, None] - z) ** 2 + (axis[None, :, None] - y) ** 2 + (axis[None, None, :] - x) ** 2)
+
+
+def areas_around(points, triangles):
+    """A third of the area of the triangles around each vertex."""
+    a, b, c = (points[triangles[:, corner]] for corner in range(3))
+    third = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1) / 6
+    return numpy.bincount(triangles.ravel(), numpy.repeat(third, 3), len(points))
+
+
+def run_filter(made, **settings):
+    for name, setting in settings.items():
+        getattr(made, "Set" + name)(setting)
+    made.Update()
+    return made.GetOutput()
 
 
 def volumes(points, tetrahedra):
@@ -65,11 +86,13 @@ class Others(unittest.TestCase):
         place = tempfile.TemporaryDirectory()
         cls.addClassCleanup(place.cleanup)
         cls.folder = pathlib.Path(place.name)
-        write_ball(cls.folder / "ball.nrrd")
+        write_lattice(cls.folder / "ball.nrrd", RADIUS - distance_from(10, 10, 10))
+        # A ball that the sides cut, and a small one that a corner cuts.
+        write_lattice(cls.folder / "cut.nrrd", numpy.maximum(12 - distance_from(8, 10, 10), 4 - distance_from(20, 20, 20)))
         for name, words in (("c60.nrrd", ("c60", "--size", 15)), ("part.vtu", ("part", "--size", 10)), ("duct.xyz", ("bent-duct", "--size", 9)),
                             ("points.csv", ("scattered", "--size", 8))):
             run(TAN, "sample", *words, "-o", name, folder=cls.folder)
-        for name in ("ball.nrrd", "c60.nrrd", "part.vtu", "duct.xyz", "points.csv"):
+        for name in ("ball.nrrd", "cut.nrrd", "c60.nrrd", "part.vtu", "duct.xyz", "points.csv"):
             run(TAN, "build", name, "-o", pathlib.Path(name).stem + ".tan", folder=cls.folder)
 
     def made(self, command, model, name, *words):
@@ -109,7 +132,7 @@ class Others(unittest.TestCase):
                             self.assertAlmostEqual(each.sum() / volume, 1, delta=1e-5)
                         found.add(round(each.sum(), 3))
                 self.assertEqual((vtk.GetNumberOfPoints(), vtk.GetNumberOfCells()), (told["sites"], told["tetrahedra"]))
-                values = mine.point_data["value"].ravel()
+                values = mine.point_data["density" if model == "duct" else "value"].ravel()
                 self.assertTrue((values == vtk_to_numpy(vtk.GetPointData().GetScalars())).all())
                 if model == "ball":
                     self.assertLess(abs(values - RADIUS + numpy.linalg.norm(mine.points - 10, axis=1)).max(), 1e-5)
@@ -170,6 +193,96 @@ class Others(unittest.TestCase):
         for ending in ("vtu", "vtk", "vtp", "ply", "stl", "obj", "glb"):
             path, told = self.made("isosurface", "ball", f"sphere.{ending}", "--error", 0, "--value", 0)
             self.judge_surface(path, told, len(mesh.points), area, volume)
+
+    def test_arrays_keep_their_names(self):
+        """Whoever writes what TAn reads, the array has its own name in what TAn writes, as far as the format bears it."""
+        whole = meshio.read(self.folder / "part.vtu")
+        pressure = whole.points[:, 0].astype("<f8")
+        meshio.write(self.folder / "pressure.vtu", meshio.Mesh(whole.points, [("tetra", cells(whole, "tetra"))],
+                                                               {"other": numpy.zeros(len(pressure)), "p (N/m^2)": pressure}))
+        table = numpy.random.default_rng(7).random((60, 4))
+        numpy.savetxt(self.folder / "table.csv", table, delimiter=",", header="x,y,z,T", comments="")
+        for source, words, name in (("pressure.vtu", ["--array", "p (N/m^2)"], "p (N/m^2)"), ("table.csv", [], "T"), ("duct.xyz", [], "density"),
+                                    ("c60.nrrd", [], "")):
+            model = "named-" + source.split(".")[0]
+            run(TAN, "build", source, *words, "-o", model + ".tan", folder=self.folder)
+            self.assertEqual(json.loads(run(TAN, "info", model + ".tan", "--json", folder=self.folder)).get("array", ""), name)
+            array = name or "value"
+            for ending in ("vtu", "vtk"):
+                path, _ = self.made("extract", model, f"{model}.{ending}", "--error", 0)
+                self.assertEqual(self.by_vtk(path).GetPointData().GetScalars().GetName(), array)
+                self.assertEqual(list(meshio.read(path).point_data), [array.replace(" ", "%20") if ending == "vtk" else array])
+            path, _ = self.made("extract", model, f"{model}.ply", "--error", 0)
+            self.assertIn(array.replace(" ", "_"), meshio.read(path).point_data)
+            path, _ = self.made("extract", model, f"{model}.vtp", "--error", 0)
+            self.assertEqual(self.by_vtk(path).GetPointData().GetScalars().GetName(), array)
+
+    def shape_by_vtk(self, surface):
+        """Open edges, their loops, edges of more than two triangles, and parts."""
+        edges = dict(InputData=surface, FeatureEdges=False, ManifoldEdges=False)
+        rims = run_filter(vtkFeatureEdges(), **edges, BoundaryEdges=True, NonManifoldEdges=False)
+        crowded = run_filter(vtkFeatureEdges(), **edges, BoundaryEdges=False, NonManifoldEdges=True)
+
+        def regions(of):
+            made = vtkPolyDataConnectivityFilter()
+            made.SetExtractionModeToAllRegions()
+            run_filter(made, InputData=of)
+            return made.GetNumberOfExtractedRegions() if of.GetNumberOfCells() > 0 else 0
+        return rims.GetNumberOfCells(), regions(rims), crowded.GetNumberOfCells(), regions(surface)
+
+    def test_solids(self):
+        """What is told of openings, parts, area and volume is what VTK finds; closed solids are watertight for ADMesh."""
+        volumes = {}
+        for words in ([], ["--close", "above"], ["--close", "below"], ["--largest-part"], ["--close", "above", "--largest-part"]):
+            path, told = self.made("isosurface", "cut", "solid.vtp", "--error", 1, "--value", 0, *words)
+            surface = self.by_vtk(path)
+            one, = told["surfaces"]
+            with self.subTest(words=words):
+                self.assertEqual((one["open_edges"], one["openings"], one["crowded_edges"], one["parts"]), self.shape_by_vtk(surface))
+                self.assertEqual(one["parts"], 1 if "--largest-part" in words or "below" in words else 2)
+                mass = vtkMassProperties()
+                mass.SetInputData(surface)
+                self.assertAlmostEqual(one["area"] / mass.GetSurfaceArea(), 1, delta=1e-5)
+                if "--close" not in words:
+                    self.assertGreater(one["openings"], 0)
+                    self.assertNotIn("volume", one)
+                    continue
+                self.assertEqual(one["openings"], 0)
+                self.assertAlmostEqual(one["volume"] / mass.GetVolume(), 1, delta=1e-3)
+                volumes[" ".join(words)] = one["volume"]
+                stl, again = self.made("isosurface", "cut", "solid.stl", "--error", 1, "--value", 0, *words)
+                self.assertEqual(again["surfaces"][0]["volume"], one["volume"])
+                said = run("admesh", stl)
+                for what in ("Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed", "Facets added", "Facets reversed",
+                             "Backwards edges", "Normals fixed"):
+                    self.assertRegex(said, rf"{what}\s+:\s+0\b", words)
+                self.assertRegex(said, rf"Number of parts\s+:\s+{one['parts']}\b")
+                self.assertAlmostEqual(float(re.search(r"Volume\s+:\s+(\S+)", said)[1]) / one["volume"], 1, delta=1e-4)
+                for ending in ("vtu", "vtk", "ply", "obj", "glb"):
+                    path, told = self.made("isosurface", "cut", f"solid.{ending}", "--error", 1, "--value", 0, *words)
+                    self.judge_surface(path, told, one["vertices"], one["area"], one["volume"])
+        self.assertAlmostEqual((volumes["--close above"] + volumes["--close below"]) / 8000, 1, delta=1e-6)
+
+    def test_deviation(self):
+        """The stated distances from the surface of the finest mesh are those that VTK finds, both ways."""
+        for words in ([], ["--close", "above", "--largest-part"]):
+            path, told = self.made("isosurface", "cut", "coarse.vtp", "--error", 4, "--value", 0, "--deviation", *words)
+            finest, _ = self.made("isosurface", "cut", "finest.vtp", "--error", 0, "--value", 0, *words)
+            self.assertIn(b'Name="deviation"', path.read_bytes()[:4000])
+            mine, theirs = self.by_vtk(path), self.by_vtk(finest)
+            judge = vtkHausdorffDistancePointSetFilter()
+            judge.SetInputData(0, mine)
+            judge.SetInputData(1, theirs)
+            judge.SetTargetDistanceMethodToPointToCell()
+            judge.Update()
+            for number, (surface, key) in enumerate(((mine, "to_finest"), (theirs, "from_finest"))):
+                found = told["surfaces"][0]["deviation"][key]
+                distances = vtk_to_numpy(judge.GetOutput(number).GetPointData().GetArray("Distance"))
+                points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+                areas = areas_around(points, vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+                self.assertGreater(found["largest"], 0.01)
+                self.assertAlmostEqual(found["largest"], judge.GetRelativeDistance()[number], delta=1e-5)
+                self.assertAlmostEqual(found["mean"], (areas * distances).sum() / areas.sum(), delta=1e-5)
 
 
 unittest.main()

@@ -371,6 +371,16 @@ private slots:
         QCOMPARE(valueArrayName("site"), std::string("value_site"));
     }
 
+    void stlTellsTheDeviation()
+    {
+        const RandomSurface one(5, 2, 1);
+        SurfaceContent content = contentOf(one.part("a"), one.part("b"));
+        content.facts.emplace_back("deviation", 0.0625);
+        const QString path = folder_.filePath("deviation.stl");
+        QVERIFY(writeSurface(path.toStdString(), content));
+        QVERIFY(::contentOf(path).startsWith("binary STL, deviation 0.0625, isosurfaces by TAn "));
+    }
+
     void objNamesItsGroups()
     {
         const RandomSurface one(5, 2, 1), other(5, 2, 2);

@@ -84,9 +84,13 @@ Drivers savingCommands()
 {
     return {
         opening("action.saveSession", "sessionDialog"), // the first time
-        opening("action.saveSessionAs", "sessionDialog"), opening("action.savePicture", "pictureOptions"),
-        opening("action.saveFilm", "filmOptions"),        opening("action.saveMesh", "meshDialog"),
-        opening("action.saveSurfaces", "surfaceDialog"),  opening("action.saveStatistics", "statisticsDialog"),
+        opening("action.saveSessionAs", "sessionDialog"),
+        opening("action.savePicture", "pictureOptions"),
+        opening("action.saveFilm", "filmOptions"),
+        opening("action.saveMesh", "meshDialog"),
+        opening("action.saveSolids", "solidOptions"),
+        opening("action.saveSurfaces", "surfaceDialog"),
+        opening("action.saveStatistics", "statisticsDialog"),
         opening("action.savePacked", "packedDialog"),
     };
 }

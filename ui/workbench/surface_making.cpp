@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/surface_making.h"
+
+#include <tan/render.h>
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <utility>
+
+namespace tetra {
+namespace {
+
+Result<TriangleMesh> surfaceOf(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients, double isovalue,
+                               const SurfaceMaking& making, const Progress& progress, Buffer<std::uint32_t>* cells)
+{
+    auto surface = making.solid ? closedIsosurface(mesh, isovalue, *making.solid, progress)
+                                : extractIsosurface(mesh, gradients, isovalue, progress, cells);
+    if (surface && making.largestPart)
+        keepLargestPart(*surface);
+    return surface;
+}
+
+/// Part `index` of `count` equal ones.
+Progress share(const Progress& progress, std::size_t index, std::size_t count)
+{
+    const double each = 1.0 / static_cast<double>(count);
+    return progress.part(each * static_cast<double>(index), each * static_cast<double>(index + 1));
+}
+
+/// Closed surfaces have no normals.
+Buffer<Eigen::Vector3f> gradientsFor(const TetrahedralMesh& mesh, const SurfaceMaking& making)
+{
+    return making.solid ? Buffer<Eigen::Vector3f>() : vertexGradients(mesh);
+}
+
+/// The same query for the finest mesh there is.
+MeshQuery finestOf(MeshQuery query)
+{
+    query.error = 0.0;
+    query.warping = 0.0;
+    query.budget.reset();
+    query.method = VariableMethod::Automatic;
+    return query;
+}
+
+/// As many digits as tell something of a measured length.
+std::string shortNumber(double number)
+{
+    constexpr int digits = 4;
+    std::array<char, 32> text{}; // -1.235e-308 has 11 characters
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
+    return {text.data(), end};
+}
+
+} // namespace
+
+Result<std::vector<MadeSurface>> makeSurfaces(const TetrahedralMesh& mesh, std::span<const double> isovalues,
+                                              const SurfaceMaking& making, const Progress& progress,
+                                              Buffer<std::uint32_t>* cells)
+{
+    const auto gradients = gradientsFor(mesh, making);
+    std::vector<MadeSurface> surfaces;
+    for (std::size_t i = 0; i < isovalues.size(); ++i) {
+        Buffer<std::uint32_t> own;
+        auto surface = surfaceOf(mesh, gradients, isovalues[i], making, share(progress, i, isovalues.size()),
+                                 cells != nullptr ? &own : nullptr);
+        if (!surface)
+            return surface.error();
+        const SurfaceShape shape = shapeOf(*surface);
+        surfaces.push_back({isovalues[i], *std::move(surface), shape});
+        if (cells != nullptr)
+            cells->insert(cells->end(), own.begin(), own.end());
+    }
+    return surfaces;
+}
+
+Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const SurfaceMaking& making,
+                         std::span<MadeSurface> surfaces, const Progress& progress)
+{
+    constexpr double extracted = 0.4, made = 0.2, measuredOnce = 0.6;
+    const auto finest = extractor.extract(finestOf(query), progress.part(0, extracted));
+    if (!finest)
+        return finest.error();
+    const TetrahedralMesh& mesh = (*finest)->mesh;
+    const auto gradients = gradientsFor(mesh, making);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const Progress part = share(progress.part(extracted, 1), i, surfaces.size());
+        MadeSurface& surface = surfaces[i];
+        const auto reference = surfaceOf(mesh, gradients, surface.value, making, part.part(0, made), nullptr);
+        if (!reference)
+            return reference.error();
+        if (surface.mesh.triangles.empty() || reference->triangles.empty())
+            continue;
+        const auto to = surfaceDistance(*reference, surface.mesh, part.part(made, measuredOnce));
+        if (!to)
+            return to.error();
+        const auto from = surfaceDistance(surface.mesh, *reference, part.part(measuredOnce, 1));
+        if (!from)
+            return from.error();
+        surface.deviation = SurfaceDeviation{*to, *from};
+    }
+    return {};
+}
+
+void addDeviation(std::span<const MadeSurface> surfaces, MeshFacts& facts)
+{
+    double largest = -1, mean = 0;
+    for (const MadeSurface& surface : surfaces)
+        if (surface.deviation) {
+            largest = std::max(largest, surface.deviation->largest());
+            mean = std::max(mean, surface.deviation->mean());
+        }
+    if (largest < 0)
+        return;
+    facts.emplace_back("deviation", largest);
+    facts.emplace_back("mean_deviation", mean);
+}
+
+Message shapeText(const MadeSurface& surface)
+{
+    const SurfaceShape& shape = surface.shape;
+    const std::string value = formatNumber(surface.value), area = shortNumber(shape.area);
+    Message text = shape.isClosed() ? Message::say("Value %1: closed; parts: %2, area: %3, volume: %4.", value,
+                                                   shape.parts, area, shortNumber(shape.volume))
+                                    : Message::say("Value %1: open; openings: %2 (edges: %3), parts: %4, area: %5.",
+                                                   value, shape.openings, shape.openEdges, shape.parts, area);
+    if (shape.crowdedEdges > 0)
+        text = Message::say("%1 More than two triangles meet at some edges: %2.", text, shape.crowdedEdges);
+    if (const auto& deviation = surface.deviation)
+        text = Message::say("%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most "
+                            "%4 (mean %5).",
+                            text, shortNumber(deviation->toFinest.largest), shortNumber(deviation->toFinest.mean),
+                            shortNumber(deviation->fromFinest.largest), shortNumber(deviation->fromFinest.mean));
+    return text;
+}
+
+} // namespace tetra
