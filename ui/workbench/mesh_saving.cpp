@@ -209,10 +209,12 @@ Result<Message> writeSolids(PluginHost& host, const SolidOrder& order, const Pro
     addDeviation(*surfaces, content.facts);
     if (const Status right = model.confirm(progress.withCallback({})); !right)
         return right.error();
-    if (const Status saved =
-            saveSurface(host, content, order.mesh.target, {}, progress.part(order.deviation ? measured : made, 1));
-        !saved)
+    const auto saved =
+        saveSurface(host, content, order.mesh.target, {}, progress.part(order.deviation ? measured : made, 1));
+    if (!saved)
         return saved.error();
+    for (const Message& remark : *saved)
+        report = Message::say("%1 %2", report, remark);
     return report;
 }
 
