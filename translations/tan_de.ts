@@ -367,6 +367,14 @@
         <source>Frame the whole domain</source>
         <translation>Passt das ganze Gebiet ein</translation>
     </message>
+    <message>
+        <source>Save S&amp;olids…</source>
+        <translation>K&amp;örper speichern…</translation>
+    </message>
+    <message>
+        <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
+        <translation>Die gezeigten Isoflächen als geschlossene Flächen von Körpern speichern, für 3D-Drucker</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -429,6 +437,10 @@
     <message>
         <source>1 unit</source>
         <translation>1 Einheit</translation>
+    </message>
+    <message>
+        <source>%1 %2 at the target</source>
+        <translation>%1 %2 in der Entfernung des Ziels</translation>
     </message>
 </context>
 <context>
@@ -3112,6 +3124,14 @@ beliebige Verwerfung</translation>
     <message>
         <source>%1 % shown, more is coming</source>
         <translation>%1 % gezeigt, mehr kommt</translation>
+    </message>
+    <message>
+        <source>Saved %1. %2</source>
+        <translation>%1 gespeichert. %2</translation>
+    </message>
+    <message>
+        <source>Save Solids</source>
+        <translation>Körper speichern</translation>
     </message>
 </context>
 <context>
@@ -6013,10 +6033,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Kopf gibt den Abstand nur für einige Achsen an. Geben Sie alle drei an oder keinen.</translation>
     </message>
     <message>
-        <source>its space directions are not three vectors at right angles. Resample it on a rectangular grid.</source>
-        <translation>Ihre „space directions“ sind keine drei Vektoren im rechten Winkel. Tasten Sie sie auf einem rechtwinkligen Gitter neu ab.</translation>
-    </message>
-    <message>
         <source>its space origin &apos;%1&apos; is not three numbers in parentheses.</source>
         <translation>Ihr „space origin“ „%1“ besteht nicht aus drei Zahlen in Klammern.</translation>
     </message>
@@ -6035,10 +6051,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>its &apos;byte skip&apos; must be a whole number from 0, or -1 for raw data at the end of the file.</source>
         <translation>Ihr „byte skip“ muss eine ganze Zahl ab 0 sein, oder -1 für rohe Daten am Ende der Datei.</translation>
-    </message>
-    <message>
-        <source>its samples are spread over several files (&apos;data file: %1&apos;), which is not read. Join them into one file first.</source>
-        <translation>Ihre Abtastwerte sind auf mehrere Dateien verteilt („data file: %1“), was nicht gelesen wird. Fügen Sie sie zuerst zu einer Datei zusammen.</translation>
     </message>
     <message>
         <source>its data file is called &apos;%1&apos;, with characters that no name should have. Correct it.</source>
@@ -6133,16 +6145,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
-        <translation>Rohdateien: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
-    </message>
-    <message>
         <source>Origin</source>
         <translation>Ursprung</translation>
-    </message>
-    <message>
-        <source>Raw files: the position of the first point, as in 0,0,0.</source>
-        <translation>Rohdateien: die Lage des ersten Punkts, etwa 0,0,0.</translation>
     </message>
     <message>
         <source>the number of bytes to skip cannot be negative.</source>
@@ -8788,6 +8792,166 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>a level of accuracy has no mesh of its own</source>
         <translation>eine Genauigkeitsstufe hat kein eigenes Netz</translation>
     </message>
+    <message>
+        <source>its three directions %1; %2; %3 lie in a plane, or are not of unit length, so that it has no volume. Give three that span one.</source>
+        <translation>seine drei Richtungen %1; %2; %3 liegen in einer Ebene oder haben nicht die Länge 1, sodass es kein Volumen hat. Geben Sie drei an, die eines aufspannen.</translation>
+    </message>
+    <message>
+        <source>it has a section &apos;%1&apos;, which only a regular lattice has</source>
+        <translation>sie hat einen Abschnitt &apos;%1&apos;, den nur ein regelmäßiges Gitter hat</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; makes no sense. Copy the file again, or build it again.</source>
+        <translation>&apos;%1&apos; ist beschädigt: Ihr Abschnitt &apos;%2&apos; ergibt keinen Sinn. Kopieren Sie die Datei neu, oder erstellen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>Copying the model</source>
+        <translation>Das Modell wird kopiert</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would lie elsewhere than they were meant. Build it again from data that say where they lie.</source>
+        <translation>&apos;%1&apos; wurde mit Gewichten an bestimmten Stellen erstellt (&apos;%2&apos;), die dann anderswo lägen, als sie gemeint waren. Erstellen Sie es neu aus Daten, die sagen, wo sie liegen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only a lattice&apos;s spacing and origin can be corrected.</source>
+        <translation>&apos;%1&apos; ist kein Modell eines regelmäßigen Gitters: Seine Punkte liegen einzeln dort, wo die Daten es sagen. Nur bei einem regelmäßigen Gitter lassen sich Abstand und Ursprung berichtigen.</translation>
+    </message>
+    <message>
+        <source>The model cannot lie there: %1</source>
+        <translation>Das Modell kann dort nicht liegen: %1</translation>
+    </message>
+    <message>
+        <source>Not enough memory to copy the model. Close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um das Modell zu kopieren. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Measuring the deviation</source>
+        <translation>Die Abweichung wird gemessen</translation>
+    </message>
+    <message>
+        <source>One of the two surfaces is empty, so there is no distance.</source>
+        <translation>Eine der beiden Flächen ist leer, deshalb gibt es keinen Abstand.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to measure the deviation. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um die Abweichung zu messen. Schließen Sie andere Programme, oder verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>its section &apos;%1&apos; makes no sense</source>
+        <translation>ihr Abschnitt &apos;%1&apos; ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>Closing the surface</source>
+        <translation>Die Fläche wird geschlossen</translation>
+    </message>
+    <message>
+        <source>The mesh has too many tetrahedra for its boundary to be found. Lower the accuracy of the mesh.</source>
+        <translation>Das Netz hat zu viele Tetraeder, um seine Berandung zu finden. Verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to close the isosurface. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um die Isofläche zu schließen. Schließen Sie andere Programme, oder verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
+        <translation>Dateien, die ihn nicht nennen, darunter Rohdaten: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it: the position of the first point, as in 0,0,0.</source>
+        <translation>Dateien, die ihn nicht nennen: wo der erste Punkt liegt, etwa 0,0,0.</translation>
+    </message>
+    <message>
+        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model another one.</source>
+        <translation>sie nennt ihr %1 selbst. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell ein anderes.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has coordinates in single precision, which cannot hold this surface: it is too large or too small. Write a .vtp or .ply file.</source>
+        <translation>&apos;%1&apos; hat Koordinaten in einfacher Genauigkeit, die diese Fläche nicht fassen kann: Sie ist zu groß oder zu klein. Schreiben Sie eine .vtp- oder .ply-Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: whoever was to read it has ended. See what that program says.</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden: Das Programm, das es lesen sollte, wurde beendet. Sehen Sie nach, was jenes Programm meldet.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: %2.</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be a second file beside &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
+        <translation>&apos;%1&apos; wäre eine zweite Datei neben &apos;%2&apos;. Geben Sie der Ausgabe einen Namen statt &apos;-&apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;data file: %1&apos; in its header %2</source>
+        <translation>&apos;data file: %1&apos; in ihrem Kopf %2</translation>
+    </message>
+    <message>
+        <source>must end with the number of dimensions that each file holds, from 1 to %1, or without it.</source>
+        <translation>muss mit der Zahl der Dimensionen enden, die jede Datei fasst, von 1 bis %1, oder ohne sie.</translation>
+    </message>
+    <message>
+        <source>must be a name with a number such as &apos;%03d&apos;, and the number of the first file, of the last, and the step.</source>
+        <translation>muss ein Name mit einer Zahl wie &apos;%03d&apos; sein, dann die Nummern der ersten und der letzten Datei und die Schrittweite.</translation>
+    </message>
+    <message>
+        <source>names %1 files, which is not the number that its sizes ask for. Correct the numbers of the first and the last file.</source>
+        <translation>nennt %1 Dateien, was nicht die Zahl ist, die ihre Größen verlangen. Berichtigen Sie die Nummern der ersten und der letzten Datei.</translation>
+    </message>
+    <message>
+        <source>is followed by the names of %1 files, which is not the number that its sizes ask for. Each stands in a line of its own.</source>
+        <translation>ist gefolgt von den Namen von %1 Dateien, was nicht die Zahl ist, die ihre Größen verlangen. Jeder steht in einer eigenen Zeile.</translation>
+    </message>
+    <message>
+        <source>one of its axes, of size %1, runs through time. A volume has three in space: take out one time step.</source>
+        <translation>eine ihrer Achsen, der Größe %1, läuft durch die Zeit. Ein Volumen hat drei im Raum: Nehmen Sie einen Zeitschritt heraus.</translation>
+    </message>
+    <message>
+        <source>its %1 is &apos;%2&apos; and not %3 numbers.</source>
+        <translation>ihr %1 ist &apos;%2&apos; und nicht %3 Zahlen.</translation>
+    </message>
+    <message>
+        <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
+        <translation>Ihr Kopf nennt die Ausrichtung &apos;%1&apos;, die nach ihrer Matrix &apos;%2&apos; ist. Die Matrix wurde genommen.</translation>
+    </message>
+    <message>
+        <source>its Direction is &apos;%1&apos; and not nine numbers.</source>
+        <translation>ihre Direction ist &apos;%1&apos; und nicht neun Zahlen.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
+        <translation>In &apos;%1&apos; sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist; der erste Knoten der Datei addiert diese Zahlen.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
+        <translation>In &apos;%1&apos; sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist: Addieren Sie diese Zahlen, um Orte der Daten zu erhalten.</translation>
+    </message>
+    <message>
+        <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or fetch the model.</source>
+        <translation>Die Abweichung wird vom feinsten Netz aus gemessen, das auf dem Server bleibt. Speichern Sie ohne sie, oder holen Sie das Modell.</translation>
+    </message>
+    <message>
+        <source>The deviation is that of whole surfaces. Show all values, and cut off what lies outside of the crop box, or save without it.</source>
+        <translation>Die Abweichung ist die ganzer Flächen. Zeigen Sie alle Werte, und schneiden Sie ab, was außerhalb des Fensters liegt, oder speichern Sie ohne sie.</translation>
+    </message>
+    <message>
+        <source>What lives in a range of errors lies over each other, so it makes no solid. Show the mesh of one error.</source>
+        <translation>Was in einem Bereich von Fehlern lebt, liegt übereinander und ergibt deshalb keinen Körper. Zeigen Sie das Netz eines einzigen Fehlers.</translation>
+    </message>
+    <message>
+        <source>Value %1: closed; parts: %2, area: %3, volume: %4.</source>
+        <translation>Wert %1: geschlossen; Teile: %2, Flächeninhalt: %3, Volumen: %4.</translation>
+    </message>
+    <message>
+        <source>Value %1: open; openings: %2 (edges: %3), parts: %4, area: %5.</source>
+        <translation>Wert %1: offen; Öffnungen: %2 (Kanten: %3), Teile: %4, Flächeninhalt: %5.</translation>
+    </message>
+    <message>
+        <source>%1 More than two triangles meet at some edges: %2.</source>
+        <translation>%1 An manchen Kanten treffen sich mehr als zwei Dreiecke: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most %4 (mean %5).</source>
+        <translation>%1 Abweichung vom feinsten Netz: höchstens %2 (Mittel %3), und von jenem zu diesem: höchstens %4 (Mittel %5).</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -9696,6 +9860,53 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>%1 to the right, %2 up; black %3, white %4</source>
         <translation>%1 nach rechts, %2 nach oben; schwarz %3, weiß %4</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SolidDialog</name>
+    <message>
+        <source>&amp;Largest part only</source>
+        <translation>Nur den &amp;größten Teil</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the deviation</source>
+        <translation>Die &amp;Abweichung messen</translation>
+    </message>
+    <message>
+        <source>Save Solids</source>
+        <translation>Körper speichern</translation>
+    </message>
+    <message>
+        <source>The isosurfaces shown are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as a 3D printer needs it.</source>
+        <translation>Die gezeigten Isoflächen werden dort geschlossen, wo sie auf die Berandung des Netzes treffen, sodass jede die Fläche eines Körpers ist, wie ein 3D-Drucker sie braucht.</translation>
+    </message>
+    <message>
+        <source>Values above the isovalue</source>
+        <translation>Werte über dem Isowert</translation>
+    </message>
+    <message>
+        <source>Values below the isovalue</source>
+        <translation>Werte unter dem Isowert</translation>
+    </message>
+    <message>
+        <source>None: leave them open</source>
+        <translation>Keiner: offen lassen</translation>
+    </message>
+    <message>
+        <source>Where the solid lies: on which side of the isosurface</source>
+        <translation>Wo der Körper liegt: auf welcher Seite der Isofläche</translation>
+    </message>
+    <message>
+        <source>Save of each surface only the part with the largest area</source>
+        <translation>Von jeder Fläche nur den Teil mit dem größten Flächeninhalt speichern</translation>
+    </message>
+    <message>
+        <source>Also measure how far the surfaces are from those of the finest mesh; that takes as long as to show the model at error 0</source>
+        <translation>Auch messen, wie weit die Flächen von denen des feinsten Netzes entfernt sind; das dauert so lange, wie das Modell bei Fehler 0 zu zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Solid:</source>
+        <translation>&amp;Körper:</translation>
     </message>
 </context>
 <context>

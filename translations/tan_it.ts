@@ -367,6 +367,14 @@
         <source>Frame the whole domain</source>
         <translation>Inquadra l&apos;intero dominio</translation>
     </message>
+    <message>
+        <source>Save S&amp;olids…</source>
+        <translation>Salva s&amp;olidi…</translation>
+    </message>
+    <message>
+        <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
+        <translation>Salva le isosuperfici mostrate come superfici chiuse di solidi, per stampanti 3D</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -429,6 +437,10 @@
     <message>
         <source>1 unit</source>
         <translation>1 unità</translation>
+    </message>
+    <message>
+        <source>%1 %2 at the target</source>
+        <translation>%1 %2 alla distanza del punto mirato</translation>
     </message>
 </context>
 <context>
@@ -3112,6 +3124,14 @@ deformazione qualsiasi</translation>
     <message>
         <source>%1 % shown, more is coming</source>
         <translation>%1 % mostrato, altro sta arrivando</translation>
+    </message>
+    <message>
+        <source>Saved %1. %2</source>
+        <translation>Salvato %1. %2</translation>
+    </message>
+    <message>
+        <source>Save Solids</source>
+        <translation>Salva solidi</translation>
     </message>
 </context>
 <context>
@@ -6013,10 +6033,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua intestazione dà la spaziatura solo di alcuni assi. Darle tutte e tre, o nessuna.</translation>
     </message>
     <message>
-        <source>its space directions are not three vectors at right angles. Resample it on a rectangular grid.</source>
-        <translation>le sue «space directions» non sono tre vettori ad angolo retto. Ricampionarlo su una griglia rettangolare.</translation>
-    </message>
-    <message>
         <source>its space origin &apos;%1&apos; is not three numbers in parentheses.</source>
         <translation>il suo «space origin» «%1» non è di tre numeri tra parentesi.</translation>
     </message>
@@ -6035,10 +6051,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>its &apos;byte skip&apos; must be a whole number from 0, or -1 for raw data at the end of the file.</source>
         <translation>il suo «byte skip» deve essere un numero intero da 0, o -1 per dati raw alla fine del file.</translation>
-    </message>
-    <message>
-        <source>its samples are spread over several files (&apos;data file: %1&apos;), which is not read. Join them into one file first.</source>
-        <translation>i suoi campioni sono ripartiti su più file («data file: %1»), cosa che non si legge. Unirli prima in un solo file.</translation>
     </message>
     <message>
         <source>its data file is called &apos;%1&apos;, with characters that no name should have. Correct it.</source>
@@ -6133,16 +6145,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Spaziatura</translation>
     </message>
     <message>
-        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
-        <translation>File raw: la distanza fra punti vicini lungo x, y e z, come in 1x1x2.5.</translation>
-    </message>
-    <message>
         <source>Origin</source>
         <translation>Origine</translation>
-    </message>
-    <message>
-        <source>Raw files: the position of the first point, as in 0,0,0.</source>
-        <translation>File raw: la posizione del primo punto, come in 0,0,0.</translation>
     </message>
     <message>
         <source>the number of bytes to skip cannot be negative.</source>
@@ -8788,6 +8792,166 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>a level of accuracy has no mesh of its own</source>
         <translation>un livello di accuratezza non ha una mesh propria</translation>
     </message>
+    <message>
+        <source>its three directions %1; %2; %3 lie in a plane, or are not of unit length, so that it has no volume. Give three that span one.</source>
+        <translation>le sue tre direzioni %1; %2; %3 giacciono in un piano, o non hanno lunghezza 1, quindi non ha volume. Indicarne tre che ne generino uno.</translation>
+    </message>
+    <message>
+        <source>it has a section &apos;%1&apos;, which only a regular lattice has</source>
+        <translation>ha una sezione &apos;%1&apos;, che solo un reticolo regolare ha</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; makes no sense. Copy the file again, or build it again.</source>
+        <translation>&apos;%1&apos; è danneggiato: la sua sezione &apos;%2&apos; non ha senso. Copiare di nuovo il file, o costruirlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>Copying the model</source>
+        <translation>Copia del modello</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would lie elsewhere than they were meant. Build it again from data that say where they lie.</source>
+        <translation>&apos;%1&apos; è stato costruito con pesi in certi luoghi (&apos;%2&apos;), che si troverebbero altrove da dove erano intesi. Costruirlo di nuovo da dati che dicono dove si trovano.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only a lattice&apos;s spacing and origin can be corrected.</source>
+        <translation>&apos;%1&apos; non è un modello di un reticolo regolare: i suoi punti si trovano dove dicono i dati, ciascuno per sé. Solo la spaziatura e l&apos;origine di un reticolo si possono correggere.</translation>
+    </message>
+    <message>
+        <source>The model cannot lie there: %1</source>
+        <translation>Il modello non può trovarsi lì: %1</translation>
+    </message>
+    <message>
+        <source>Not enough memory to copy the model. Close other programs.</source>
+        <translation>La memoria non basta per copiare il modello. Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>Measuring the deviation</source>
+        <translation>Misura dello scostamento</translation>
+    </message>
+    <message>
+        <source>One of the two surfaces is empty, so there is no distance.</source>
+        <translation>Una delle due superfici è vuota, quindi non c&apos;è distanza.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to measure the deviation. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per misurare lo scostamento. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>its section &apos;%1&apos; makes no sense</source>
+        <translation>la sua sezione &apos;%1&apos; non ha senso</translation>
+    </message>
+    <message>
+        <source>Closing the surface</source>
+        <translation>Chiusura della superficie</translation>
+    </message>
+    <message>
+        <source>The mesh has too many tetrahedra for its boundary to be found. Lower the accuracy of the mesh.</source>
+        <translation>La mesh ha troppi tetraedri perché se ne trovi il contorno. Ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to close the isosurface. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per chiudere l&apos;isosuperficie. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
+        <translation>File che non la dicono, tra cui quelli grezzi: la distanza tra punti vicini lungo x, y e z, come in 1x1x2.5.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it: the position of the first point, as in 0,0,0.</source>
+        <translation>File che non la dicono: la posizione del primo punto, come in 0,0,0.</translation>
+    </message>
+    <message>
+        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model another one.</source>
+        <translation>dice da sé il suo valore di %1. Omettere &apos;--%1&apos;; &apos;tan set-frame&apos; ne dà un altro al modello.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has coordinates in single precision, which cannot hold this surface: it is too large or too small. Write a .vtp or .ply file.</source>
+        <translation>&apos;%1&apos; ha coordinate in precisione singola, che non possono contenere questa superficie: è troppo grande o troppo piccola. Scrivere un file .vtp o .ply.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: whoever was to read it has ended. See what that program says.</source>
+        <translation>Impossibile scrivere &apos;%1&apos;: il programma che doveva leggerlo è terminato. Vedere che cosa dice quel programma.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: %2.</source>
+        <translation>Impossibile scrivere &apos;%1&apos;: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be a second file beside &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
+        <translation>&apos;%1&apos; sarebbe un secondo file accanto a &apos;%2&apos;. Dare all&apos;uscita un nome invece di &apos;-&apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;data file: %1&apos; in its header %2</source>
+        <translation>&apos;data file: %1&apos; nella sua intestazione %2</translation>
+    </message>
+    <message>
+        <source>must end with the number of dimensions that each file holds, from 1 to %1, or without it.</source>
+        <translation>deve terminare con il numero di dimensioni che ogni file contiene, da 1 a %1, o senza di esso.</translation>
+    </message>
+    <message>
+        <source>must be a name with a number such as &apos;%03d&apos;, and the number of the first file, of the last, and the step.</source>
+        <translation>deve essere un nome con un numero come &apos;%03d&apos;, e i numeri del primo file, dell&apos;ultimo, e il passo.</translation>
+    </message>
+    <message>
+        <source>names %1 files, which is not the number that its sizes ask for. Correct the numbers of the first and the last file.</source>
+        <translation>nomina %1 file, che non è il numero richiesto dalle sue dimensioni. Correggere i numeri del primo e dell&apos;ultimo file.</translation>
+    </message>
+    <message>
+        <source>is followed by the names of %1 files, which is not the number that its sizes ask for. Each stands in a line of its own.</source>
+        <translation>è seguito dai nomi di %1 file, che non è il numero richiesto dalle sue dimensioni. Ciascuno sta su una riga propria.</translation>
+    </message>
+    <message>
+        <source>one of its axes, of size %1, runs through time. A volume has three in space: take out one time step.</source>
+        <translation>uno dei suoi assi, di dimensione %1, corre nel tempo. Un volume ne ha tre nello spazio: estrarre un passo temporale.</translation>
+    </message>
+    <message>
+        <source>its %1 is &apos;%2&apos; and not %3 numbers.</source>
+        <translation>il suo %1 è &apos;%2&apos; e non %3 numeri.</translation>
+    </message>
+    <message>
+        <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
+        <translation>La sua intestazione chiama l&apos;orientamento &apos;%1&apos;, che secondo la matrice è &apos;%2&apos;. È stata usata la matrice.</translation>
+    </message>
+    <message>
+        <source>its Direction is &apos;%1&apos; and not nine numbers.</source>
+        <translation>la sua Direction è &apos;%1&apos; e non nove numeri.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
+        <translation>In &apos;%1&apos; x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine; il primo nodo del file aggiunge questi numeri.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
+        <translation>In &apos;%1&apos; x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine: aggiungere questi numeri per ottenere luoghi dei dati.</translation>
+    </message>
+    <message>
+        <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or fetch the model.</source>
+        <translation>Lo scostamento si misura dalla mesh più fine, che rimane sul server. Salvare senza di esso, o scaricare il modello.</translation>
+    </message>
+    <message>
+        <source>The deviation is that of whole surfaces. Show all values, and cut off what lies outside of the crop box, or save without it.</source>
+        <translation>Lo scostamento è quello di superfici intere. Mostrare tutti i valori, e tagliare ciò che sta fuori dalla finestra, o salvare senza di esso.</translation>
+    </message>
+    <message>
+        <source>What lives in a range of errors lies over each other, so it makes no solid. Show the mesh of one error.</source>
+        <translation>Ciò che vive in un intervallo di errori si sovrappone, quindi non forma un solido. Mostrare la mesh di un solo errore.</translation>
+    </message>
+    <message>
+        <source>Value %1: closed; parts: %2, area: %3, volume: %4.</source>
+        <translation>Valore %1: chiusa; parti: %2, area: %3, volume: %4.</translation>
+    </message>
+    <message>
+        <source>Value %1: open; openings: %2 (edges: %3), parts: %4, area: %5.</source>
+        <translation>Valore %1: aperta; aperture: %2 (spigoli: %3), parti: %4, area: %5.</translation>
+    </message>
+    <message>
+        <source>%1 More than two triangles meet at some edges: %2.</source>
+        <translation>%1 Più di due triangoli si incontrano in alcuni spigoli: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most %4 (mean %5).</source>
+        <translation>%1 Scostamento dalla mesh più fine: al massimo %2 (media %3), e di quella da questa: al massimo %4 (media %5).</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -9696,6 +9860,53 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>%1 to the right, %2 up; black %3, white %4</source>
         <translation>%1 verso destra, %2 in alto; nero %3, bianco %4</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SolidDialog</name>
+    <message>
+        <source>&amp;Largest part only</source>
+        <translation>Solo la parte più &amp;grande</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the deviation</source>
+        <translation>&amp;Misura lo scostamento</translation>
+    </message>
+    <message>
+        <source>Save Solids</source>
+        <translation>Salva solidi</translation>
+    </message>
+    <message>
+        <source>The isosurfaces shown are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as a 3D printer needs it.</source>
+        <translation>Le isosuperfici mostrate vengono chiuse dove incontrano il contorno della mesh, in modo che ciascuna sia la superficie di un solido, come serve a una stampante 3D.</translation>
+    </message>
+    <message>
+        <source>Values above the isovalue</source>
+        <translation>Valori sopra l&apos;isovalore</translation>
+    </message>
+    <message>
+        <source>Values below the isovalue</source>
+        <translation>Valori sotto l&apos;isovalore</translation>
+    </message>
+    <message>
+        <source>None: leave them open</source>
+        <translation>Nessuno: lasciarle aperte</translation>
+    </message>
+    <message>
+        <source>Where the solid lies: on which side of the isosurface</source>
+        <translation>Dove si trova il solido: da quale lato dell&apos;isosuperficie</translation>
+    </message>
+    <message>
+        <source>Save of each surface only the part with the largest area</source>
+        <translation>Salva di ogni superficie solo la parte con l&apos;area maggiore</translation>
+    </message>
+    <message>
+        <source>Also measure how far the surfaces are from those of the finest mesh; that takes as long as to show the model at error 0</source>
+        <translation>Misura anche quanto le superfici distano da quelle della mesh più fine; richiede quanto mostrare il modello con errore 0</translation>
+    </message>
+    <message>
+        <source>&amp;Solid:</source>
+        <translation>&amp;Solido:</translation>
     </message>
 </context>
 <context>
