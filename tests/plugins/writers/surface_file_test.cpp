@@ -444,7 +444,7 @@ private slots:
             positions.push_back(Eigen::Vector3d(place, place, 0) + edge * Eigen::Vector3d(i & 1, i >> 1, 0));
         const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {2, 1, 3}};
         SurfaceContent content{
-            "boundary", "value", {{.name = "a", .positions = positions, .triangles = triangles}}, {}};
+            "boundary", "value", {{.name = "a", .positions = positions, .normals = {}, .triangles = triangles}}, {}};
         QCOMPARE(floatShift(content), Eigen::Vector3d(shift, shift, 0));
         for (const char* ending : {"stl", "glb", "obj", "ply", "vtp"}) {
             const QString path = folder_.filePath(QString("far.") + ending);
@@ -486,8 +486,10 @@ private slots:
                 for (const double x : {0, 1})
                     positions.emplace_back(x, y, 0);
             const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}};
-            return floatShift(
-                {"boundary", "value", {{.name = "a", .positions = positions, .triangles = triangles}}, {}});
+            return floatShift({"boundary",
+                               "value",
+                               {{.name = "a", .positions = positions, .normals = {}, .triangles = triangles}},
+                               {}});
         };
         QCOMPARE(shiftOf(0, 1), Eigen::Vector3d(0, 0, 0));
         QCOMPARE(shiftOf(10, 1), Eigen::Vector3d(0, 10, 0));
