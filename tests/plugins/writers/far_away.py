@@ -121,7 +121,8 @@ def by_vtk(path):
 
 def by_meshio(path):
     mesh = meshio.read(path)
-    return mesh.points.astype(float), mesh.cells[0].data, mesh.point_data["value" if "value" in mesh.point_data else "isovalue"]
+    arrays = [array for name, array in mesh.point_data.items() if name not in ("nx", "ny", "nz")]  # whatever the data call it
+    return mesh.points.astype(float), mesh.cells[0].data, arrays[0]
 
 
 def by_text(path):
