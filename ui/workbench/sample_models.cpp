@@ -159,7 +159,7 @@ Result<std::filesystem::path> sampleModel(PluginHost& host, const std::string& n
         return dataset.error();
     // By way of a file, so that the model knows where it is from, and the dataset can be read again.
     const std::filesystem::path source = folder / (name + file.ending);
-    if (const Status saved = saveDataset(host, *dataset, source, {}, progress.part(0.05, 0.1)); !saved)
+    if (const auto saved = saveDataset(host, *dataset, source, {}, progress.part(0.05, 0.1)); !saved)
         return saved.error();
     const auto read = openDataset(host, source, {}, progress.part(0.1, 0.15));
     if (!read)

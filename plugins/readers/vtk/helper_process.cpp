@@ -318,7 +318,7 @@ Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const
 {
     HelperOutput output(process, progress, idle);
     ExchangeInput input([&](void* to, std::size_t bytes) { return output.read(to, bytes); });
-    Result<VtkAnswer> answer = Error{};
+    std::optional<Result<VtkAnswer>> answer; // there once the last message came
     for (bool last = false; !last && input.good();) {
         VtkMessage message{};
         exchange(input, message);
@@ -331,15 +331,15 @@ Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const
         } else if (message == VtkMessage::Findings) {
             VtkFindings findings;
             exchange(input, findings);
-            answer = VtkAnswer(std::move(findings));
+            answer.emplace(VtkAnswer(std::move(findings)));
         } else if (message == VtkMessage::Contents) {
             FileContents contents;
             exchange(input, contents);
-            answer = VtkAnswer(std::move(contents));
+            answer.emplace(VtkAnswer(std::move(contents)));
         } else if (message == VtkMessage::Error) {
             Error error;
             exchange(input, error);
-            answer = std::move(error);
+            answer.emplace(std::move(error));
         } else if (!progress.cancelled() && !output.wasIdle()) {
             return explainEnd(process, file); // the end, or no message
         }
@@ -350,9 +350,9 @@ Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const
         return cannotRead(file, ErrorKind::OutOfResource,
                           Message::say("VTK has waited for its disk for minutes. See whether the disk answers, or copy "
                                        "the file to another one."));
-    if (!input.good())
+    if (!input.good() || !answer)
         return explainEnd(process, file);
-    return answer;
+    return *std::move(answer);
 }
 
 } // namespace
