@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -21,11 +22,11 @@ Result<std::optional<std::vector<double>>> numbersOf(const MetaHeader& header,
         const auto words = metaWords(header.text(name));
         numbers.emplace();
         for (std::size_t i = 0; i < std::min(count, words.size()); ++i)
-            if (const auto number = parseNumber<double>(words[i]))
+            if (const auto number = parseNumber<double>(words[i]); number && std::isfinite(*number))
                 numbers->push_back(*number);
         if (numbers->size() != count)
             return wrongHeader(
-                Message::say("its %1 is '%2' and not %3 numbers.", name, printable(header.text(name)), count));
+                Message::say("its %1 is '%2' and not %3 finite numbers.", name, printable(header.text(name)), count));
     }
     return numbers;
 }
