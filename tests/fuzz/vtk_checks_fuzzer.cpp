@@ -2,6 +2,7 @@
 // Feeds what looks through files before VTK reads them: a byte for the format, two for the length of the first file,
 // and two files, of which most formats need the first one only.
 #include "plugins/readers/vtk/checks/file_check.h"
+#include "plugins/readers/vtk/checks/metaimage_header.h"
 #include "plugins/readers/vtk/tecplot_text.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -43,5 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     }
     if (const auto checked = checkBeforeVtk(request); !checked)
         requireText(checked.error());
+    else if (request.format == MetaImage)
+        if (const auto place = metaImagePlace(std::filesystem::path(request.path)); !place)
+            requireText(place.error());
     return 0;
 }
