@@ -113,6 +113,9 @@ private slots:
         const auto parameters = parametersOf("plot3d");
         QVERIFY(asks(importForm(parameters, {.domain = DomainClass::Curvilinear}, {}, false), "solution"));
         QVERIFY(!asks(importForm(parameters, {.domain = DomainClass::Irregular}, {}, false), "solution"));
+        // Most files tell where they lie, and refuse to be told.
+        const ImportForm image = importForm(parametersOf("vtk"), {.domain = DomainClass::RegularLattice}, {}, false);
+        QVERIFY(!asks(image, "spacing") && !asks(image, "origin"));
     }
 
     void theReadersOwnChoiceHasAName()

@@ -17,6 +17,7 @@ class ImportForms {
 };
 
 constexpr std::array<std::string_view, 6> layoutIds = {"size", "type", "byte-order", "skip", "spacing", "origin"};
+constexpr std::array<std::string_view, 2> placeIds = {"spacing", "origin"};
 constexpr std::array<std::string_view, 3> blockIds = {"part", "block", "grid"};
 
 template <std::size_t Count> bool isOneOf(const std::array<std::string_view, Count>& ids, const std::string& id)
@@ -147,7 +148,8 @@ ImportForm importForm(const std::vector<Parameter>& parameters, const FileConten
     ImportForm form;
     for (const Parameter& parameter : parameters) {
         const bool isLayout = needsLayout(parameters, {}) && isOneOf(layoutIds, parameter.id);
-        if (isLayout && !withLayout)
+        const bool isPlace = isOneOf(placeIds, parameter.id); // which most files of readers without a layout tell
+        if ((isLayout || isPlace) && !withLayout)
             continue;
         const auto choices = isKnown ? choicesOf(parameter, contents, values) : std::vector<ParameterChoice>();
         if (choices.size() == 1)
