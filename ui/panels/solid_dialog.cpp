@@ -34,7 +34,7 @@ SolidDialog::SolidDialog(QWidget* parent)
     deviation_->setToolTip(tr("Also measure how far the surfaces are from those of the finest mesh; that takes as long "
                               "as to show the model at error 0"));
     auto* form = new QFormLayout;
-    form->addRow(tr("&Solid:"), side_);
+    form->addRow(tr("S&olid:"), side_);
     form->addRow(largestPart_);
     form->addRow(deviation_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);

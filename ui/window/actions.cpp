@@ -79,7 +79,7 @@ void addFileMenu(QMainWindow& window, Actions& actions)
         addAction(*menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
                   ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
     actions.saveSolids =
-        addAction(*menu, "saveSolids", ActionTexts::tr("Save S&olids…"), {},
+        addAction(*menu, "saveSolids", ActionTexts::tr("Save Soli&ds…"), {},
                   ActionTexts::tr("Save the isosurfaces shown as closed surfaces of solids, for 3D printers"));
     actions.saveStatistics = addAction(*menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
                                        ActionTexts::tr("Save the mesh size at each accuracy as a table"));
