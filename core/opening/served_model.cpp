@@ -8,8 +8,6 @@
 #include "core/remote/remote_file.h"
 #include "core/serve/served_query.h"
 
-#include <tan/data.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

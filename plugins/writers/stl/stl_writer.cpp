@@ -20,8 +20,8 @@ constexpr std::size_t headBytes = 80;
 constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
 /// Eighty bytes that must not begin with "solid": that is how text files begin. If coordinates are less than the data's
-/// by a shift, that comes first: there is room for three numbers, whatever they are, but perhaps not for the rest. Then how far the
-/// surface is from that of the data.
+/// by a shift, that comes first: there is room for three numbers, whatever they are, but perhaps not for the rest. Then
+/// how far the surface is from that of the data.
 std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
 {
     std::string head = shift.isZero(0) ? std::string("binary STL, ")
