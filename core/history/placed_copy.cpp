@@ -105,6 +105,8 @@ Status write(const Model& model, const ModelDescription& description, const std:
             for (const FrameSection& part : frame)
                 planned.push_back({part.id, sizeof(double), part.numbers.size()});
             planned.push_back({id, 1, text->size()});
+        } else if (id == SectionId::LevelIndex) {
+            planned.push_back({id, section.elementBytes, format::mostLevels, section.flags, true});
         } else if (!isReplaced(section)) {
             planned.push_back({id, section.elementBytes, section.bytes / section.elementBytes, section.flags});
         }

@@ -286,6 +286,14 @@ Result<Dataset> takenByModel(const Model& model, const Dataset& dataset, const P
         // Points that make no mesh are those of another model.
         return mesh || mesh.error().kind == ErrorKind::Cancelled ? mesh : Result<Dataset>(dataset);
     }
+    const Lattice& lattice = model.description().lattice;
+    if (domain == DomainClass::RegularLattice && dataset.domain == domain &&
+        model.description().metric == dataset.lattice.spacing) {
+        Dataset placed = dataset;
+        placed.lattice.spacing = lattice.spacing;
+        placed.lattice.origin = lattice.origin;
+        return placed;
+    }
     const bool isOfGridOrMesh = dataset.domain == DomainClass::Irregular || dataset.domain == DomainClass::Curvilinear;
     return domain == DomainClass::Scattered && isOfGridOrMesh ? asPoints(dataset) : dataset;
 }
@@ -381,20 +389,16 @@ bool verifySource(const Model& model, const Dataset& dataset, const Dataset& ori
         failures.push_back("The model was built from other samples or positions ('" + description.sourceName +
                            "', XXH3 " + hexadecimal(description.sourceHash) + ") than those of '" +
                            original.source.name + "' (XXH3 " + hexadecimal(hash) + ").");
-    const bool isPlaced = description.metric.has_value(); // elsewhere than its data say
-    if (description.meshSpacing() != lattice.spacing)
-        failures.emplace_back(isPlaced ? "The spacing that the mesh was made with is not that of the original."
-                                       : "The spacing of the lattice is not that of the original.");
-    if (description.lattice.origin != lattice.origin && !isPlaced)
-        failures.emplace_back("The origin of the lattice is not that of the original.");
+    if (description.lattice.spacing != lattice.spacing || description.lattice.origin != lattice.origin)
+        failures.emplace_back("The spacing or the origin of the lattice is not that of the original.");
     if (description.lattice.directions != lattice.directions)
         failures.emplace_back(description.lattice.isAlongAxes()
                                   ? "The model was read without the directions of the lattice's axes, as TAn did up to "
-                                    "version 0.1: where "
-                                    "the original is turned or mirrored, the model is not. Build it again."
+                                    "version 0.1: where the "
+                                    "original is turned or mirrored, the model is not. Build it again."
                                   : "The directions of the lattice's axes are not those of the original.");
     const Eigen::AlignedBox3d bounds = original.bounds();
-    if ((description.bounds.min() != bounds.min() || description.bounds.max() != bounds.max()) && !isPlaced)
+    if (description.bounds.min() != bounds.min() || description.bounds.max() != bounds.max())
         failures.emplace_back("The bounding box is not that of the original.");
     const ValueRange range = original.values.range();
     if (description.range.minimum != range.minimum || description.range.maximum != range.maximum)

@@ -22,7 +22,8 @@ Status verifyBytes(const Model& model, std::vector<std::string>& failures, const
 std::uint32_t initialSiteCount(const Model& model);
 
 /// The dataset as the model has it: itself; the points of a grid or an irregular mesh in a model of points; the
-/// Delaunay mesh of points in a model of an irregular mesh (FORMAT.md). An Error only if cancelled.
+/// Delaunay mesh of points in a model of an irregular mesh (FORMAT.md); a lattice where writePlaced() put it, if the
+/// mesh was made with its spacing. An Error only if cancelled.
 Result<Dataset> takenByModel(const Model& model, const Dataset& dataset, const Progress& progress);
 
 /// That the model is one of this dataset: lattice, type, range, hash. `taken` is what takenByModel() gave. False if not
