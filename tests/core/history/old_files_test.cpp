@@ -71,7 +71,7 @@ QByteArray sha1Of(const Model& model, const TetrahedralMesh& mesh)
     };
     for (std::size_t site = 0; site < mesh.values.size(); ++site) {
         add(model.points()[site]);
-        add(mesh.positions[site]);
+        add(mesh.positions[site].cast<float>().eval()); // in which they were recorded
         add(mesh.values[site]);
     }
     for (const auto& tetrahedron : byPoints(mesh.tetrahedra, model.points()))

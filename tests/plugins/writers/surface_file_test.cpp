@@ -448,7 +448,7 @@ private slots:
         QCOMPARE(floatShift(content), Eigen::Vector3d(shift, shift, 0));
         for (const char* ending : {"stl", "glb", "obj", "ply", "vtp"}) {
             const QString path = folder_.filePath(QString("far.") + ending);
-            const auto saved = saveSurface(pluginsOfThisBuild(), content, path.toStdString());
+            const auto saved = saveSurface(pluginsOfThisBuild(), content, std::filesystem::path(path.toStdString()));
             QVERIFY(saved);
             const bool isTold = shift != 0 && (ending == QByteArray("stl") || ending == QByteArray("glb"));
             QCOMPARE(saved->size(), std::size_t(isTold ? 1 : 0));

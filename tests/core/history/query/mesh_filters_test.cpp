@@ -207,8 +207,8 @@ private slots:
                     QVERIFY2(volumeOf(cornersOf(kept, t)) > -1e-6 * scale, name.c_str());
                     for (const std::uint32_t vertex : t)
                         for (int axis = 0; axis < 3; ++axis)
-                            QVERIFY(kept.positions[vertex][axis] >= static_cast<float>(box.least[axis]) &&
-                                    kept.positions[vertex][axis] <= static_cast<float>(box.largest[axis]));
+                            QVERIFY(kept.positions[vertex][axis] >= box.least[axis] &&
+                                    kept.positions[vertex][axis] <= box.largest[axis]);
                 }
                 const Box domain = boundsOf(mesh);
                 if (isBox) {

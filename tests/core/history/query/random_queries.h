@@ -120,7 +120,12 @@ inline bool isReachedToldOf(const Model& model, const MeshQuery& query, const Ex
     const bool isRight =
         mesh.reached && mesh.reached->error <= right.error * nearly && right.error <= mesh.reached->error * nearly &&
         mesh.reached->warping <= right.warping * nearly && right.warping <= mesh.reached->warping * nearly;
-    return isRight && mesh.reached->error <= keptPercent(query.error.bounds().maximum, mesh.scale) * nearly;
+    const double most = keptPercent(query.error.bounds().maximum, mesh.scale);
+    if (!isRight || !(mesh.reached->error <= most * nearly))
+        qWarning("reached: error %.17g, right %.17g, at most %.17g; warping %.17g, right %.17g",
+                 mesh.reached ? mesh.reached->error : -1, right.error, most, mesh.reached ? mesh.reached->warping : -1,
+                 right.warping);
+    return isRight && mesh.reached->error <= most * nearly;
 }
 
 /// All of it.
