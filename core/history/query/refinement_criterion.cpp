@@ -74,9 +74,10 @@ RefinementCriterion::RefinementCriterion(const Model& model, const MeshQuery& qu
         finer_ = byWarping ? std::optional(finer_->merged(*byWarping)) : std::nullopt;
     }
     // A distance is rounded as what it is measured from lies far away.
+    distanceRounding_ = rounding_;
     if (finer_ && !finer_->isEmpty() && finer_->min().allFinite() && finer_->max().allFinite())
-        rounding_ =
-            std::max(rounding_, 8 * std::numeric_limits<double>::epsilon() *
+        distanceRounding_ =
+            std::max(rounding_, 2 * std::numeric_limits<double>::epsilon() *
                                     std::max(finer_->min().cwiseAbs().maxCoeff(), finer_->max().cwiseAbs().maxCoeff()));
     if (finer_ && finer_->contains(bounds))
         finer_.reset();
@@ -118,7 +119,7 @@ RefinementCriterion::Quick RefinementCriterion::bySites(const std::array<std::ui
         return Quick::TooCoarse;
     const auto [from, to] = boxOf(sites);
     constexpr double roundedUp = 1 + 1e-12;
-    const double size = (to - from).matrix().norm() * roundedUp + 4 * rounding_;
+    const double size = (to - from).matrix().norm() * roundedUp + 4 * distanceRounding_;
     return error <= least - slope_ * size - 1e-12 * least ? Quick::Allowed : Quick::Unknown;
 }
 

@@ -83,6 +83,7 @@ private:
     Buffer<double> atSites_;        ///< what the field is at each site, if that says something of the places between
     double slope_ = 0;              ///< by how much it changes with the distance at most
     double rounding_;               ///< of the positions, a length
+    double distanceRounding_ = 0;   ///< likewise a fourth of what a distance from what is fine may be wrong by
     std::uint16_t allowedAnywhere_; ///< own errors as in the file, up to this one
     std::optional<Eigen::AlignedBox3d> finer_; ///< where the fields are not at their coarsest, if that is bounded
 };

@@ -72,7 +72,7 @@ std::vector<double> BruteForce::scalesOf(const MeshQuery& query) const
         values = {values.minimum - doubt, values.maximum + doubt};
         const double largest =
             std::max(about.bounds.min().cwiseAbs().maxCoeff(), about.bounds.max().cwiseAbs().maxCoeff());
-        const double margin = largest * 0x1p-23 + warping / 100 * model_.diagonal();
+        const double margin = largest * 0x1p-52 + warping / 100 * model_.diagonal();
         const double askedError = query.error.leastIn(places, margin, values);
         const double askedWarping = warps ? query.warping.leastIn(places, margin, values) : 0;
         double scale = 1;

@@ -67,8 +67,7 @@ bool liesInPlane(const TetrahedralMesh& mesh, const Triangle& face, const Box& b
 {
     for (int axis = 0; axis < 3; ++axis)
         for (const Vector3d& corner : {box.least, box.largest}) {
-            const auto coordinate = static_cast<float>(corner[axis]);
-            if (std::ranges::all_of(face, [&](auto vertex) { return mesh.positions[vertex][axis] == coordinate; }))
+            if (std::ranges::all_of(face, [&](auto vertex) { return mesh.positions[vertex][axis] == corner[axis]; }))
                 return true;
         }
     return false;

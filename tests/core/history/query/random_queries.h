@@ -80,6 +80,8 @@ inline bool isProved(const Model& model, const Dataset& dataset, const MeshQuery
     }
     for (const std::string& failure : verdict->failures)
         qWarning("%s", failure.c_str());
+    if (!verdict->ok())
+        qWarning("not proved: %s", verdict->failures.empty() ? "by its figures" : "see above");
     return verdict->ok();
 }
 
@@ -93,8 +95,10 @@ inline bool isMesh(const Model& model, const BruteForce& brute, const ExtractedM
     std::vector<std::uint32_t> points;
     for (const std::uint32_t site : mesh.sites) {
         points.push_back(model.points()[site]);
-        if (!expected.sites[site])
+        if (!expected.sites[site]) {
+            qWarning("site %u is more than the smallest closed set", site);
             return false;
+        }
     }
     return std::ranges::count(expected.sites, true) == static_cast<std::ptrdiff_t>(mesh.sites.size()) &&
            mesh.scale == expected.scale &&
