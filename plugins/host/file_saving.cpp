@@ -103,8 +103,8 @@ Result<Provided<Writer>> chooseWriter(PluginHost& host, WrittenContent content, 
 }
 
 /// Opens the file, has it written and puts it into its place.
-template <class Write> Result<FileRemarks> saveWith(const Destination& to, MarkedText activity, const Progress& progress,
-                                                    Write&& write)
+template <class Write>
+Result<FileRemarks> saveWith(const Destination& to, MarkedText activity, const Progress& progress, Write&& write)
 {
     progress.report(0, activity);
     if (to.stream >= 0) {

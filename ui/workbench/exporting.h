@@ -55,7 +55,7 @@ signals:
     void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
     void filmSaved(const QString& path);
     void meshSaved(const QString& path, const QStringList& remarks); ///< on the file; translated
-    void solidsSaved(const QString& path, const QString& report); ///< what they are, in sentences
+    void solidsSaved(const QString& path, const QString& report);    ///< what they are, in sentences
     void packedSaved(const QString& path, quint64 bytes, quint64 unpackedBytes);
     void textSaved(const QString& path);
 

@@ -242,8 +242,7 @@ private slots:
             }
             for (const std::uint64_t index : indices) {
                 const auto c = lattice.coordinates(index);
-                QCOMPARE(points.position(static_cast<std::uint32_t>(index)),
-                         Eigen::Vector3d(c[0], c[1], c[2]));
+                QCOMPARE(points.position(static_cast<std::uint32_t>(index)), Eigen::Vector3d(c[0], c[1], c[2]));
             }
         }
     }
