@@ -368,12 +368,12 @@
         <translation>Passt das ganze Gebiet ein</translation>
     </message>
     <message>
-        <source>Save S&amp;olids…</source>
-        <translation>K&amp;örper speichern…</translation>
-    </message>
-    <message>
         <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
         <translation>Die gezeigten Isoflächen als geschlossene Flächen von Körpern speichern, für 3D-Drucker</translation>
+    </message>
+    <message>
+        <source>Save Soli&amp;ds…</source>
+        <translation>Kö&amp;rper speichern …</translation>
     </message>
 </context>
 <context>
@@ -8905,10 +8905,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>eine ihrer Achsen, der Größe %1, läuft durch die Zeit. Ein Volumen hat drei im Raum: Nehmen Sie einen Zeitschritt heraus.</translation>
     </message>
     <message>
-        <source>its %1 is &apos;%2&apos; and not %3 numbers.</source>
-        <translation>ihr %1 ist &apos;%2&apos; und nicht %3 Zahlen.</translation>
-    </message>
-    <message>
         <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
         <translation>Ihr Kopf nennt die Ausrichtung &apos;%1&apos;, die nach ihrer Matrix &apos;%2&apos; ist. Die Matrix wurde genommen.</translation>
     </message>
@@ -8951,6 +8947,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most %4 (mean %5).</source>
         <translation>%1 Abweichung vom feinsten Netz: höchstens %2 (Mittel %3), und von jenem zu diesem: höchstens %4 (Mittel %5).</translation>
+    </message>
+    <message>
+        <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
+        <translation>ihr %1 ist &apos;%2&apos; und nicht %3 endliche Zahlen.</translation>
     </message>
 </context>
 <context>
@@ -9905,8 +9905,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Auch messen, wie weit die Flächen von denen des feinsten Netzes entfernt sind; das dauert so lange, wie das Modell bei Fehler 0 zu zeigen</translation>
     </message>
     <message>
-        <source>&amp;Solid:</source>
-        <translation>&amp;Körper:</translation>
+        <source>S&amp;olid:</source>
+        <translation>K&amp;örper:</translation>
     </message>
 </context>
 <context>

@@ -368,12 +368,12 @@
         <translation>Inquadra l&apos;intero dominio</translation>
     </message>
     <message>
-        <source>Save S&amp;olids…</source>
-        <translation>Salva s&amp;olidi…</translation>
-    </message>
-    <message>
         <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
         <translation>Salva le isosuperfici mostrate come superfici chiuse di solidi, per stampanti 3D</translation>
+    </message>
+    <message>
+        <source>Save Soli&amp;ds…</source>
+        <translation>Salva so&amp;lidi…</translation>
     </message>
 </context>
 <context>
@@ -8905,10 +8905,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>uno dei suoi assi, di dimensione %1, corre nel tempo. Un volume ne ha tre nello spazio: estrarre un passo temporale.</translation>
     </message>
     <message>
-        <source>its %1 is &apos;%2&apos; and not %3 numbers.</source>
-        <translation>il suo %1 è &apos;%2&apos; e non %3 numeri.</translation>
-    </message>
-    <message>
         <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
         <translation>La sua intestazione chiama l&apos;orientamento &apos;%1&apos;, che secondo la matrice è &apos;%2&apos;. È stata usata la matrice.</translation>
     </message>
@@ -8951,6 +8947,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most %4 (mean %5).</source>
         <translation>%1 Scostamento dalla mesh più fine: al massimo %2 (media %3), e di quella da questa: al massimo %4 (media %5).</translation>
+    </message>
+    <message>
+        <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
+        <translation>il suo %1 è &apos;%2&apos; e non %3 numeri finiti.</translation>
     </message>
 </context>
 <context>
@@ -9905,8 +9905,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Misura anche quanto le superfici distano da quelle della mesh più fine; richiede quanto mostrare il modello con errore 0</translation>
     </message>
     <message>
-        <source>&amp;Solid:</source>
-        <translation>&amp;Solido:</translation>
+        <source>S&amp;olid:</source>
+        <translation>S&amp;olido:</translation>
     </message>
 </context>
 <context>

@@ -364,9 +364,10 @@ private slots:
         const qsizetype header = content.indexOf("end_header\n") + 11;
         QVERIFY(content.startsWith("ply\nformat binary_little_endian 1.0\n"));
         QVERIFY(content.contains("element vertex " + QByteArray::number(vertices) + "\n"));
-        QCOMPARE(content.size(), header + vertices * 28 + triangles * 13);
-        float record[7];
-        std::memcpy(record, content.constData() + header, sizeof record);
+        const qsizetype vertexBytes = content.contains("property double x") ? 40 : 28;
+        QCOMPARE(content.size(), header + vertices * vertexBytes + triangles * 13);
+        float record[7]; // with the normal and the value at its end
+        std::memcpy(record, content.constData() + header + vertexBytes - 28, sizeof record);
         QCOMPARE(record[6], 100.0f);
         QVERIFY(std::abs(record[3] * record[3] + record[4] * record[4] + record[5] * record[5] - 1) < 1e-3f);
     }

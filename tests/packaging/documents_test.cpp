@@ -39,7 +39,7 @@ QStringList captures(const QString& text, const char* pattern)
 /// The names below "Subcommands:".
 QStringList subcommandsInHelp()
 {
-    return captures(tanHelp().section("Subcommands:\n", 1).section("\n\n", 0, 0), "^  (\\w+) ");
+    return captures(tanHelp().section("Subcommands:\n", 1).section("\n\n", 0, 0), "^  ([a-z-]+) ");
 }
 
 /// "--output" and so on, as the lines of the options begin.

@@ -197,7 +197,7 @@ private slots:
                                             "property float x",
                                             "property float y",
                                             "property float z",
-                                            "property float density_(kg/m³)_<&\">",
+                                            "property float density_(kg/m__)_<&\">",
                                             "element face 4",
                                             "property list uchar int vertex_indices",
                                             ""};
