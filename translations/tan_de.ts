@@ -373,7 +373,7 @@
     </message>
     <message>
         <source>Save Soli&amp;ds…</source>
-        <translation>Kö&amp;rper speichern …</translation>
+        <translation>Körper speic&amp;hern …</translation>
     </message>
 </context>
 <context>

@@ -373,7 +373,7 @@
     </message>
     <message>
         <source>Save Soli&amp;ds…</source>
-        <translation>Salva so&amp;lidi…</translation>
+        <translation>Salva &amp;geometrie solide…</translation>
     </message>
 </context>
 <context>
