@@ -193,7 +193,7 @@ using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 
 std::vector<std::uint32_t> alongCurve(std::span<const Eigen::Vector3d> positions)
 {
-    // Rounded, as the order of models of before is that of floats.
+    // By floats: the order of a model's vertices, and so its bytes, are the same whether a place has more digits.
     std::vector<Eigen::Vector3d> places;
     places.reserve(positions.size());
     for (const Eigen::Vector3d& position : positions)

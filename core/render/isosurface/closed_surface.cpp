@@ -6,6 +6,7 @@
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 #include "core/render/isosurface/isosurface.h"
+#include "core/render/isosurface/surface_chunks.h"
 
 #include <tan/render.h>
 
@@ -33,7 +34,7 @@ public:
 
 private:
     bool isAbove(std::uint32_t vertex) const { return static_cast<double>(mesh_.values[vertex]) >= isovalue_; }
-    Eigen::Vector3d placeOn(std::uint32_t outside, std::uint32_t inside) const;
+    Eigen::Vector3d placeOn(EdgeKey edge) const;
     std::uint32_t crossingOf(std::uint32_t one, std::uint32_t other);
     std::uint32_t vertexAt(std::uint32_t ofMesh);
     std::uint32_t newVertex(const Eigen::Vector3d& place);
@@ -66,13 +67,14 @@ Caps::Caps(const TetrahedralMesh& mesh, const BoundaryFaces& boundary, double is
 }
 
 /// Where the contour crosses an edge, to the last bit, as its vertices were placed.
-Eigen::Vector3d Caps::placeOn(std::uint32_t outside, std::uint32_t inside) const
+/// In the order of the contour, to the last bit.
+Eigen::Vector3d Caps::placeOn(EdgeKey edge) const
 {
-    const double value = mesh_.values[outside];
-    const double between = (isovalue_ - value) / (static_cast<double>(mesh_.values[inside]) - value);
-    const double fraction = between >= 0 && between <= 1 ? between : 0.5;
-    const Eigen::Vector3d &from = mesh_.positions[outside], &to = mesh_.positions[inside];
-    return from + fraction * (to - from);
+    const auto [first, second] = endsOf(edge);
+    const double share = crossingShare(isovalue_, mesh_.values[first], mesh_.values[second]);
+    const Eigen::Vector3d &from = mesh_.positions[first], &to = mesh_.positions[second];
+    return {coordinateAt(from[0], to[0], share), coordinateAt(from[1], to[1], share),
+            coordinateAt(from[2], to[2], share)};
 }
 
 /// Of the vertices that the contour had in one vertex of the mesh a single one is left, on one of their edges: that is
@@ -83,9 +85,8 @@ std::uint32_t Caps::crossingOf(std::uint32_t one, std::uint32_t other)
     const auto found = std::ranges::lower_bound(crossings_, edge, {}, &std::pair<EdgeKey, std::uint32_t>::first);
     if (found != crossings_.end() && found->first == edge)
         return found->second;
-    const auto [outside, inside] = isAbove(one) ? std::pair(other, one) : std::pair(one, other);
-    const Eigen::Vector3d place = placeOn(outside, inside);
-    for (const std::uint32_t end : {outside, inside})
+    const Eigen::Vector3d place = placeOn(edge);
+    for (const std::uint32_t end : {one, other})
         if (place == mesh_.positions[end] && atVertex_[end] != unmade)
             return atVertex_[end];
     const std::uint32_t made = newVertex(place); // the contour knows nothing of it: its values are not numbers

@@ -329,17 +329,13 @@ TETRA_SIMD_INLINE void computeVertices(VertexBlock& block, double isovalue)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < blockSize; ++i) {
-        const double value = double(block.values[0][i]);
-        const double between = (isovalue - value) / (double(block.values[1][i]) - value);
-        const double fraction = between >= 0 && between <= 1 ? between : 0.5;
+        const double fraction = crossingShare(isovalue, double(block.values[0][i]), double(block.values[1][i]));
         unsigned notFirst = 0, notSecond = 0;
         double square = 0;
         double directions[3];
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double from = block.positions[0][axis][i], to = block.positions[1][axis][i];
-            // From the nearer end, so that either end is met exactly.
-            const double step = to - from;
-            const double place = fraction <= 0.5 ? from + fraction * step : to - (1 - fraction) * step;
+            const double place = coordinateAt(from, to, fraction);
             block.placed[axis][i] = place;
             notFirst |= place != from ? 1u : 0u;
             notSecond |= place != to ? 1u : 0u;

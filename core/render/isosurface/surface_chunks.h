@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/simd.h"
 #include "core/render/isosurface/crossed_tetrahedra.h"
 #include "core/render/isosurface/isosurface.h"
 
@@ -15,6 +16,20 @@
 #include <vector>
 
 namespace tetra {
+
+/// Where a surface crosses an edge: a share from the first end, the middle where the values do not tell.
+TETRA_SIMD_INLINE double crossingShare(double isovalue, double first, double second)
+{
+    const double share = (isovalue - first) / (second - first);
+    return share >= 0 && share <= 1 ? share : 0.5;
+}
+
+/// One coordinate there. From the nearer end, so that either is met exactly: that is how vertices are found to be one.
+TETRA_SIMD_INLINE double coordinateAt(double from, double to, double share)
+{
+    const double step = to - from;
+    return share <= 0.5 ? from + share * step : to - (1 - share) * step;
+}
 
 /// The piece of an isosurface in one run of surfaceChunkSize tetrahedra.
 struct SurfaceChunk {

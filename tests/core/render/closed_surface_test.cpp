@@ -115,7 +115,7 @@ private slots:
         std::mt19937 random(seed);
         for (float& value : mesh.values)
             value = ties ? static_cast<float>(random() % 4) : static_cast<float>(random() % 1000) / 250;
-        for (const Vector3d& shift : {Vector3d(0, 0, 0), Vector3d(408201.5, 4080928.25, 17)}) {
+        for (const Vector3d& shift : {Vector3d(0, 0, 0), Vector3d(408201.5, 4080928.25, 17), Vector3d(0.3, 0.7, 0.1)}) {
             for (Vector3d& position : mesh.positions)
                 position += shift;
             for (const double isovalue : {1.0, 1.7, 2.0, 3.0}) {
