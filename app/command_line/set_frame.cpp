@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/datasets.h"
 #include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
-#include "app/command_line/table.h"
 #include "core/base/text.h"
 #include "core/build/model_build.h"
 #include "plugins/host/output_check.h"
 
 #include <QFile>
-#include <QJsonArray>
 
 #include <array>
 #include <limits>
@@ -45,16 +44,6 @@ Result<Placement> placementOf(const Arguments& arguments)
     if (!placement.spacing && !placement.origin && !placement.lengthUnit)
         return Error{ErrorKind::WrongUsage, "Nothing to set. Give '--spacing', '--origin' or '--unit'."};
     return placement;
-}
-
-QJsonArray toJson(const Eigen::Vector3d& vector)
-{
-    return {vector.x(), vector.y(), vector.z()};
-}
-
-std::string toText(const Eigen::Vector3d& vector, const char* between)
-{
-    return formatNumber(vector.x()) + between + formatNumber(vector.y()) + between + formatNumber(vector.z());
 }
 
 } // namespace
@@ -102,16 +91,13 @@ Result<Outcome> runSetFrame(const Invocation& invocation)
     const auto model = Model::open(output);
     if (!model)
         return model.error();
-    const ModelDescription& about = (*model)->description();
-    Outcome outcome;
-    outcome.figures = {{"model", QFile::decodeName(output.c_str())},
-                       {"spacing", toJson(about.lattice.spacing)},
-                       {"origin", toJson(about.lattice.origin)},
-                       {"unit", QString::fromStdString(about.lengthUnit)},
-                       {"bytes", static_cast<qint64>((*model)->fileSize())}};
-    outcome.text = visibleText(output.string()) + ": spacing " + toText(about.lattice.spacing, " x ") + ", origin " +
-                   toText(about.lattice.origin, ", ") +
-                   (about.lengthUnit.empty() ? "" : ", in " + visibleText(about.lengthUnit)) + "\n";
+    const DatasetSummary summary = summaryOf((*model)->description());
+    const Eigen::Vector3d& origin = summary.lattice.origin;
+    Outcome outcome{.figures = datasetFigures(summary), .text = {}};
+    outcome.figures["model"] = QFile::decodeName(output.c_str());
+    outcome.figures["bytes"] = static_cast<qint64>((*model)->fileSize());
+    outcome.text = visibleText(output.string()) + ": " + datasetText(summary) + ", origin " + formatNumber(origin.x()) +
+                   ", " + formatNumber(origin.y()) + ", " + formatNumber(origin.z()) + "\n";
     return outcome;
 }
 
