@@ -4,6 +4,7 @@
 #include "plugins/api/scene_parameters.h"
 #include "ui/annotations/field_name.h"
 #include "ui/session/files.h"
+#include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 
 #include <tan/model.h>
@@ -43,8 +44,9 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
     if (hasParameter(parameters, isovaluesId))
         content.isovalues = seenOnes(view.isovalues);
     content.field = fieldName(model.description());
-    content.space = QString::fromStdString(model.description().space);
-    content.lengthUnit = QString::fromStdString(model.description().lengthUnit);
+    if (const std::string& space = model.description().space; space.find_first_not_of("RLAPSI") == std::string::npos)
+        content.space = QString::fromStdString(space);
+    content.lengthUnit = shownText(model.description().lengthUnit);
     content.title = QFileInfo(pathText(model.path())).completeBaseName();
     if (mesh != nullptr)
         content.accuracy = accuracyText(*mesh);
