@@ -639,7 +639,7 @@ private slots:
         const QString address = QString::fromStdString(server.address("lattice.tan"));
         const QStringList there{address, "--at-server", "--token-file", "token"};
         const QStringList ofMesh{"--error", "2", "--focus", "sphere:9,9,9,4", "--focus-error", "0.5"};
-        QJsonObject figures[2];
+        QJsonObject figures[2], shape[2];
         QImage pictures[2];
         for (const bool isThere : {false, true}) {
             const QStringList model = isThere ? there : QStringList{"models/lattice.tan"};
@@ -651,6 +651,10 @@ private slots:
             figures[isThere] = surface.json();
             figures[isThere].remove("seconds");
             figures[isThere].remove("file");
+            // Sums over the triangles, which come in another order.
+            QJsonArray shapes = figures[isThere].take("surfaces").toArray();
+            QCOMPARE(shapes.size(), 1);
+            shape[isThere] = shapes[0].toObject();
             const Run picture = runTan(QStringList{"render"} + model + ofMesh +
                                            QStringList{"--isovalue", "120", "--lens", "0.5,0.5,0.2,3,0.3", "--size",
                                                        "200x150", "-o", name + ".png"},
@@ -659,6 +663,11 @@ private slots:
             pictures[isThere] = QImage(place_.filePath(name + ".png"));
         }
         QCOMPARE(figures[1], figures[0]);
+        for (const char* const sum : {"area", "volume"}) {
+            const double local = shape[0].take(sum).toDouble(), remote = shape[1].take(sum).toDouble();
+            QVERIFY2(local > 1000 && std::abs(remote - local) < 1e-12 * local, sum);
+        }
+        QCOMPARE(shape[1], shape[0]);
         QVERIFY(figures[0]["triangles"].toInt() > 100);
         QCOMPARE(pictures[1].size(), QSize(200, 150));
         int differing = 0;

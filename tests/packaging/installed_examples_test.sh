@@ -39,7 +39,7 @@ check test "$(tan info bad.grid 2>&1 | grep -c 'is no number')" = 1
 # A file of its format is written by every command that writes surfaces.
 export TAN_PLUGIN_PATH="$examples"/my-writer/build
 tan isosurface wells.tan --value -0.5 -o surface.off >messages
-check test "$(sed -n 2p surface.off)" = "$(sed 's/.*: \([0-9]*\) vertices, \([0-9]*\) triangles.*/\1 \2 0/' messages)"
+check test "$(sed -n 2p surface.off)" = "$(sed -n 's/.*: \([0-9]*\) vertices, \([0-9]*\) triangles.*/\1 \2 0/p' messages)"
 tan extract wells.tan --error 1 -o boundary.off >messages
 check test "$(grep -c '^3 ' boundary.off)" -gt 10
 check grep -q boundary messages
