@@ -135,7 +135,9 @@ private slots:
         single.samplesPerAxis = 1;
         const SamplePictures samples{rendered(*cpu_, view.scene, view.camera, single),
                                      rendered(*gl_, view.scene, view.camera, single), view.options.samplesPerAxis};
-        QVERIFY(samePicture(cpu, gl, again, "gl_" + QString(name).replace(' ', '_').remove(','), 0, &samples));
+        // A driver clips each triangle by itself: between two that the border of the view cuts a sample may be missed.
+        const int strays = name == "folded, eye inside" ? 1 : 0;
+        QVERIFY(samePicture(cpu, gl, again, "gl_" + QString(name).replace(' ', '_').remove(','), strays, &samples));
     }
 
     /// A mesh that died and a new one at its address are told apart; sizes may change from picture to picture.
