@@ -1770,6 +1770,10 @@ beliebige Verwerfung</translation>
         <source>This exists and is not a model. Choose another name.</source>
         <translation>Das gibt es schon, und es ist kein Modell. Wählen Sie einen anderen Namen.</translation>
     </message>
+    <message>
+        <source>spacing %1</source>
+        <translation>Abstand %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CacheDialog</name>
@@ -8951,6 +8955,22 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
         <translation>ihr %1 ist &apos;%2&apos; und nicht %3 endliche Zahlen.</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Längeneinheit</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it: the unit of coordinates, as in mm. It is shown, and converts nothing.</source>
+        <translation>Dateien, die sie nicht angeben: die Einheit der Koordinaten, etwa mm. Sie wird angezeigt und rechnet nichts um.</translation>
+    </message>
+    <message>
+        <source>The file does not tell its spacing: 1 x 1 x 1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
+        <translation>Die Datei gibt ihren Abstand nicht an: 1 x 1 x 1 wird angenommen. Geben Sie ihn mit &apos;--spacing&apos; oder unter Importoptionen an, oder nachträglich mit &apos;tan set-frame&apos;.</translation>
+    </message>
+    <message>
+        <source>The model lies as the directions of its data say, and was seen without them, as TAn up to version 0.1 read such data: its places were other ones. The camera shows all of it; choose regions anew.</source>
+        <translation>Das Modell liegt so, wie die Richtungen seiner Daten es sagen, und wurde ohne sie gesehen, wie TAn bis zur Version 0.1 solche Daten las: Seine Orte waren andere. Die Kamera zeigt alles davon; wählen Sie Bereiche neu.</translation>
     </message>
 </context>
 <context>

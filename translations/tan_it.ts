@@ -1770,6 +1770,10 @@ deformazione qualsiasi</translation>
         <source>This exists and is not a model. Choose another name.</source>
         <translation>Esiste già e non è un modello. Scegliere un altro nome.</translation>
     </message>
+    <message>
+        <source>spacing %1</source>
+        <translation>spaziatura %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CacheDialog</name>
@@ -8951,6 +8955,22 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
         <translation>il suo %1 è &apos;%2&apos; e non %3 numeri finiti.</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Unità di lunghezza</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it: the unit of coordinates, as in mm. It is shown, and converts nothing.</source>
+        <translation>File che non la indicano: l&apos;unità delle coordinate, come mm. Viene mostrata e non converte nulla.</translation>
+    </message>
+    <message>
+        <source>The file does not tell its spacing: 1 x 1 x 1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
+        <translation>Il file non indica la sua spaziatura: si suppone 1 x 1 x 1. La si indichi con &apos;--spacing&apos; o nelle opzioni di importazione, oppure in seguito con &apos;tan set-frame&apos;.</translation>
+    </message>
+    <message>
+        <source>The model lies as the directions of its data say, and was seen without them, as TAn up to version 0.1 read such data: its places were other ones. The camera shows all of it; choose regions anew.</source>
+        <translation>Il modello giace come dicono le direzioni dei suoi dati, ed era visto senza di esse, come TAn fino alla versione 0.1 leggeva tali dati: i suoi luoghi erano altri. La telecamera lo mostra tutto; scegliere di nuovo le regioni.</translation>
     </message>
 </context>
 <context>

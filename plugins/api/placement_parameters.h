@@ -4,6 +4,7 @@
 #include "plugins/api/parameter.h"
 
 #include <tan/base.h>
+#include <tan/data.h>
 
 #include <Eigen/Core>
 
@@ -16,7 +17,19 @@
 
 namespace tetra {
 
-/// For readers of lattices whose files may not say where they lie: "spacing" and "origin", by which the user does.
+/// For readers of data whose files may not say where they lie: "spacing" and "origin" of lattices and "unit", by which
+/// the user does.
+
+inline Parameter unitParameter()
+{
+    Parameter unit;
+    unit.id = "unit";
+    unit.label = Message::marked("Unit of length");
+    unit.explanation = Message::marked("Files that do not tell it: the unit of coordinates, as in mm. It is shown, and "
+                                       "converts nothing.");
+    unit.defaultValue = std::string();
+    return unit;
+}
 
 inline std::vector<Parameter> placementParameters()
 {
@@ -30,7 +43,7 @@ inline std::vector<Parameter> placementParameters()
     origin.label = Message::marked("Origin");
     origin.explanation = Message::marked("Files that do not tell it: the position of the first point, as in 0,0,0.");
     origin.defaultValue = std::string("0,0,0");
-    return {spacing, origin};
+    return {spacing, origin, unitParameter()};
 }
 
 /// Three numbers with 'x', commas or blanks between them.
@@ -69,11 +82,69 @@ inline Result<std::optional<Eigen::Vector3d>> placementValue(const ParameterValu
     return std::optional(Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]));
 }
 
-/// Of a file that says itself what the user gives; a sentence about "it".
-inline Error placementIsKnown(const std::string& id)
+/// Of these parameters those that a file leaves to the user, for FileContents::untold.
+inline std::vector<std::string> untoldPlacement(bool tellsSpacing, bool tellsOrigin, bool tellsUnit)
 {
-    return {ErrorKind::WrongUsage,
-            Message::say("it tells its %1 itself. Leave '--%1' out; 'tan set-frame' gives the model another one.", id)};
+    std::vector<std::string> untold;
+    if (!tellsSpacing)
+        untold.emplace_back("spacing");
+    if (!tellsOrigin)
+        untold.emplace_back("origin");
+    if (!tellsUnit)
+        untold.emplace_back("unit");
+    return untold;
+}
+
+/// Of these parameters those that the user gives.
+inline std::vector<std::string> givenPlacement(const ParameterValues& values)
+{
+    std::vector<std::string> given;
+    for (const Parameter& parameter : placementParameters())
+        if (values.contains(parameter.id))
+            given.push_back(parameter.id);
+    return given;
+}
+
+/// An error (WrongUsage), a sentence about "it", for what the file tells itself.
+inline Status checkUntold(const std::vector<std::string>& given, const std::vector<std::string>& untold)
+{
+    for (const std::string& id : given)
+        if (std::ranges::find(untold, id) == untold.end())
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("it tells its %1 itself. Leave '--%1' out; 'tan set-frame' gives the model "
+                                      "another one.",
+                                      id)};
+    return {};
+}
+
+/// Puts data where the user says they lie. Errors (WrongUsage), each a sentence about "it": a value that is not
+/// understood, or that the file tells itself.
+inline Status placeByUser(const ParameterValues& values, const std::vector<std::string>& untold, Lattice& lattice,
+                          std::string& lengthUnit)
+{
+    if (const Status fits = checkUntold(givenPlacement(values), untold); !fits)
+        return fits;
+    const auto spacing = placementValue(values, "spacing");
+    if (!spacing)
+        return spacing.error();
+    const auto origin = placementValue(values, "origin");
+    if (!origin)
+        return origin.error();
+    lattice.spacing = spacing->value_or(lattice.spacing);
+    lattice.origin = origin->value_or(lattice.origin);
+    if (const auto unit = values.find("unit"); unit != values.end())
+        if (const auto* text = std::get_if<std::string>(&unit->second))
+            lengthUnit = *text;
+    return {};
+}
+
+/// For Dataset::remarks of a lattice: nothing if the file or the user tells the spacing.
+inline std::vector<Message> remarkOnSpacing(const ParameterValues& values, const std::vector<std::string>& untold)
+{
+    if (values.contains("spacing") || std::ranges::find(untold, "spacing") == untold.end())
+        return {};
+    return {Message::say("The file does not tell its spacing: 1 x 1 x 1 is assumed. Say what it is by '--spacing' or "
+                         "in Import Options, or afterwards by 'tan set-frame'.")};
 }
 
 } // namespace tetra

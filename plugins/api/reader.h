@@ -31,6 +31,8 @@ struct FileContents {
     std::vector<FileArray> arrays{};
     std::vector<double> timeSteps{};
     std::vector<std::string> blocks{};
+    /// Of the reader's parameters those for what other files tell and this one does not: "spacing", "unit".
+    std::vector<std::string> untold{};
     /// Values of the reader's parameters that would fit a file that does not say how it is to be read, the likeliest
     /// first.
     std::vector<ParameterValues> suggestions{};
@@ -78,5 +80,5 @@ public:
 
 } // namespace tetra
 
-#define TAN_READER_INTERFACE "org.tan.Reader/1"
+#define TAN_READER_INTERFACE "org.tan.Reader/2"
 Q_DECLARE_INTERFACE(tetra::Reader, TAN_READER_INTERFACE)

@@ -87,5 +87,5 @@ public:
 
 } // namespace tetra
 
-#define TAN_RENDERER_INTERFACE "org.tan.Renderer/2"
+#define TAN_RENDERER_INTERFACE "org.tan.Renderer/3"
 Q_DECLARE_INTERFACE(tetra::Renderer, TAN_RENDERER_INTERFACE)

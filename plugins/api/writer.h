@@ -68,5 +68,5 @@ private:
 
 } // namespace tetra
 
-#define TAN_WRITER_INTERFACE "org.tan.Writer/2"
+#define TAN_WRITER_INTERFACE "org.tan.Writer/3"
 Q_DECLARE_INTERFACE(tetra::Writer, TAN_WRITER_INTERFACE)

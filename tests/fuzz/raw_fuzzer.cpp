@@ -11,7 +11,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::array<const char*, 5> words = {"size", "type", "byte-order", "spacing", "origin"};
+constexpr std::array<const char*, 6> words = {"size", "type", "byte-order", "spacing", "origin", "unit"};
 
 void readDetached(const LatticeReader& reader, const FuzzFolder& folder, std::string_view text)
 {

@@ -115,7 +115,10 @@ private slots:
         QVERIFY(!asks(importForm(parameters, {.domain = DomainClass::Irregular}, {}, false), "solution"));
         // Most files tell where they lie, and refuse to be told.
         const ImportForm image = importForm(parametersOf("vtk"), {.domain = DomainClass::RegularLattice}, {}, false);
-        QVERIFY(!asks(image, "spacing") && !asks(image, "origin"));
+        QVERIFY(!asks(image, "spacing") && !asks(image, "origin") && !asks(image, "unit"));
+        const ImportForm pictures = importForm(
+            parametersOf("vtk"), {.domain = DomainClass::RegularLattice, .untold = {"spacing", "unit"}}, {}, false);
+        QVERIFY(asks(pictures, "spacing") && !asks(pictures, "origin") && asks(pictures, "unit"));
     }
 
     void theReadersOwnChoiceHasAName()

@@ -34,8 +34,9 @@ private slots:
 private:
     Session& session() const { return window_->workbench.session(); }
     QString path(const QString& name) const { return folder_.filePath(name); }
-    /// A model of x + y + z on a lattice of so many points along x, times `factor`.
-    QString build(const QString& name, float factor, std::uint32_t sizeX = 8) const;
+    /// A model of x + y + z on a lattice of so many points along x, times `factor`; other than 0, `mirrored` is where
+    /// its first point lies, from which x falls.
+    QString build(const QString& name, float factor, std::uint32_t sizeX = 8, double mirrored = 0) const;
     void open(const QString& file) const;
     /// The session of a model with two isovalues, a transfer function, a camera, a window and a clip plane of their
     /// own.
@@ -83,11 +84,14 @@ void RestoredViewTest::cleanup()
     window_.reset();
 }
 
-QString RestoredViewTest::build(const QString& name, float factor, std::uint32_t sizeX) const
+QString RestoredViewTest::build(const QString& name, float factor, std::uint32_t sizeX, double mirrored) const
 {
     constexpr std::uint32_t size = 8;
     Dataset dataset = sampleDataset(size);
     dataset.lattice.size[0] = sizeX;
+    dataset.lattice.origin[0] = mirrored;
+    if (mirrored != 0)
+        dataset.lattice.directions(0, 0) = -1;
     std::vector<float> values;
     for (std::uint32_t z = 0; z < size; ++z)
         for (std::uint32_t y = 0; y < size; ++y)
@@ -266,6 +270,11 @@ void RestoredViewTest::theProgramSaysWhatDiffers()
     QCOMPARE(differencesOf(other), (QStringList{"camera", "window", "clip", "isovalues"}));
     QVERIFY2(other.messages.contains("1 of 2 isovalues"), other.messages);
     QVERIFY(!render({"smaller.tan"}).json().contains("session_differs"));
+    // Its places are within those of the other model, and not the same.
+    build("directed.tan", 1, 8, 7.5);
+    const Run directed = render({"before.tansession", "--model", "directed.tan"});
+    QCOMPARE(differencesOf(directed), (QStringList{"camera", "window", "clip"}));
+    QVERIFY2(directed.messages.contains("TAn up to version 0.1"), directed.messages);
 }
 
 void RestoredViewTest::theProgramIsStrict()

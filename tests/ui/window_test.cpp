@@ -198,7 +198,8 @@ void WindowTest::droppedFilesAreOpened()
     QCoreApplication::sendEvent(&window_->window, &drop);
     QTRY_VERIFY(window_->workbench.opening().dataset());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
-    QCOMPARE(window_->find<QLabel>("build.facts").text(), QString("8 × 8 × 8 samples, uint8, values 0 to 192"));
+    QCOMPARE(window_->find<QLabel>("build.facts").text(),
+             QString("8 × 8 × 8 samples, spacing 1 × 1 × 1, uint8, values 0 to 192"));
 
     QMimeData text;
     text.setText("no file");

@@ -16,6 +16,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
@@ -86,11 +87,23 @@ QString shapeOf(const Dataset& dataset)
     return BuildPanel::tr("%1 samples").arg(sizes);
 }
 
+/// How far the points of a lattice are apart, with the unit where it is known.
+QString spacingOf(const Dataset& dataset)
+{
+    QStringList steps;
+    for (const double step : dataset.lattice.spacing)
+        steps << QLocale().toString(step, 'g', 6);
+    const QString text = BuildPanel::tr("spacing %1").arg(steps.join(QString::fromUtf8(" × ")));
+    return dataset.lengthUnit.empty() ? text : text + ' ' + shownText(dataset.lengthUnit);
+}
+
 QString factsOf(const Dataset& dataset)
 {
     const ValueRange range = dataset.values.range();
+    const QString shape =
+        dataset.domain == DomainClass::RegularLattice ? shapeOf(dataset) + ", " + spacingOf(dataset) : shapeOf(dataset);
     return BuildPanel::tr("%1, %2, values %3 to %4")
-        .arg(shapeOf(dataset), QString::fromUtf8(sampleTypeName(dataset.values.type())),
+        .arg(shape, QString::fromUtf8(sampleTypeName(dataset.values.type())),
              numberInRange(range.minimum, range.minimum, range.maximum),
              numberInRange(range.maximum, range.minimum, range.maximum));
 }

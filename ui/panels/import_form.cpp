@@ -16,8 +16,8 @@ class ImportForms {
     Q_DECLARE_TR_FUNCTIONS(ImportForm)
 };
 
-constexpr std::array<std::string_view, 6> layoutIds = {"size", "type", "byte-order", "skip", "spacing", "origin"};
-constexpr std::array<std::string_view, 2> placeIds = {"spacing", "origin"};
+constexpr std::array<std::string_view, 4> layoutIds = {"size", "type", "byte-order", "skip"};
+constexpr std::array<std::string_view, 3> placeIds = {"spacing", "origin", "unit"};
 constexpr std::array<std::string_view, 3> blockIds = {"part", "block", "grid"};
 
 template <std::size_t Count> bool isOneOf(const std::array<std::string_view, Count>& ids, const std::string& id)
@@ -148,8 +148,9 @@ ImportForm importForm(const std::vector<Parameter>& parameters, const FileConten
     ImportForm form;
     for (const Parameter& parameter : parameters) {
         const bool isLayout = needsLayout(parameters, {}) && isOneOf(layoutIds, parameter.id);
-        const bool isPlace = isOneOf(placeIds, parameter.id); // which most files of readers without a layout tell
-        if ((isLayout || isPlace) && !withLayout)
+        const bool isTold = isOneOf(placeIds, parameter.id) &&
+                            std::ranges::find(contents.untold, parameter.id) == contents.untold.end();
+        if ((isLayout || isTold) && !withLayout)
             continue;
         const auto choices = isKnown ? choicesOf(parameter, contents, values) : std::vector<ParameterChoice>();
         if (choices.size() == 1)

@@ -26,24 +26,48 @@ bool liesIn(const MovableRegion& region, const Eigen::AlignedBox3d& bounds)
     return bounds.contains(box.least) && bounds.contains(box.largest);
 }
 
+/// Whether a document of another domain seems to be of the same lattice without its directions: of a box that is as
+/// long along x, y and z as the lattice is along its own axes.
+bool lacksDirections(const SessionDocument& kept, const Model& model)
+{
+    constexpr double rounding = 1e-6;
+    const Lattice& lattice = model.description().lattice;
+    if (model.description().domain != DomainClass::RegularLattice || lattice.isAlongAxes())
+        return false;
+    Eigen::Vector3d lengths = lattice.spacing;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        lengths[axis] *= lattice.size[static_cast<std::size_t>(axis)] - 1;
+    return kept.bounds.sizes().isApprox(lengths, rounding);
+}
+
+Message cameraText(bool lacksDirections)
+{
+    return lacksDirections ? Message::say("The model lies as the directions of its data say, and was seen without "
+                                          "them, as TAn up to version 0.1 read such data: its places were other ones. "
+                                          "The camera shows all of it; choose regions anew.")
+                           : Message::say("The domain is different, so the camera keeps its direction and shows all of "
+                                          "the model.");
+}
+
 /// From another domain.
 void fitPlaces(SessionDocument& kept, const ViewValue& start, const Model& model, Differences& differences)
 {
-    const Eigen::AlignedBox3d& bounds = model.description().bounds;
+    const bool isElsewhere = lacksDirections(kept, model);
+    const auto fits = [&](const MovableRegion& region) {
+        return !isElsewhere && liesIn(region, model.description().bounds);
+    };
     ViewValue& view = kept.view;
     if (kept.hasCamera)
-        differences.push_back(
-            {"camera", Message::say("The domain is different, so the camera keeps its direction and shows all of "
-                                    "the model.")});
+        differences.push_back({"camera", cameraText(isElsewhere)});
     kept.hasCamera = false;
     const FocusState& focus = view.query.focus;
-    if (!std::ranges::all_of(focus.regions(), [&](const MovableRegion& region) { return liesIn(region, bounds); })) {
+    if (!std::ranges::all_of(focus.regions(), fits)) {
         differences.push_back({"focus", Message::say("The focus is off: it is not within the domain.")});
         view.query.focus = start.query.focus;
     } else if (!focus.isOn()) {
         view.query.focus = start.query.focus;
     }
-    if (!liesIn(view.query.window.window.box, bounds)) {
+    if (!fits(view.query.window.window.box)) {
         if (view.query.window.enabled)
             differences.push_back({"window", Message::say("The window is off: it is not within the domain.")});
         view.query.window = start.query.window;

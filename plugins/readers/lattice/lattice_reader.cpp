@@ -68,23 +68,11 @@ Result<File> openFile(const fs::path& path)
     return file;
 }
 
-/// What the header of a NRRD file leaves to the user.
-Status placeByUser(const ParameterValues& values, NrrdLayout& layout)
+/// What the file leaves to the user.
+Status placeLayout(const ParameterValues& values, SampleLayout& layout)
 {
-    const auto spacing = placementValue(values, "spacing");
-    if (!spacing)
-        return spacing.error();
-    const auto origin = placementValue(values, "origin");
-    if (!origin)
-        return origin.error();
-    if (*spacing && layout.tellsSpacing)
-        return placementIsKnown("spacing");
-    if (*origin && layout.tellsOrigin)
-        return placementIsKnown("origin");
-    Lattice& lattice = layout.samples.lattice;
-    lattice.spacing = spacing->value_or(lattice.spacing);
-    lattice.origin = origin->value_or(lattice.origin);
-    return checkLatticePlacement(lattice);
+    const Status placed = placeByUser(values, layout.untold, layout.lattice, layout.lengthUnit);
+    return placed ? checkLatticePlacement(layout.lattice) : placed;
 }
 
 /// The data files of a detached header, else the header's own file.
@@ -96,7 +84,7 @@ Result<VolumeFiles> openNrrd(const fs::path& path, const File& headerFile, const
     Result<NrrdLayout> layout = nrrdLayout(*fields);
     if (!layout)
         return inFile(path, layout.error());
-    if (const Status placed = placeByUser(values, *layout); !placed)
+    if (const Status placed = placeLayout(values, layout->samples); !placed)
         return inFile(path, placed.error());
     if (layout->dataFiles.empty())
         return VolumeFiles{{path}, layout->samples, headerFile, fields->headerBytes};
@@ -112,9 +100,11 @@ Result<VolumeFiles> openNrrd(const fs::path& path, const File& headerFile, const
 
 Result<VolumeFiles> openRaw(const fs::path& path, const File& file, const ParameterValues& values)
 {
-    const Result<SampleLayout> layout = rawLayout(values, path.filename().string(), file->bytes().size());
+    Result<SampleLayout> layout = rawLayout(values, path.filename().string(), file->bytes().size());
     if (!layout)
         return inFile(path, layout.error());
+    if (const Status placed = placeLayout(values, *layout); !placed)
+        return inFile(path, placed.error());
     return VolumeFiles{{path}, *layout, file, 0};
 }
 
@@ -127,8 +117,9 @@ Result<VolumeFiles> openVolume(const fs::path& path, const File& file, const Par
 {
     if (!isNrrd(path, file))
         return openRaw(path, file, values);
+    const std::vector<Parameter> ofAll = placementParameters();
     for (const auto& [id, value] : values)
-        if (id != "spacing" && id != "origin")
+        if (std::ranges::find(ofAll, id, &Parameter::id) == ofAll.end())
             return Error{ErrorKind::WrongUsage,
                          Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.", id,
                                       path.string()),
@@ -198,7 +189,8 @@ Result<ScalarField> samplesOf(const fs::path& path, const VolumeFiles& volume, c
                 : read.error();
 }
 
-Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, const Progress& progress)
+Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, const ParameterValues& options,
+                            const Progress& progress)
 {
     const Result<ScalarField> values = samplesOf(path, volume, progress);
     if (!values)
@@ -208,6 +200,7 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, con
     dataset.values = *values;
     dataset.space = volume.layout.space;
     dataset.lengthUnit = volume.layout.lengthUnit;
+    dataset.remarks = remarkOnSpacing(options, volume.layout.untold);
     dataset.source = {path.filename().string(), path, 0};
     if (isWithin(values->bytes(), volume.first->bytes()))
         dataset.mappedFile = volume.first;
@@ -236,7 +229,8 @@ Result<FileContents> contentsOf(const fs::path& path, const VolumeFiles& volume)
     return FileContents{.domain = DomainClass::RegularLattice,
                         .lattice = volume.layout.lattice,
                         .points = volume.layout.lattice.pointCount(),
-                        .type = volume.layout.type};
+                        .type = volume.layout.type,
+                        .untold = volume.layout.untold};
 }
 
 } // namespace
@@ -270,7 +264,7 @@ Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues&
     const Result<VolumeFiles> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
-    return readDataset(path, *volume, progress);
+    return readDataset(path, *volume, values, progress);
 }
 
 std::vector<fs::path> LatticeReader::companions(const fs::path& path, const ParameterValues& /*values*/) const

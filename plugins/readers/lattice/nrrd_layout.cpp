@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/nrrd_layout.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_files.h"
 #include "plugins/readers/lattice/nrrd_geometry.h"
@@ -76,10 +77,10 @@ Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
     if (!lattice)
         return lattice.error();
     layout.samples.lattice = *lattice;
-    layout.tellsSpacing = tellsNrrdSpacing(fields);
-    layout.tellsOrigin = tellsNrrdOrigin(fields);
     layout.samples.space = nrrdSpace(fields);
     layout.samples.lengthUnit = nrrdLengthUnit(fields);
+    layout.samples.untold =
+        untoldPlacement(tellsNrrdSpacing(fields), tellsNrrdOrigin(fields), !layout.samples.lengthUnit.empty());
     auto files = nrrdDataFiles(fields);
     if (!files)
         return files.error();

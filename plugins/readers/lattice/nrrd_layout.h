@@ -15,8 +15,6 @@ namespace tetra {
 struct NrrdLayout {
     SampleLayout samples;
     std::vector<std::string> dataFiles; ///< nrrdDataFiles()
-    bool tellsSpacing = false;
-    bool tellsOrigin = false;
 };
 
 /// Errors: what is missing, contradicts itself, or is not read (64-bit integers, blocks, encodings).

@@ -34,19 +34,6 @@ Error sizeIsMissing(std::string_view fileName, std::uint64_t fileBytes)
                                    fileBytes, examples));
 }
 
-Status parsePlacement(const ParameterValues& values, Lattice& lattice)
-{
-    const auto spacing = placementValue(values, "spacing");
-    if (!spacing)
-        return spacing.error();
-    const auto origin = placementValue(values, "origin");
-    if (!origin)
-        return origin.error();
-    lattice.spacing = spacing->value_or(lattice.spacing);
-    lattice.origin = origin->value_or(lattice.origin);
-    return checkLatticePlacement(lattice);
-}
-
 } // namespace
 
 std::vector<Parameter> rawParameters()
@@ -121,8 +108,7 @@ Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view f
     if (!order)
         return wrongUsage(order.error().message);
     layout.order = *order;
-    if (const Status placed = parsePlacement(values, layout.lattice); !placed)
-        return placed.error();
+    layout.untold = untoldPlacement(false, false, false);
     return layout;
 }
 

@@ -12,14 +12,15 @@
 
 namespace tetra {
 
-/// What must be known of a raw file: size, type, byte-order, skip, spacing, origin.
+/// What must be known of a raw file: size, type, byte-order, skip, spacing, origin, unit.
 std::vector<Parameter> rawParameters();
 
 /// Whether they say how many points there are, without which nothing is known of a raw file.
 bool describesSize(const ParameterValues& values);
 
-/// The layout that the user's parameters describe. `fileName` and `fileBytes` help to make a good error text when the
-/// size is not given. Errors: ErrorKind::WrongUsage for what is missing or cannot be understood.
+/// The layout that the user's parameters describe, all but where it lies. `fileName` and `fileBytes` help to make a
+/// good error text when the size is not given. Errors: ErrorKind::WrongUsage for what is missing or cannot be
+/// understood.
 Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view fileName, std::uint64_t fileBytes);
 
 } // namespace tetra

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -16,6 +17,7 @@ struct SampleLayout {
     Lattice lattice;   ///< checked
     std::string space; ///< as those of a dataset
     std::string lengthUnit{};
+    std::vector<std::string> untold{}; ///< as FileContents::untold
     SampleType type = SampleType::UInt8;
     SampleEncoding encoding = SampleEncoding::Raw;
     std::endian order = std::endian::native; ///< of types of more than one byte; text has none

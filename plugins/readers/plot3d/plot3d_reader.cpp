@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/plot3d/plot3d_reader.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/plot3d/plot3d_arrays.h"
 #include "plugins/readers/plot3d/plot3d_names.h"
 
@@ -168,7 +169,7 @@ std::vector<std::string> gridTexts(const Plot3dLayout& layout)
 
 Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const Progress& progress)
 {
-    FileContents contents{.domain = DomainClass::Curvilinear};
+    FileContents contents{.domain = DomainClass::Curvilinear, .untold = {"unit"}};
     for (const std::string_view name : plot3dArrayNames())
         contents.arrays.push_back({.name = std::string(name)});
     const auto grid = openOf(pair, Plot3dKind::Grid, progress.part(0, 0.5));
@@ -276,7 +277,7 @@ std::vector<Parameter> Plot3dReader::parameters() const
     grid.defaultValue = std::int64_t(0);
     grid.minimum = 0;
     grid.maximum = 10000;
-    return {array, solution, grid};
+    return {array, solution, grid, unitParameter()};
 }
 
 Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
@@ -288,7 +289,10 @@ Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& 
     const auto open = openPair(*pair, parameterValue<std::int64_t>(all, values, "grid"), progress.part(0.2, 0.4));
     if (!open)
         return open.error();
-    return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress.part(0.4, 1));
+    auto dataset = readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress.part(0.4, 1));
+    if (dataset)
+        dataset->lengthUnit = parameterValue<std::string>(all, values, "unit");
+    return dataset;
 }
 
 std::vector<fs::path> Plot3dReader::companions(const fs::path& path, const ParameterValues& values) const

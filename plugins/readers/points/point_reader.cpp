@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/points/point_reader.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/points/point_columns.h"
 #include "plugins/readers/points/point_table.h"
 
@@ -91,7 +92,7 @@ std::vector<Parameter> PointReader::parameters() const
     skip.explanation =
         Message::marked("Tables of points: leave out rows that lack a number, instead of refusing the file.");
     skip.defaultValue = false;
-    return {positions, array, skip};
+    return {positions, array, skip, unitParameter()};
 }
 
 Result<Dataset> PointReader::read(const std::filesystem::path& path, const ParameterValues& values,
@@ -110,6 +111,8 @@ Result<Dataset> PointReader::read(const std::filesystem::path& path, const Param
         return Error{ErrorKind::OutOfResource,
                      Message::say("it has more than 4294967295 points. Take a part of them.")};
     auto dataset = datasetOf(std::move(*table), path);
+    if (dataset)
+        dataset->lengthUnit = parameterValue<std::string>(parameters(), values, "unit");
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }
@@ -123,7 +126,7 @@ Result<FileContents> PointReader::probe(const std::filesystem::path& path, const
     const auto columns = readPointColumns(asText((*file)->bytes()), requestOf(parameters(), values));
     if (!columns)
         return columns.error();
-    FileContents contents{.domain = DomainClass::Scattered, .type = SampleType::Float64};
+    FileContents contents{.domain = DomainClass::Scattered, .type = SampleType::Float64, .untold = {"unit"}};
     for (std::size_t column = 0; column < columns->names.size(); ++column)
         if (std::ranges::find(columns->position, column) == columns->position.end())
             contents.arrays.push_back({.name = columns->names[column]});

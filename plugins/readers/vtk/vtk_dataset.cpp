@@ -37,8 +37,6 @@ Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
         return fits.error();
     Dataset dataset;
     dataset.lattice.size = size;
-    dataset.space = found.space;
-    dataset.lengthUnit = found.lengthUnit;
     const bool onLattice = found.kind == VtkDataKind::Lattice;
     dataset.domain = onLattice ? DomainClass::RegularLattice : DomainClass::Curvilinear;
     if (onLattice) {
@@ -117,6 +115,8 @@ Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const std:
     if (!dataset)
         return dataset.error();
     dataset->source = source;
+    dataset->space = findings.space;
+    dataset->lengthUnit = findings.lengthUnit;
     dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());
     return dataset;
 }

@@ -100,7 +100,7 @@ template <class Archive, class... T> void exchangeAll(Archive& archive, T&... va
 template <class Archive> void exchange(Archive& archive, VtkRequest& request)
 {
     exchangeAll(archive, request.contentsOnly, request.format, request.path, request.array, request.component,
-                request.timeStep, request.part);
+                request.timeStep, request.part, request.given);
 }
 
 template <class Archive> void exchange(Archive& archive, Message& message)
@@ -161,8 +161,8 @@ template <class Archive> void exchange(Archive& archive, Lattice& lattice)
 
 template <class Archive> void exchange(Archive& archive, VtkFindings& found)
 {
-    exchangeAll(archive, found.kind, found.lattice, found.space, found.lengthUnit, found.type, found.perCell,
-                found.arrayName, found.remarks);
+    exchangeAll(archive, found.kind, found.lattice, found.space, found.lengthUnit, found.untold, found.type,
+                found.perCell, found.arrayName, found.remarks);
     archive.list(found.positions);
     archive.list(found.samples);
     archive.list(found.shapes);
@@ -179,7 +179,7 @@ template <class Archive> void exchange(Archive& archive, FileArray& array)
 template <class Archive> void exchange(Archive& archive, FileContents& contents)
 {
     exchangeAll(archive, contents.domain, contents.lattice, contents.points, contents.cells, contents.type,
-                contents.blocks);
+                contents.blocks, contents.untold);
     archive.list(contents.timeSteps);
     archive.each(contents.arrays, [&](FileArray& array) { exchange(archive, array); });
 }

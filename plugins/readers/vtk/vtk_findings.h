@@ -23,8 +23,9 @@ struct VtkRequest {
     std::string path;
     std::string array; ///< a name, or a number from 1; "automatic"
     std::string component;
-    std::int64_t timeStep = 1; ///< from 1
-    std::string part;          ///< a name, or a number from 1; empty: what fits together
+    std::int64_t timeStep = 1;        ///< from 1
+    std::string part;                 ///< a name, or a number from 1; empty: what fits together
+    std::vector<std::string> given{}; ///< givenPlacement(), which the helper refuses for what the file tells
 };
 
 enum class VtkDataKind : std::uint8_t { Lattice, Grid, Cells, Points };
@@ -38,6 +39,7 @@ struct VtkFindings {
     Lattice lattice{.size = {0, 0, 0}}; ///< its size also of a grid
     std::string space{};                ///< as those of a dataset
     std::string lengthUnit{};
+    std::vector<std::string> untold{};        ///< as FileContents::untold
     std::vector<Eigen::Vector3d> positions{}; ///< of all but lattices
     SampleType type = SampleType::Float32;
     Buffer<std::byte> samples{}; ///< of `type`, one a point, or a cell if `perCell`; of Cells doubles, whatever `type`

@@ -8,26 +8,12 @@
 #include "plugins/readers/vtk/vtk_parameters.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tetra {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a TIFF file leaves to the user.
-Status placeByUser(VtkFormat format, const ParameterValues& values, Lattice& lattice)
-{
-    for (const char* id : {"spacing", "origin"}) {
-        const auto place = placementValue(values, id);
-        if (!place)
-            return place.error();
-        if (*place && format != VtkFormat::Tiff)
-            return placementIsKnown(id);
-        if (*place)
-            (id == std::string_view("spacing") ? lattice.spacing : lattice.origin) = **place;
-    }
-    return {};
-}
 
 Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& values)
 {
@@ -44,9 +30,11 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     if (request.format == VtkFormat::None)
         return Error{ErrorKind::BadInput,
                      Message::say("it is of no format that TAn leaves to VTK. Let TAn choose the reader.")};
-    Lattice unused;
-    if (const Status fits = placeByUser(request.format, values, unused); !fits)
-        return fits.error();
+    Lattice lattice;
+    std::string lengthUnit;
+    request.given = givenPlacement(values);
+    if (const Status understood = placeByUser(values, request.given, lattice, lengthUnit); !understood)
+        return understood.error();
     return request;
 }
 
@@ -121,8 +109,10 @@ Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& reg
     if (!answer)
         return answer.error();
     auto& findings = std::get<VtkFindings>(*answer);
-    if (const Status placed = placeByUser(request->format, values, findings.lattice); !placed)
+    if (const Status placed = placeByUser(values, findings.untold, findings.lattice, findings.lengthUnit); !placed)
         return placed.error();
+    if (findings.kind == VtkDataKind::Lattice && findings.lattice.spacing == Eigen::Vector3d::Ones())
+        std::ranges::move(remarkOnSpacing(values, findings.untold), std::back_inserter(findings.remarks));
     return toDataset(std::move(findings), request->format, path, region, progress.part(untilFound, 1));
 }
 
@@ -137,7 +127,8 @@ Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValue
     if (!answer)
         return answer.error();
     auto& contents = std::get<FileContents>(*answer);
-    if (const Status placed = placeByUser(request->format, values, contents.lattice); !placed)
+    std::string lengthUnit;
+    if (const Status placed = placeByUser(values, contents.untold, contents.lattice, lengthUnit); !placed)
         return placed.error();
     return std::move(contents);
 }

@@ -2,6 +2,7 @@
 #include "plugins/readers/vtk/checks/metaimage_header.h"
 
 #include "plugins/api/lattice_steps.h"
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/vtk/checks/checked_file.h"
 
 #include <algorithm>
@@ -138,6 +139,7 @@ Result<std::optional<MetaPlace>> metaImagePlace(const MetaHeader& header)
     remarkOnOrientation(header, place);
     if (const auto unit = header.text("DistanceUnits"); unit == "um" || unit == "mm" || unit == "cm")
         place.lengthUnit = unit;
+    place.untold = untoldPlacement(spacing->has_value(), origin->has_value(), !place.lengthUnit.empty());
     return std::optional(place);
 }
 

@@ -39,6 +39,7 @@ struct MetaPlace {
     Lattice lattice;
     std::string space = "LPS";
     std::string lengthUnit{}; ///< "um", "mm" or "cm", which are all that the format knows; empty if it does not say
+    std::vector<std::string> untold{}; ///< FileContents::untold
     std::vector<Message> remarks{};
 };
 

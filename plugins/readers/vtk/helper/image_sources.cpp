@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/image_sources.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/vtk/checks/metaimage_header.h"
 #include "plugins/readers/vtk/checks/slice_names.h"
 
@@ -32,6 +33,7 @@ Result<VtkSource> metaImageSource(const std::string& path)
     VtkSource source = imageSource<vtkMetaImageReader>(path);
     if (!*place)
         return source;
+    source.untold = (*place)->untold;
     const auto put = [stated = (*place)->lattice](Lattice& lattice) {
         const auto size = lattice.size;
         lattice = stated;
@@ -59,7 +61,7 @@ VtkSource tiffSource(const std::string& path)
             names->InsertNextValue(slice.string());
         reader->SetFileNames(names);
     }
-    return {.reader = reader};
+    return {.reader = reader, .untold = untoldPlacement(false, false, false)};
 }
 
 /// The samples, times `slope` plus `intercept`: in double precision for the wider types, else single.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program in which VTK reads a file for the plugin: takes one request from its input and writes messages to its
 // output (plugins/readers/vtk/vtk_exchange.h). It may break down: the plugin bears that.
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/vtk/checks/file_check.h"
 #include "plugins/readers/vtk/helper/contents.h"
 #include "plugins/readers/vtk/helper/findings.h"
@@ -63,6 +64,7 @@ Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request
         if (auto contents = contentsFromInformation(*source.reader)) {
             contents->timeSteps = timesOf(*source.reader);
             source.finishContents(*contents);
+            contents->untold = source.untold;
             return *contents;
         }
     }
@@ -72,6 +74,7 @@ Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request
     FileContents contents = contentsOf(leavesOf(**data), request.part);
     contents.timeSteps = timesOf(*source.reader);
     source.finishContents(contents);
+    contents.untold = source.untold;
     return contents;
 }
 
@@ -87,6 +90,7 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
     if (const Status done = statusOf(log); !done)
         return done.error();
     source.finish(*found);
+    found->untold = source.untold;
     for (std::size_t warning = 0; warning < std::min<std::size_t>(2, log.warnings.size()); ++warning)
         found->remarks.push_back(Message::say("VTK says: %1", log.warnings[warning]));
     if (const std::size_t steps = timesOf(*source.reader).size(); steps > 1)
@@ -107,6 +111,8 @@ try {
     const auto source = makeSource(request);
     if (!source) {
         send(output, VtkMessage::Error, inFile(request, source.error()));
+    } else if (const Status fits = checkUntold(request.given, source->untold); !fits) {
+        send(output, VtkMessage::Error, inFile(request, fits.error()));
     } else if (request.contentsOnly) {
         const auto contents = lookInto(*source, request, log, progress);
         contents ? send(output, VtkMessage::Contents, *contents)

@@ -10,6 +10,8 @@
 #include <vtkSmartPointer.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -22,7 +24,8 @@ struct VtkSource {
     std::function<void(VtkFindings&)> finish = [](VtkFindings&) {};
     /// The same of what it holds.
     std::function<void(FileContents&)> finishContents = [](FileContents&) {};
-    bool knowsContents = false; ///< UpdateInformation() alone tells arrays and sizes
+    std::vector<std::string> untold{"unit"}; ///< FileContents::untold of such files
+    bool knowsContents = false;              ///< UpdateInformation() alone tells arrays and sizes
 };
 
 /// The reader for the request's format. The error says what is wrong with the file, for files that no VTK reader should

@@ -187,10 +187,15 @@ private slots:
         QVERIFY2(bare.ok(), bare.ok() ? "" : bare.error().text().c_str());
         QVERIFY(bare->lattice.spacing == Eigen::Vector3d(0.5, 0.25, 2));
         QVERIFY(bare->lattice.origin == Eigen::Vector3d(1, 2, -3));
+        QVERIFY(bare->remarks.empty());
+        const auto assumed = read(nrrdHeader("") + samples);
+        QVERIFY(assumed.ok() && assumed->remarks.size() == 1);
+        QVERIFY(assumed->remarks[0].text().find("1 x 1 x 1 is assumed") != std::string::npos);
         const auto placed = readWith(nrrdHeader("spacings: 1 2 3\n") + samples, origin);
         QVERIFY2(placed.ok(), placed.ok() ? "" : placed.error().text().c_str());
         QVERIFY(placed->lattice.spacing == Eigen::Vector3d(1, 2, 3));
         QVERIFY(placed->lattice.origin == Eigen::Vector3d(1, 2, -3));
+        QVERIFY(placed->remarks.empty());
         QVERIFY(readWith(nrrdHeader("spacings: nan nan nan\naxis mins: nan nan nan\n") + samples, both).ok());
         const auto refused = [&](const QByteArray& fields, const ParameterValues& values, const char* words) {
             const auto dataset = readWith(nrrdHeader(fields) + samples, values);
@@ -204,6 +209,10 @@ private slots:
         QVERIFY(refused(directions, spacing, "'--spacing' out"));
         QVERIFY(readWith(nrrdHeader(directions) + samples, origin).ok());
         QVERIFY(refused(directions + "space origin: (0,0,0)\n", origin, "'--origin' out"));
+        const ParameterValues unit{{"unit", std::string("um")}};
+        const auto measured = readWith(nrrdHeader(directions) + samples, unit);
+        QVERIFY(measured.ok() && measured->lengthUnit == "um");
+        QVERIFY(refused("units: \"mm\" \"mm\" \"mm\"\n", unit, "'--unit' out"));
         QVERIFY(refused("", {{"spacing", std::string("1x2")}}, "Give three numbers"));
         QVERIFY(!readWith(nrrdHeader("") + samples, {{"spacing", std::string("1x0x1")}}).ok());
     }

@@ -61,7 +61,7 @@ void RawReaderTest::describesItsParameters()
         ids << QString::fromStdString(parameter.id);
         QVERIFY(!parameter.label.empty() && parameter.explanation.ends_with('.'));
     }
-    QCOMPARE(ids, QStringList({"size", "type", "byte-order", "skip", "spacing", "origin"}));
+    QCOMPARE(ids, QStringList({"size", "type", "byte-order", "skip", "spacing", "origin", "unit"}));
 }
 
 void RawReaderTest::readsEveryTypeAndOrder_data()
@@ -90,19 +90,25 @@ void RawReaderTest::readsEveryTypeAndOrder()
     QCOMPARE(dataset->lattice.origin, Eigen::Vector3d(0, 0, 0));
     QCOMPARE(dataset->values.type(), type);
     QVERIFY(holdsTestSamples(dataset->values));
+    QCOMPARE(dataset->remarks.size(), std::size_t(1));
+    QVERIFY(dataset->remarks[0].text().find("1 x 1 x 1 is assumed") != std::string::npos);
 }
 
 void RawReaderTest::placesTheLattice()
 {
     const auto path = folder_.write("placed.raw", testSamples(SampleType::UInt8));
     for (const char* size : {"3x4x5", "3X4X5", "3,4,5", " 3 4  5 ", "3*4*5", "3 x 4 x 5"}) {
-        const Result<Dataset> dataset = asLoaded<LatticeReader>().read(
-            path,
-            {{"size", std::string(size)}, {"spacing", std::string("1x2x0.5")}, {"origin", std::string("-1, 1e2, .5")}},
-            {});
+        const Result<Dataset> dataset = asLoaded<LatticeReader>().read(path,
+                                                                       {{"size", std::string(size)},
+                                                                        {"spacing", std::string("1x2x0.5")},
+                                                                        {"origin", std::string("-1, 1e2, .5")},
+                                                                        {"unit", std::string("mm")}},
+                                                                       {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->lattice.spacing, Eigen::Vector3d(1, 2, 0.5));
         QCOMPARE(dataset->lattice.origin, Eigen::Vector3d(-1, 100, 0.5));
+        QCOMPARE(dataset->lengthUnit, std::string("mm"));
+        QVERIFY(dataset->remarks.empty());
     }
 }
 

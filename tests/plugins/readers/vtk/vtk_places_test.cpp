@@ -297,6 +297,25 @@ private slots:
         QVERIFY(!image.ok());
         QVERIFY(image.error().kind == ErrorKind::WrongUsage);
         QVERIFY2(image.error().text().find("'--spacing' out") != std::string::npos, image.error().text().c_str());
+        QByteArray header = metaImage(Eigen::Matrix3d::Identity(), {1, 1, 1}, {4, 5, 6});
+        const fs::path told = folder_.write("told.mha", header);
+        QVERIFY(!builtVtkReader().read(told, place, {}).ok());
+        QVERIFY(builtVtkReader().read(told, {}, {})->remarks.empty());
+        for (const char* const field : {"ElementSpacing", "Offset"}) {
+            const auto first = header.indexOf(field);
+            QVERIFY(first >= 0);
+            header.remove(first, header.indexOf('\n', first) + 1 - first);
+        }
+        const fs::path untold = folder_.write("untold.mha", header);
+        const auto stated = builtVtkReader().read(untold, place, {});
+        QVERIFY2(stated.ok(), stated.ok() ? "" : stated.error().text().c_str());
+        QVERIFY(stated->lattice.spacing == Eigen::Vector3d(0.1, 0.2, 0.3));
+        QVERIFY(stated->lattice.origin == Eigen::Vector3d(1, 2, 3) && stated->remarks.empty());
+        const auto assumed = builtVtkReader().read(untold, {}, {});
+        QVERIFY(assumed.ok() && assumed->remarks.size() == 1);
+        QVERIFY(assumed->remarks[0].text().find("1 x 1 x 1 is assumed") != std::string::npos);
+        QVERIFY(
+            (builtVtkReader().probe(untold, {}, {})->untold == std::vector<std::string>{"spacing", "origin", "unit"}));
         const fs::path path = sharedCases() / "tiff" / "imagej_spacing.tif";
         if (!fs::exists(path))
             QSKIP_WITHOUT("../shared/cases");
