@@ -3,10 +3,12 @@
 """frames.py BUILD [LATTICES [SEED]]: lattices in any frame (mirrored, exchanged, turned, sheared, tiny, huge, far away) are where their files
 say. Judged by numpy from the meshes that TAn writes: the vertices are the samples' places with their values, every tetrahedron is positive,
 together they fill the domain, boundaries point outwards, whether the model was refined as a whole, in blocks or decimated, and whether it is
-explicit, packed, at an address or left at a server; windows and focuses are those of the world. Exit code 77: something is missing."""
+explicit, packed, at an address or left at a server; windows, focuses, budgets and clip planes are those of the world. ./dev soak (TAN_SOAK) takes
+more lattices, each time others. Exit code 77: something is missing."""
 import itertools
 import json
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -17,14 +19,17 @@ import unittest
 try:
     import meshio
     import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOImage import vtkPNGReader
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
 
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 TAN = BUILD / "bin/tan"
-LATTICES = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 10
-SEED = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 20260728
+SOAK = os.environ.get("TAN_SOAK")
+LATTICES = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 67 if SOAK else 9
+SEED = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else int(SOAK or 20260728)
 
 METHODS = {"whole": ("--builder", "refinement", "--block", "none"), "blocks": ("--builder", "refinement", "--block", "3"),
            "decimated": ("--builder", "decimation")}
@@ -222,6 +227,44 @@ class Frames(unittest.TestCase):
                     run(TAN, "verify", model, "--against", self.folder / f"{number}.nrrd", "--error", "30", "--focus", text, "--focus-error", "0",
                         "--method", method)
 
+    def test_budgets(self):
+        """The finest mesh of one error within a number of tetrahedra: the next finer one of the history has more."""
+        for number, frame in enumerate(self.frames):
+            model = self.built(number, "whole")
+            _, finest = self.mesh(model, "--error", "0", name="finest.vtu")
+            budget = int(finest["tetrahedra"] * self.random.uniform(0.05, 0.9))
+            with self.subTest(number=number, kind=frame.kind, budget=budget):
+                mesh, told = self.mesh(model, "--budget", budget)
+                self.judge(frame, mesh, told, whole=False)
+                self.assertLessEqual(told["tetrahedra"], budget)
+                same, _ = self.mesh(model, "--error", repr(told["reached_error"] * (1 + 1e-9)), name="same.vtu")
+                self.assertEqual({tuple(p) for p in same.points}, {tuple(p) for p in mesh.points})
+                _, finer = self.mesh(model, "--error", repr(told["reached_error"] * (1 - 1e-9)), name="finer.vtu")
+                self.assertGreater(finer["tetrahedra"], budget)
+
+    def test_clip_planes_of_the_world(self):
+        """The samples of one ball, stored in any order, are one picture, cut by one plane."""
+        size, step, centre = 13, 0.5, numpy.array((7.0, -2.0, 5.0))
+        pictures = []
+        for directions in SIGNED_PERMUTATIONS if SOAK else SIGNED_PERMUTATIONS[::7]:
+            frame = Frame(self.random, 0)
+            frame.size, frame.steps = numpy.array((size,) * 3), directions * step
+            frame.origin = centre - frame.steps @ ((frame.size - 1) / 2)
+            # As far from the middle along each axis of the world as it is, and flatter along y than along x.
+            away = (frame.places() - centre) * (1.0, 1.6, 1.2)
+            frame.values = (2.2 - numpy.linalg.norm(away, axis=1)).astype("<f4").reshape(frame.size)
+            frame.write(self.folder / "ball.nrrd")
+            run(TAN, "build", self.folder / "ball.nrrd", "-o", self.folder / "clipped.tan")
+            run(TAN, "render", self.folder / "clipped.tan", "--isovalue", "0.3", "--clip", "1,0.5,-0.25,4.5", "--size", "80x60", "--backend", "cpu",
+                "-o", self.folder / "clipped.png")
+            pictures.append(pixels(self.folder / "clipped.png"))
+        run(TAN, "render", self.folder / "clipped.tan", "--isovalue", "0.3", "--size", "80x60", "--backend", "cpu", "-o", self.folder / "whole.png")
+        seen = (numpy.abs(pixels(self.folder / "whole.png") - pictures[-1]).max(axis=1) > 8).mean()
+        self.assertGreater(seen, 0.03, "the plane cuts nothing away")
+        for number, picture in enumerate(pictures[1:]):
+            differs = (numpy.abs(picture - pictures[0]).max(axis=1) > 40).mean()
+            self.assertLess(differs, 0.01, f"frame {number + 1}: {differs}")
+
     def volume_within(self, frame, ends):
         """Of the lattice's domain within a box of the world: half-spaces cut the box, one after the other, by a count of small cubes."""
         fine = 90
@@ -288,6 +331,13 @@ class Frames(unittest.TestCase):
         flat.steps[:, 2] = flat.steps[:, 0] + flat.steps[:, 1]
         flat.write(self.folder / "flat.nrrd")
         self.assertIn("plane", run(TAN, "build", self.folder / "flat.nrrd", "-o", self.folder / "flat.tan", code=3))
+
+
+def pixels(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
 
 
 def table(path):
