@@ -3,10 +3,12 @@
 
 #include <Eigen/Geometry>
 
+#include <QByteArray>
 #include <QObject>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -19,17 +21,36 @@ namespace {
 constexpr std::size_t headBytes = 80;
 constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
+/// The least number of four digits that is not less: how far a surface is away at most stays true.
+std::string roundedUp(double number)
+{
+    constexpr int decimals = 3; // and one digit before them
+    const QByteArray nearest = QByteArray::number(number, 'e', decimals);
+    if (nearest.toDouble() >= number)
+        return formatNumber(nearest.toDouble());
+    const qsizetype exponent = nearest.indexOf('e');
+    const double next = nearest.first(exponent).toDouble() + 1e-3;
+    return formatNumber((QByteArray::number(next, 'f', decimals) + nearest.mid(exponent)).toDouble());
+}
+
+/// "deviation 0.12, ", or nothing where none was measured.
+std::string deviationText(const MeshFacts& facts)
+{
+    const auto deviation = std::ranges::find(facts, "deviation", &MeshFacts::value_type::first);
+    const auto* number = deviation != facts.end() ? std::get_if<double>(&deviation->second) : nullptr;
+    return number != nullptr && std::isfinite(*number) ? "deviation " + roundedUp(*number) + ", " : "";
+}
+
 /// Eighty bytes that must not begin with "solid": that is how text files begin. If coordinates are less than the data's
 /// by a shift, that comes first: there is room for three numbers, whatever they are, but perhaps not for the rest. Then
-/// how far the surface is from that of the data.
+/// how far the surface is from that of the data, if there is room for the whole number: a part of one would be another.
 std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
 {
     std::string head = shift.isZero(0) ? std::string("binary STL, ")
                                        : "add " + formatNumber(shift[0]) + " " + formatNumber(shift[1]) + " " +
                                              formatNumber(shift[2]) + ", "; // at most 78 bytes
-    const auto deviation = std::ranges::find(content.facts, "deviation", &MeshFacts::value_type::first);
-    if (deviation != content.facts.end())
-        head += "deviation " + factText(deviation->second) + ", ";
+    if (const std::string deviation = deviationText(content.facts); head.size() + deviation.size() <= headBytes)
+        head += deviation;
     head += content.title + " by TAn";
     head.resize(headBytes, ' ');
     return head;

@@ -17,6 +17,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 using namespace tetra;
@@ -371,14 +372,45 @@ private slots:
         QCOMPARE(valueArrayName("site"), std::string("value_site"));
     }
 
+    /// In four digits, rounded up, and whole or not at all: behind a shift there is less room.
+    void stlTellsTheDeviation_data()
+    {
+        QTest::addColumn<double>("deviation");
+        QTest::addColumn<double>("place");
+        QTest::addColumn<QByteArray>("head");
+        QTest::newRow("few digits") << 0.0625 << 0.0 << QByteArray("binary STL, deviation 0.0625, isosurfaces by TAn ");
+        QTest::newRow("none") << 0.0 << 0.0 << QByteArray("binary STL, deviation 0, isosurfaces by TAn ");
+        QTest::newRow("many digits") << 0.123412345678912345 << 0.0
+                                     << QByteArray("binary STL, deviation 0.1235, isosurfaces by TAn ");
+        QTest::newRow("one more digit") << 9.9991e-7 << 0.0
+                                        << QByteArray("binary STL, deviation 1e-06, isosurfaces by TAn ");
+        QTest::newRow("not finite") << std::numeric_limits<double>::infinity() << 0.0
+                                    << QByteArray("binary STL, isosurfaces by TAn ");
+        QTest::newRow("far away") << 1.2345678901234567e-05 << 4264212.75
+                                  << QByteArray(
+                                         "add 4264212 4264212 4264212, deviation 1.235e-05, isosurfaces by TAn ");
+        QTest::newRow("without room") << 1.2345678901234567e-05 << 1 - std::ldexp(1, -52)
+                                      << QByteArray("add 0.9999999999999996 0.9999999999999996 0.9999999999999996, "
+                                                    "isosurfaces by TAn");
+    }
     void stlTellsTheDeviation()
     {
-        const RandomSurface one(5, 2, 1);
-        SurfaceContent content = contentOf(one.part("a"), one.part("b"));
-        content.facts.emplace_back("deviation", 0.0625);
+        QFETCH(double, deviation);
+        QFETCH(double, place);
+        QFETCH(QByteArray, head);
+        const double edge = place > 1 ? 1 : std::ldexp(1, -51);
+        const std::vector<Eigen::Vector3d> positions = {Eigen::Vector3d::Constant(place),
+                                                        Eigen::Vector3d::Constant(place) + Eigen::Vector3d(edge, 0, 0),
+                                                        Eigen::Vector3d::Constant(place) + Eigen::Vector3d(0, edge, 0)};
+        const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}};
+        const SurfaceContent content{"isosurfaces",
+                                     "isovalue",
+                                     {{.name = "a", .positions = positions, .normals = {}, .triangles = triangles}},
+                                     {{"deviation", deviation}}};
         const QString path = folder_.filePath("deviation.stl");
         QVERIFY(writeSurface(path.toStdString(), content));
-        QVERIFY(::contentOf(path).startsWith("binary STL, deviation 0.0625, isosurfaces by TAn "));
+        const QByteArray written = ::contentOf(path).first(80);
+        QVERIFY2(written.startsWith(head), written.constData());
     }
 
     void objNamesItsGroups()
