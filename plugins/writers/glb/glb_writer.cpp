@@ -125,7 +125,9 @@ private:
         const std::string indices = accessor(3 * part.triangles.size(), 1, unsignedIntType, indexTarget, "");
         append(meshes_,
                R"({"name":)" + jsonString(part.name) +
-                   (one == nullptr ? "" : ",\"extras\":{" + jsonString(valueName) + ":" + formatNumber(*one) + "}") +
+                   (one != nullptr && std::isfinite(*one) // JSON has no infinity
+                        ? ",\"extras\":{" + jsonString(valueName) + ":" + formatNumber(*one) + "}"
+                        : "") +
                    R"(,"primitives":[{"attributes":{)" + attributes + R"(},"indices":)" + indices + R"(,"material":)" +
                    std::to_string(count_) + "}]}");
         append(nodes_, R"({"name":)" + jsonString(part.name) + R"(,"mesh":)" + std::to_string(count_) + "}");

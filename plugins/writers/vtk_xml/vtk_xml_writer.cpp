@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <type_traits>
@@ -61,13 +62,20 @@ std::string xmlComment(std::string_view text)
     return written;
 }
 
+/// A number that field data can hold: VTK reads none from "inf".
+const double* finiteNumber(const MeshFacts::value_type::second_type& fact)
+{
+    const auto* number = std::get_if<double>(&fact);
+    return number != nullptr && std::isfinite(*number) ? number : nullptr;
+}
+
 /// Texts as comments: as field data they would keep meshio from reading the file.
 std::string textsOf(const MeshFacts& facts)
 {
     std::string text;
     for (const auto& [name, fact] : facts)
-        if (const auto* words = std::get_if<std::string>(&fact))
-            text += "<!-- " + xmlComment(name + ": " + *words) + " -->\n";
+        if (finiteNumber(fact) == nullptr)
+            text += "<!-- " + xmlComment(name + ": " + factText(fact)) + " -->\n";
     return text;
 }
 
@@ -76,7 +84,7 @@ std::string numbersOf(const MeshFacts& facts)
 {
     std::string text;
     for (const auto& [name, fact] : facts)
-        if (const auto* number = std::get_if<double>(&fact))
+        if (const auto* number = finiteNumber(fact))
             text += "<DataArray type=\"Float64\" Name=\"" + xmlAttribute(name) +
                     "\" NumberOfTuples=\"1\" format=\"ascii\">" + formatNumber(*number) + "</DataArray>\n";
     return text.empty() ? text : "<FieldData>\n" + text + "</FieldData>\n";

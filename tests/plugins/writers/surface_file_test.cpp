@@ -280,6 +280,33 @@ private slots:
         QCOMPARE(colour[3].toDouble(), 0.25);
     }
 
+    /// An isovalue beyond floats, and a fact without bound: JSON has no infinity, nor can VTK read one from text.
+    void infinityBreaksNoFile()
+    {
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        const RandomSurface one(5, 4, 1);
+        SurfaceContent content = contentOf(one.part("isovalue 1e+39"), one.part("isovalue 2"));
+        content.parts[0].values = infinity;
+        content.facts.emplace_back("scale", static_cast<double>(infinity));
+        const QString glb = folder_.filePath("infinite.glb"), vtp = folder_.filePath("infinite.vtp");
+        QVERIFY(writeSurface(glb.toStdString(), content) && writeSurface(vtp.toStdString(), content));
+        const QByteArray bytes = ::contentOf(glb);
+        const QJsonObject json =
+            QJsonDocument::fromJson(bytes.mid(20, numberAt<std::uint32_t>(bytes, 12))).object(); // empty if it is none
+        const QJsonArray meshes = json["meshes"].toArray();
+        QCOMPARE(meshes.size(), 2);
+        QVERIFY(!meshes[0].toObject().contains("extras"));
+        QCOMPARE(meshes[1].toObject()["extras"].toObject()["isovalue"].toDouble(), 2.0);
+        QCOMPARE(json["scenes"].toArray()[0].toObject()["extras"].toObject()["scale"].toString(), QString("inf"));
+        const VtkReader read(vtp);
+        if (read.isMissing())
+            QSKIP_WITHOUT("python3-vtk9");
+        QVERIFY2(read.ok(), read.messages());
+        QVERIFY(::contentOf(vtp).contains("<!-- scale: inf -->"));
+        QCOMPARE(read.told()["facts"].toObject().keys(), QStringList{"error"});
+        QCOMPARE(read.array<float>("point.isovalue").front(), infinity);
+    }
+
     /// One part has colours of its vertices, the other one colour: where the file has no parts, all vertices have some.
     void coloursAreThoseOfTheVertices_data()
     {
