@@ -166,6 +166,56 @@ inline Eigen::AlignedBox3d boundsOf(const SurfaceContent& content)
     return box;
 }
 
+/// Whether corners of a triangle that lie apart are one in floats, less a shift. Of such a triangle two edges are the
+/// same, so that a closed surface is closed without it; with it, it would have a triangle without area.
+inline bool mergesInFloats(const SurfacePart& part, const std::array<std::uint32_t, 3>& triangle,
+                           const Eigen::Vector3d& shift)
+{
+    const auto merge = [&](std::uint32_t a, std::uint32_t b) {
+        const Eigen::Vector3d& one = part.positions[a];
+        const Eigen::Vector3d& other = part.positions[b];
+        return one != other && (one - shift).cast<float>() == (other - shift).cast<float>();
+    };
+    const auto& [a, b, c] = triangle;
+    return merge(a, b) || merge(b, c) || merge(c, a);
+}
+
+/// The triangles of a part but for those that mergesInFloats(). Keeps no list: there may be very many.
+class TrianglesInFloats {
+public:
+    /// O(triangles). The part has to outlive this.
+    TrianglesInFloats(const SurfacePart& part, const Eigen::Vector3d& shift) : part_(&part), shift_(shift)
+    {
+        leftOut_ = static_cast<std::uint64_t>(std::ranges::count_if(
+            part.triangles, [&](const auto& triangle) { return mergesInFloats(part, triangle, shift); }));
+    }
+    std::uint64_t count() const { return part_->triangles.size() - leftOut_; }
+    std::uint64_t leftOut() const { return leftOut_; }
+    /// One after the other: to be called count() times.
+    const std::array<std::uint32_t, 3>& next()
+    {
+        while (leftOut_ > 0 && mergesInFloats(*part_, part_->triangles[next_], shift_))
+            ++next_;
+        return part_->triangles[next_++];
+    }
+
+private:
+    const SurfacePart* part_;
+    Eigen::Vector3d shift_;
+    std::uint64_t leftOut_ = 0;
+    std::uint64_t next_ = 0;
+};
+
+/// What a writer remarks if it leaves out triangles of which mergesInFloats() is true.
+inline Message leftOutInFloats(std::uint64_t triangles, const std::string& file)
+{
+    if (triangles == 1)
+        return Message::say("In '%1' one triangle is left out, as two of its corners are the same in single precision.",
+                            file);
+    return Message::say("In '%1' %2 triangles are left out, as two corners of each are the same in single precision.",
+                        file, triangles);
+}
+
 /// What formats that have floats alone subtract from all positions: nothing, unless the floats near the largest
 /// coordinate lie farther apart than a thousandth of the mean edge, or a thousandth of the triangles would have corners
 /// that are one; then about the least corner of the surface, in few binary digits: it is less by no more than the
@@ -177,14 +227,10 @@ inline Eigen::Vector3d floatShift(const SurfaceContent& content)
     std::uint64_t triangles = 0;
     std::uint64_t collapsed = 0;
     for (const SurfacePart& part : content.parts) {
-        const auto merge = [&part](std::uint32_t a, std::uint32_t b) {
-            const Eigen::Vector3d& one = part.positions[a];
-            const Eigen::Vector3d& other = part.positions[b];
-            return one.cast<float>() == other.cast<float>() && one != other;
-        };
-        for (const auto& [a, b, c] : part.triangles) {
+        for (const auto& triangle : part.triangles) {
+            const auto& [a, b, c] = triangle;
             edges += (part.positions[b] - part.positions[a]).norm();
-            collapsed += merge(a, b) || merge(b, c) || merge(c, a) ? 1 : 0;
+            collapsed += mergesInFloats(part, triangle, {0, 0, 0}) ? 1 : 0;
         }
         triangles += part.triangles.size();
     }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -42,16 +43,19 @@ void append(std::string& list, const std::string& entry)
     (list += list.empty() ? "" : ",") += entry;
 }
 
+/// The triangles of each part.
+using KeptTriangles = std::vector<TrianglesInFloats>;
+
 /// The JSON part, and where each array will lie in the binary one. Parts without triangles are left out: glTF has no
 /// empty arrays.
 class Head {
 public:
     /// Positions are less than the data's by `shift`, which the node above all adds.
-    Head(const SurfaceContent& content, const Eigen::Vector3d& shift) : shift_(shift)
+    Head(const SurfaceContent& content, const KeptTriangles& kept, const Eigen::Vector3d& shift) : shift_(shift)
     {
-        for (const SurfacePart& part : content.parts)
-            if (!part.triangles.empty())
-                add(part, content.valueName);
+        for (std::size_t part = 0; part < kept.size(); ++part)
+            if (kept[part].count() > 0)
+                add(content.parts[part], kept[part].count(), content.valueName);
         text_ = R"({"asset":{"version":"2.0","generator":"TAn"},"scene":0,"scenes":[{"name":)" +
                 jsonString(content.title) + extras(content.facts) + (meshes_.empty() ? "}]" : R"(,"nodes":[0]}])");
         if (!meshes_.empty())
@@ -102,7 +106,7 @@ private:
         return std::to_string(viewCount_++);
     }
 
-    void add(const SurfacePart& part, const std::string& valueName)
+    void add(const SurfacePart& part, std::uint64_t triangles, const std::string& valueName)
     {
         Eigen::Vector3d least = part.positions[0];
         Eigen::Vector3d most = least;
@@ -122,7 +126,7 @@ private:
         if (one == nullptr)
             attributes +=
                 "," + jsonString("_" + upper(valueName)) + ":" + accessor(count, 1, floatType, vertexTarget, "");
-        const std::string indices = accessor(3 * part.triangles.size(), 1, unsignedIntType, indexTarget, "");
+        const std::string indices = accessor(3 * triangles, 1, unsignedIntType, indexTarget, "");
         append(meshes_,
                R"({"name":)" + jsonString(part.name) +
                    (one != nullptr && std::isfinite(*one) // JSON has no infinity
@@ -172,7 +176,7 @@ Status writeNumbers(OutputFile& file, std::initializer_list<std::uint32_t> numbe
     return file.bytes(std::as_bytes(std::span(numbers.begin(), numbers.size())));
 }
 
-Status writeArrays(OutputFile& file, const SurfacePart& part, const Eigen::Vector3d& shift)
+Status writeArrays(OutputFile& file, const SurfacePart& part, TrianglesInFloats triangles, const Eigen::Vector3d& shift)
 {
     const auto position = [&part, &shift](std::uint64_t index, std::byte* where) {
         for (const double coordinate : (part.positions[index] - shift).eval())
@@ -192,7 +196,8 @@ Status writeArrays(OutputFile& file, const SurfacePart& part, const Eigen::Vecto
     if (const auto* each = std::get_if<std::span<const float>>(&part.values))
         if (const Status written = file.bytes(std::as_bytes(*each)); !written)
             return written;
-    return file.bytes(std::as_bytes(part.triangles));
+    const auto triangle = [&triangles](std::uint64_t, std::byte* where) { putNumber(where, triangles.next()); };
+    return file.records(triangles.count(), sizeof part.triangles[0], triangle);
 }
 
 Error tooLarge(const OutputFile& file)
@@ -232,7 +237,10 @@ public:
         const Eigen::Vector3d shift = floatShift(content);
         if (const Status reached = checkFloatsReach(content, shift, file.target().string()); !reached)
             return reached;
-        const Head head(content, shift);
+        KeptTriangles kept;
+        for (const SurfacePart& part : content.parts)
+            kept.emplace_back(part, shift);
+        const Head head(content, kept, shift);
         constexpr std::uint64_t chunkHeadBytes = 8;
         const std::uint64_t binary = head.binaryBytes();
         const std::uint64_t bytes =
@@ -249,15 +257,20 @@ public:
         if (binary > 0)
             if (const Status written = writeNumbers(file, {static_cast<std::uint32_t>(binary), binaryChunk}); !written)
                 return written;
-        for (const SurfacePart& part : content.parts)
-            if (!part.triangles.empty())
-                if (const Status written = writeArrays(file, part, shift); !written)
+        std::uint64_t leftOut = 0;
+        for (std::size_t part = 0; part < kept.size(); ++part) {
+            leftOut += kept[part].leftOut();
+            if (kept[part].count() > 0)
+                if (const Status written = writeArrays(file, content.parts[part], kept[part], shift); !written)
                     return written;
+        }
         if (!shift.isZero(0))
             file.remark(Message::say(
                 "In '%1' x, y and z are less than in the data by %2, %3 and %4, as single precision is "
                 "too coarse so far from the origin; the first node of the file adds these numbers.",
                 file.target().string(), formatNumber(shift[0]), formatNumber(shift[1]), formatNumber(shift[2])));
+        if (leftOut > 0)
+            file.remark(leftOutInFloats(leftOut, file.target().string()));
         return {};
     }
 };

@@ -63,31 +63,11 @@ Eigen::Vector3f normalOf(const std::array<Eigen::Vector3d, 3>& corners)
     return normal.allFinite() ? normal.cast<float>() : Eigen::Vector3f(0, 0, 0);
 }
 
-/// The triangles but for those whose corners are three places in doubles and not in floats. Of such a one two edges are
-/// the same, so that a closed surface is closed without it.
-std::vector<std::uint64_t> trianglesInFloats(const SurfacePart& part, const Eigen::Vector3d& shift)
-{
-    const auto placeOf = [&](std::uint32_t vertex) {
-        return Eigen::Vector3f((part.positions[vertex] - shift).cast<float>());
-    };
-    const auto merge = [&](std::uint32_t one, std::uint32_t other) {
-        return placeOf(one) == placeOf(other) && part.positions[one] != part.positions[other];
-    };
-    std::vector<std::uint64_t> kept;
-    kept.reserve(part.triangles.size());
-    for (std::uint64_t index = 0; index < part.triangles.size(); ++index) {
-        const auto& [a, b, c] = part.triangles[index];
-        if (!merge(a, b) && !merge(b, c) && !merge(c, a))
-            kept.push_back(index);
-    }
-    return kept;
-}
-
-Status writeTriangles(const SurfacePart& part, std::span<const std::uint64_t> triangles, const Eigen::Vector3d& shift,
+Status writeTriangles(const SurfacePart& part, TrianglesInFloats triangles, const Eigen::Vector3d& shift,
                       OutputFile& file)
 {
-    const auto triangle = [&](std::uint64_t index, std::byte* where) {
-        const auto& [a, b, c] = part.triangles[triangles[index]];
+    const auto triangle = [&](std::uint64_t, std::byte* where) {
+        const auto& [a, b, c] = triangles.next();
         const std::array corners = {part.positions[a], part.positions[b], part.positions[c]};
         for (const float coordinate : normalOf(corners))
             putNumber(where, coordinate);
@@ -96,7 +76,7 @@ Status writeTriangles(const SurfacePart& part, std::span<const std::uint64_t> tr
                 putNumber(where, static_cast<float>(coordinate));
         putNumber(where, std::uint16_t(0));
     };
-    return file.records(triangles.size(), triangleBytes, triangle);
+    return file.records(triangles.count(), triangleBytes, triangle);
 }
 
 } // namespace
@@ -119,10 +99,10 @@ public:
         const Eigen::Vector3d shift = floatShift(content);
         if (const Status reached = checkFloatsReach(content, shift, file.target().string()); !reached)
             return reached;
-        std::vector<std::vector<std::uint64_t>> kept;
+        std::vector<TrianglesInFloats> kept;
         std::uint64_t triangles = 0;
         for (const SurfacePart& part : content.parts)
-            triangles += kept.emplace_back(trianglesInFloats(part, shift)).size();
+            triangles += kept.emplace_back(part, shift).count();
         if (triangles > std::numeric_limits<std::uint32_t>::max())
             return Error{ErrorKind::OutOfResource,
                          Message::say("'%1' would hold more than the 4294967295 triangles that an STL file can count. "
@@ -142,6 +122,8 @@ public:
                 "In '%1' x, y and z are less than in the data by %2, %3 and %4, as single precision is "
                 "too coarse so far from the origin: add these numbers to get places of the data.",
                 file.target().string(), formatNumber(shift[0]), formatNumber(shift[1]), formatNumber(shift[2])));
+        if (const std::uint64_t leftOut = content.triangleCount() - triangles; leftOut > 0)
+            file.remark(leftOutInFloats(leftOut, file.target().string()));
         return {};
     }
 };

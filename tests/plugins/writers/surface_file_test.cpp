@@ -168,17 +168,53 @@ private slots:
                 QCOMPARE(read.places()[i], far.positions[i / 3][int(i % 3)]);
     }
 
-    /// Two vertices that are one float make no triangle without area; nothing else is left out.
-    void stlHasNoTriangleThatRoundingMadeFlat()
+    /// Two vertices that are one float make no triangle without area; nothing else is left out, and it is told.
+    void roundingMakesNoTriangleFlat_data()
     {
-        RandomSurface one(6, 0, 1);
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<int>("times");
+        for (const char* ending : {"stl", "glb"})
+            for (const int times : {0, 1, 2})
+                QTest::addRow("%s, %d", ending, times) << QString(ending) << times;
+    }
+    void roundingMakesNoTriangleFlat()
+    {
+        QFETCH(QString, ending);
+        QFETCH(int, times);
+        RandomSurface one(6, 0, 1), flat(3, 0, 1);
         one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1 + 1e-12, 0, 0}, {1, 1, 0}, {0, 0, 0}};
-        one.triangles = {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {0, 5, 1}};
-        const QString path = folder_.filePath("thin.stl");
-        QVERIFY(writeSurface(path.toStdString(), contentOf(one.part("thin"), SurfacePart{})));
+        one.triangles = {{0, 1, 2}, {3, 4, 2}, {0, 5, 1}}; // the last one has no area in doubles either
+        one.triangles.insert(one.triangles.begin() + 1, std::size_t(times), {1, 3, 2});
+        flat.positions = {{0, 0, 0}, {1, 0, 0}, {1 + 1e-12, 0, 0}};
+        if (times > 0) // nothing is left of a part
+            flat.triangles.assign(std::size_t(times), {0, 1, 2});
+        const SurfaceContent content = contentOf(one.part("thin"), flat.part("flat"));
+        const QString path = folder_.filePath("thin." + ending);
+        const auto saved = saveSurface(pluginsOfThisBuild(), content, std::filesystem::path(path.toStdString()));
+        QVERIFY(saved);
+        std::vector<std::string> remarks;
+        for (const Message& remark : *saved)
+            remarks.push_back(remark.text());
+        if (times == 0)
+            QVERIFY(remarks.empty());
+        else
+            QCOMPARE(remarks, std::vector{"In '" + path.toStdString() + "' " + std::to_string(2 * times) +
+                                          " triangles are left out, as two corners of each are the same in single "
+                                          "precision."});
+        QCOMPARE(leftOutInFloats(1, "a.stl").text(),
+                 std::string("In 'a.stl' one triangle is left out, as two of its corners are the same in single "
+                             "precision."));
         const QByteArray bytes = ::contentOf(path);
-        QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 3U);
-        QCOMPARE(bytes.size(), 84 + 3 * 50);
+        if (ending == "stl") {
+            QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 3U);
+            QCOMPARE(bytes.size(), 84 + 3 * 50);
+            return;
+        }
+        const QJsonObject json = QJsonDocument::fromJson(bytes.mid(20, numberAt<std::uint32_t>(bytes, 12))).object();
+        QCOMPARE(json["meshes"].toArray().size(), 1);
+        QCOMPARE(json["accessors"].toArray().last().toObject()["count"].toInt(), 9);
+        const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 4, 2, 0, 5, 1};
+        QCOMPARE(bytes.last(36), QByteArray(reinterpret_cast<const char*>(corners.data()), 36));
     }
 
     /// What floats cannot hold is refused, not written as infinity or zero.
