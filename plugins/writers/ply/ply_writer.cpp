@@ -6,13 +6,22 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <type_traits>
+#include <vector>
 
 namespace tetra {
 namespace {
 
 /// More vertices cannot be numbered by an int.
 constexpr std::size_t mostVertices = std::numeric_limits<std::int32_t>::max();
+
+/// A name without blanks and letters that are not ASCII.
+std::string wordOf(std::string_view name)
+{
+    std::string word(name);
+    std::ranges::replace_if(
+        word, [](char c) { return static_cast<unsigned char>(c) <= ' ' || static_cast<unsigned char>(c) > '~'; }, '_');
+    return word;
+}
 
 /// The head of a binary little-endian PLY file. Line breaks in texts, and what names cannot hold, are repaired.
 class PlyHead {
@@ -56,10 +65,7 @@ PlyHead& PlyHead::element(std::string_view name, std::uint64_t count)
 
 PlyHead& PlyHead::property(std::string_view type, std::string_view name)
 {
-    std::string word(name);
-    std::ranges::replace_if(
-        word, [](char c) { return static_cast<unsigned char>(c) <= ' ' || static_cast<unsigned char>(c) > '~'; }, '_');
-    text_ += "property " + std::string(type) + " " + word + "\n";
+    text_ += "property " + std::string(type) + " " + wordOf(name) + "\n";
     return *this;
 }
 
@@ -69,47 +75,55 @@ PlyHead& PlyHead::vertexList()
     return *this;
 }
 
-template <class T> constexpr std::string_view typeName()
+/// What readers take for something else than a value, by the lists of VTK, MeshLab, meshio and Assimp; and the names of
+/// the colours of materials, which begin with one of `shades`.
+constexpr std::array<std::string_view, 30> takenWords = {"x",
+                                                         "y",
+                                                         "z",
+                                                         "nx",
+                                                         "ny",
+                                                         "nz",
+                                                         "red",
+                                                         "green",
+                                                         "blue",
+                                                         "r",
+                                                         "g",
+                                                         "b",
+                                                         "a",
+                                                         "alpha",
+                                                         "opacity",
+                                                         "quality",
+                                                         "s",
+                                                         "t",
+                                                         "u",
+                                                         "v",
+                                                         "tx",
+                                                         "ty",
+                                                         "texture_u",
+                                                         "texture_v",
+                                                         "texcoord",
+                                                         "texture_index",
+                                                         "material_index",
+                                                         "vertex_index",
+                                                         "vertex_indices",
+                                                         "specular_power"};
+constexpr std::array<std::string_view, 3> shades = {"ambient_", "diffuse_", "specular_"};
+constexpr std::array<std::string_view, 4> channels = {"red", "green", "blue", "alpha"};
+
+bool isTaken(std::string_view word)
 {
-    if constexpr (std::is_same_v<T, float>)
-        return "float";
-    else if constexpr (std::is_same_v<T, double>)
-        return "double";
-    else if constexpr (std::is_same_v<T, std::uint8_t>)
-        return "uchar";
-    else if constexpr (std::is_same_v<T, std::uint16_t>)
-        return "ushort";
-    else
-        return "uint";
+    if (std::ranges::find(takenWords, word) != takenWords.end())
+        return true;
+    return std::ranges::any_of(shades, [word](std::string_view shade) {
+        return word.starts_with(shade) && std::ranges::find(channels, word.substr(shade.size())) != channels.end();
+    });
 }
 
-void addProperties(PlyHead& head, std::span<const NamedArray> arrays)
-{
-    for (const NamedArray& array : arrays)
-        std::visit([&]<class T>(std::span<const T>) { head.property(typeName<T>(), array.name); }, array.values);
-}
-
-std::size_t bytesOfValues(std::span<const NamedArray> arrays)
-{
-    std::size_t bytes = 0;
-    for (const NamedArray& array : arrays)
-        bytes += array.bytesOfValue();
-    return bytes;
-}
-
-void putValues(std::byte*& where, std::span<const NamedArray> arrays, std::uint64_t index)
-{
-    for (const NamedArray& array : arrays)
-        std::visit([&](const auto& values) { putNumber(where, values[index]); }, array.values);
-}
-
-/// With "value_" in front of what readers take for something else than a value.
+/// A name in the word that the file has for it, with "value_" in front if that is taken.
 std::string freeName(const std::string& name)
 {
-    constexpr std::array<std::string_view, 15> taken = {"x",    "y",     "z", "nx", "ny", "nz", "red",    "green",
-                                                        "blue", "alpha", "s", "t",  "u",  "v",  "quality"};
-    const bool isTaken = std::ranges::find(taken, name) != taken.end();
-    return (isTaken ? "value_" : "") + name;
+    const std::string word = wordOf(name);
+    return (isTaken(word) ? "value_" : "") + word;
 }
 
 std::string headOf(const SurfaceContent& content, bool floats)
@@ -126,14 +140,24 @@ std::string headOf(const SurfaceContent& content, bool floats)
         for (const std::string_view channel : {"red", "green", "blue"})
             head.property("uchar", channel);
     head.element("face", content.triangleCount()).vertexList();
-    addProperties(head, content.cellArrays);
     return head.text();
+}
+
+/// What is said of arrays that are left out.
+Message lackOf(const std::vector<NamedArray>& arrays, const std::string& file)
+{
+    std::string names;
+    for (const NamedArray& array : arrays)
+        names += (names.empty() ? "" : ", ") + array.name;
+    return Message::say("'%1' does not have the triangles' values (%2), as many programs cannot read a PLY file with "
+                        "such values. To keep them, write a .vtp file.",
+                        file, names);
 }
 
 } // namespace
 
-/// `.ply`, binary little endian: elements `vertex` and `face`. Colours are the bytes `red green blue`
-/// of the vertices.
+/// `.ply`, binary little endian: elements `vertex` and `face`. Colours are the bytes `red green blue` of the vertices.
+/// Values of triangles are left out: meshio reads no file where something stands behind the list of a face.
 class PlyWriter : public QObject, public Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "ply_writer.json")
@@ -158,7 +182,7 @@ public:
         const bool floats = content.positionsFitFloats();
         const std::size_t vertexBytes =
             3 * (floats ? sizeof(float) : sizeof(double)) + (normals ? 4 : 1) * sizeof(float) + (colours ? 3 : 0);
-        const std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t) + bytesOfValues(content.cellArrays);
+        constexpr std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t);
         file.expect(content.vertexCount() * vertexBytes + content.triangleCount() * faceBytes);
         if (const Status written = file.text(headOf(content, floats)); !written)
             return written;
@@ -177,14 +201,16 @@ public:
         };
         if (const Status written = file.vertexRecords(content, vertexBytes, vertex); !written)
             return written;
-        std::uint64_t number = 0;
-        const auto face = [&](const std::array<std::uint64_t, 3>& corners, std::byte* where) {
+        const auto face = [](const std::array<std::uint64_t, 3>& corners, std::byte* where) {
             putNumber(where, std::uint8_t(3));
             for (const std::uint64_t corner : corners)
                 putNumber(where, static_cast<std::int32_t>(corner));
-            putValues(where, content.cellArrays, number++);
         };
-        return file.triangleRecords(content, faceBytes, face);
+        if (const Status written = file.triangleRecords(content, faceBytes, face); !written)
+            return written;
+        if (!content.cellArrays.empty())
+            file.remark(lackOf(content.cellArrays, file.target().string()));
+        return {};
     }
 };
 

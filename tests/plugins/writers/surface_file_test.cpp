@@ -387,21 +387,27 @@ private slots:
         }
     }
 
-    /// The triangles of all parts, one after the other, have one each.
-    void plyHoldsValuesOfTriangles()
+    /// meshio reads no file with something behind the list of a face; what is left out is told.
+    void plyLeavesOutValuesOfTriangles()
     {
         const RandomSurface one(5, 4, 1), other(5, 3, 2);
         SurfaceContent content = contentOf(one.part("a", true), other.part("b", true));
-        const std::vector<std::uint16_t> kinds = {7, 1, 2, 65535, 4, 0, 9};
-        content.cellArrays = {{"kind", std::span(kinds)}};
-        const QString path = folder_.filePath("kinds.ply");
-        QVERIFY(writeSurface(path.toStdString(), content));
-        const QByteArray bytes = ::contentOf(path);
-        QVERIFY(bytes.contains("property list uchar int vertex_indices\nproperty ushort kind\nend_header\n"));
-        constexpr qsizetype faceBytes = 1 + 3 * sizeof(std::int32_t) + sizeof(std::uint16_t);
-        const qsizetype faces = bytes.size() - qsizetype(kinds.size()) * faceBytes;
-        for (std::size_t face = 0; face < kinds.size(); ++face)
-            QCOMPARE(numberAt<std::uint16_t>(bytes, faces + qsizetype(face + 1) * faceBytes - 2), kinds[face]);
+        const std::vector<std::uint16_t> kinds(7);
+        const std::vector<float> births(7);
+        content.cellArrays = {{"kind", std::span(kinds)}, {"birth_error", std::span(births)}};
+        const std::string path = folder_.filePath("kinds.ply").toStdString();
+        const auto saved = saveSurface(pluginsOfThisBuild(), content, std::filesystem::path(path));
+        QVERIFY(saved);
+        QCOMPARE(saved->size(), std::size_t(1));
+        QCOMPARE(saved->front().text(),
+                 "'" + path +
+                     "' does not have the triangles' values (kind, birth_error), as many programs cannot read "
+                     "a PLY file with such values. To keep them, write a .vtp file.");
+        const QByteArray bytes = ::contentOf(QString::fromStdString(path));
+        const QByteArray end = "element face 7\nproperty list uchar int vertex_indices\nend_header\n";
+        QVERIFY(bytes.contains(end));
+        constexpr qsizetype vertexBytes = 4 * sizeof(float), faceBytes = 1 + 3 * sizeof(std::int32_t);
+        QCOMPARE(bytes.size() - bytes.indexOf(end) - end.size(), 10 * vertexBytes + 7 * faceBytes);
     }
 
     /// What the dataset calls its values is the name of their array, as far as the format and its readers bear it.
@@ -414,6 +420,13 @@ private slots:
         QTest::newRow("unit") << QByteArray("p (N/m²)") << QByteArray("p_(N/m__)") << QByteArray("_P__N_M___");
         QTest::newRow("a coordinate") << QByteArray("x") << QByteArray("value_x") << QByteArray("_X");
         QTest::newRow("a colour") << QByteArray("red") << QByteArray("value_red") << QByteArray("_RED");
+        for (const char* taken : {"r", "a", "opacity", "tx", "texture_v", "diffuse_green", "specular_alpha"})
+            QTest::newRow(taken) << QByteArray(taken) << "value_" + QByteArray(taken)
+                                 << "_" + QByteArray(taken).toUpper();
+        QTest::newRow("a texture once it is a word")
+            << QByteArray("texture u") << QByteArray("value_texture_u") << QByteArray("_TEXTURE_U");
+        QTest::newRow("only begins like a colour")
+            << QByteArray("diffuse_flux") << QByteArray("diffuse_flux") << QByteArray("_DIFFUSE_FLUX");
     }
     void valuesHaveTheirOwnName()
     {
