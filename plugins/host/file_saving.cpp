@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/file_saving.h"
 
+#include "core/base/text.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
 #include "plugins/host/parameter_values.h"
@@ -160,6 +161,42 @@ Status checkPart(const SurfacePart& part, bool normals)
     return {};
 }
 
+// Names of files, of arrays and of what plugins draw can have any bytes. Readers refuse files that are no UTF-8
+// (meshio), or hold characters that XML does not know (VTK), so that no writer gets such texts.
+
+MeshFacts visible(MeshFacts facts)
+{
+    for (auto& [name, fact] : facts) {
+        name = visibleText(name);
+        if (auto* text = std::get_if<std::string>(&fact))
+            *text = visibleText(*text);
+    }
+    return facts;
+}
+
+std::vector<NamedArray> visible(std::vector<NamedArray> arrays)
+{
+    for (NamedArray& array : arrays)
+        array.name = visibleText(array.name);
+    return arrays;
+}
+
+MeshContent visible(const MeshContent& mesh)
+{
+    return {mesh.positions, mesh.tetrahedra, visible(mesh.pointArrays), visible(mesh.cellArrays), visible(mesh.facts)};
+}
+
+SurfaceContent visible(SurfaceContent surface)
+{
+    surface.title = visibleText(surface.title);
+    surface.valueName = visibleText(surface.valueName);
+    for (SurfacePart& part : surface.parts)
+        part.name = visibleText(part.name);
+    surface.facts = visible(std::move(surface.facts));
+    surface.cellArrays = visible(std::move(surface.cellArrays));
+    return surface;
+}
+
 /// The vertices' first array of floats.
 const NamedArray* valuesOf(const MeshContent& content)
 {
@@ -224,8 +261,9 @@ try {
         return fit.error();
     if (isSurfaceFileOnly(host, to.path))
         return saveBoundary(host, mesh, to, values, progress);
+    const MeshContent shown = visible(mesh);
     return saveWith(to, writingMesh, progress,
-                    [&](OutputFile& file) { return writer->plugin->writeMesh(mesh, file, values); });
+                    [&](OutputFile& file) { return writer->plugin->writeMesh(shown, file, values); });
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", to.path.string())};
 }
@@ -240,8 +278,9 @@ Result<FileRemarks> saveSurface(PluginHost& host, const SurfaceContent& surface,
     for (const SurfacePart& part : surface.parts)
         if (const Status fits = checkPart(part, normals); !fits)
             return fits.error();
+    const SurfaceContent shown = visible(surface);
     return saveWith(to, writingSurfaces, progress,
-                    [&](OutputFile& file) { return writer->plugin->writeSurface(surface, file, values); });
+                    [&](OutputFile& file) { return writer->plugin->writeSurface(shown, file, values); });
 }
 
 Status checkWritable(PluginHost& host, WrittenContent content, const std::filesystem::path& path,

@@ -77,44 +77,17 @@ PlyHead& PlyHead::vertexList()
 
 /// What readers take for something else than a value, by the lists of VTK, MeshLab, meshio and Assimp; and the names of
 /// the colours of materials, which begin with one of `shades`.
-constexpr std::array<std::string_view, 30> takenWords = {"x",
-                                                         "y",
-                                                         "z",
-                                                         "nx",
-                                                         "ny",
-                                                         "nz",
-                                                         "red",
-                                                         "green",
-                                                         "blue",
-                                                         "r",
-                                                         "g",
-                                                         "b",
-                                                         "a",
-                                                         "alpha",
-                                                         "opacity",
-                                                         "quality",
-                                                         "s",
-                                                         "t",
-                                                         "u",
-                                                         "v",
-                                                         "tx",
-                                                         "ty",
-                                                         "texture_u",
-                                                         "texture_v",
-                                                         "texcoord",
-                                                         "texture_index",
-                                                         "material_index",
-                                                         "vertex_index",
-                                                         "vertex_indices",
-                                                         "specular_power"};
+constexpr std::string_view takenWords =
+    " x y z nx ny nz red green blue alpha r g b a opacity quality s t u v tx ty texture_u texture_v texcoord "
+    "texture_index material_index vertex_index vertex_indices specular_power ";
 constexpr std::array<std::string_view, 3> shades = {"ambient_", "diffuse_", "specular_"};
 constexpr std::array<std::string_view, 4> channels = {"red", "green", "blue", "alpha"};
 
-bool isTaken(std::string_view word)
+bool isTaken(const std::string& word)
 {
-    if (std::ranges::find(takenWords, word) != takenWords.end())
+    if (takenWords.find(" " + word + " ") != std::string_view::npos)
         return true;
-    return std::ranges::any_of(shades, [word](std::string_view shade) {
+    return std::ranges::any_of(shades, [&word](std::string_view shade) {
         return word.starts_with(shade) && std::ranges::find(channels, word.substr(shade.size())) != channels.end();
     });
 }
