@@ -8,6 +8,7 @@ import math
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -17,8 +18,9 @@ try:
     import meshio
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties, vtkPolyDataConnectivityFilter
+    from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFeatureEdges, vtkMassProperties, vtkPolyDataConnectivityFilter
     from vtkmodules.vtkFiltersModeling import vtkHausdorffDistancePointSetFilter
+    from vtkmodules.vtkIOGeometry import vtkGLTFReader
     from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 except ImportError as missing:
@@ -33,10 +35,11 @@ TAN = pathlib.Path(sys.argv.pop(1)).resolve() / "bin/tan"
 RADIUS = 7.3  # of the ball, whose lattice has 21 points a unit apart along each axis
 
 
-def run(*words, folder=None):
+def run(*words, folder=None, messages=False):
+    """What a program says, with `messages` on both ways."""
     done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, errors="replace", check=False)
     assert done.returncode == 0, f"{words}: {done.stdout}{done.stderr}"
-    return done.stdout
+    return done.stdout + done.stderr if messages else done.stdout
 
 
 def write_lattice(path, values):
@@ -80,6 +83,20 @@ def cells(mesh, kind):
     return numpy.concatenate([block.data for block in mesh.cells if block.type == kind]).astype(int)
 
 
+def glb_values(path):
+    """Of each vertex; of an isosurface one for all."""
+    content = path.read_bytes()
+    length = struct.unpack_from("<I", content, 12)[0]
+    told = json.loads(content[20:20 + length])
+    mesh, = told["meshes"]
+    attributes = mesh["primitives"][0]["attributes"]
+    count = told["accessors"][attributes["POSITION"]]["count"]
+    if "_VALUE" not in attributes:
+        return numpy.full(count, mesh["extras"]["isovalue"])
+    view = told["bufferViews"][told["accessors"][attributes["_VALUE"]]["bufferView"]]
+    return numpy.frombuffer(content, "<f4", count, 28 + length + view["byteOffset"])
+
+
 class Others(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -102,16 +119,36 @@ class Others(unittest.TestCase):
     def by_gmsh(self, path):
         """The file as gmsh understands it."""
         out = path.with_suffix(path.suffix + ".msh")
-        said = run("gmsh", path, "-save", "-format", "msh2", "-o", out)
+        said = run("gmsh", path, "-save", "-format", "msh2", "-o", out, messages=True)
         self.assertNotRegex(said, "(?i)error|warning")
         return meshio.read(out)
 
     def by_vtk(self, path):
-        reader = {".vtu": vtkXMLUnstructuredGridReader, ".vtp": vtkXMLPolyDataReader, ".vtk": vtkGenericDataObjectReader}[path.suffix]()
+        reader = {".vtu": vtkXMLUnstructuredGridReader, ".vtp": vtkXMLPolyDataReader, ".vtk": vtkGenericDataObjectReader,
+                  ".glb": vtkGLTFReader}[path.suffix]()
         reader.SetFileName(str(path))
         reader.Update()
         self.assertEqual(reader.GetErrorCode(), 0)
-        return reader.GetOutput()
+        if path.suffix != ".glb":
+            return reader.GetOutput()
+        joined, leaves = vtkAppendPolyData(), reader.GetOutput().NewIterator()
+        while not leaves.IsDoneWithTraversal():
+            joined.AddInputData(leaves.GetCurrentDataObject())
+            leaves.GoToNextItem()
+        joined.Update()
+        return joined.GetOutput()
+
+    def surface(self, path, array):
+        """Places, triangles, and the values of the vertices; None where the format has none."""
+        if path.suffix in (".vtp", ".vtk", ".glb"):
+            read = self.by_vtk(path)
+            points = vtk_to_numpy(read.GetPoints().GetData()).astype(float)
+            triangles = vtk_to_numpy(read.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+            if path.suffix == ".glb":  # whose y points up
+                return points[:, [0, 2, 1]] * [1, -1, 1], triangles, glb_values(path)
+            return points, triangles, vtk_to_numpy(read.GetPointData().GetArray(array))
+        mesh = meshio.read(path)
+        return mesh.points.astype(float), cells(mesh, "triangle"), None if path.suffix in (".stl", ".obj") else mesh.point_data[array].ravel()
 
     def test_meshes(self):
         """Every tetrahedron is positive, and together they fill the domain; values lie within those of the data."""
@@ -145,40 +182,51 @@ class Others(unittest.TestCase):
             self.assertEqual(len(cells(mesh, "tetra")), told["tetrahedra"])
             birth, death = (mesh.cell_data[name][0].ravel() for name in ("birth_error", "death_error"))
             self.assertTrue((birth >= death).all() and (birth > death).any(), f"{ending}: {birth}, {death}")
+        # Triangles have lives in VTK's files, but not in a PLY file, which readers would refuse.
+        words = ("--range", "1,8", "--value", 120)
+        path, told = self.made("isosurface", "c60", "lives.vtp", *words)
+        self.assertEqual(self.by_vtk(path).GetCellData().GetArray("birth_error").GetNumberOfValues(), told["triangles"])
+        path, told = self.made("isosurface", "c60", "lives.ply", *words)
+        self.assertEqual(len(self.surface(path, "isovalue")[1]), told["triangles"])
+        self.assertIn("(birth_error, death_error)", told["remarks"][0])
 
-    def judge_surface(self, path, told, vertices, area, volume):
-        """That a file has these triangles: closed, outwards, of this area and this volume within."""
+    def judge_surface(self, path, told, vertices, area, volume, array, values_at):
+        """That a file has these triangles: closed, outwards, of this area and this volume within; and these values."""
         ending = path.suffix
-        if ending in (".vtu", ".ply", ".stl", ".obj"):
-            mesh = meshio.read(path)
-            found = area_and_volume(mesh.points.astype(float), cells(mesh, "triangle"))
-            self.assertEqual(len(cells(mesh, "triangle")), told["triangles"], path)
-            if ending != ".stl":
-                self.assertEqual(len(mesh.points), vertices, path)
-            self.assertAlmostEqual(found[0] / area, 1, delta=1e-5, msg=path)
-            self.assertAlmostEqual(found[1] / volume, 1, delta=1e-5, msg=path)
-        if ending in (".vtp", ".vtk"):
-            self.assertEqual(self.by_vtk(path).GetNumberOfPolys(), told["triangles"], path)
+        points, triangles, values = self.surface(path, array)
+        self.assertEqual(len(triangles), told["triangles"], path)
+        found = area_and_volume(points, triangles)
+        self.assertAlmostEqual(found[0] / area, 1, delta=1e-5, msg=path)
+        self.assertAlmostEqual(found[1] / volume, 1, delta=1e-5, msg=path)
+        if ending != ".stl":
+            self.assertEqual(len(points), vertices, path)
+        if values is not None:
+            self.assertTrue((values == values_at(points)).all(), path)
         if ending in (".ply", ".stl", ".obj", ".glb"):
-            self.assertIn(str(told["triangles"]), re.search(r"Faces:\s+(\d+)", run("assimp", "info", path))[1], path)
+            faces = re.search(r"Faces:\s+(\d+)", run("assimp", "info", path))
+            self.assertEqual(int(faces[1]), told["triangles"], path)
         if ending == ".stl":
             said = run("admesh", path)
             for what in ("Degenerate facets", "Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges", "Normals fixed"):
                 self.assertRegex(said, rf"{what}\s+:\s+0\b", path)
             self.assertAlmostEqual(float(re.search(r"Volume\s+:\s+(\S+)", said)[1]) / volume, 1, delta=1e-4)
-            self.assertEqual(self.by_gmsh(path).points.shape[1], 3)
+            gmsh = self.by_gmsh(path)
+            self.assertEqual((len(gmsh.points), len(cells(gmsh, "triangle"))), (vertices, told["triangles"]), path)
 
     def test_boundaries(self):
         for model, volume, area in (("c60", 14.0 ** 3, 6 * 14.0 ** 2), ("ball", 20.0 ** 3, 6 * 20.0 ** 2)):
             path, mesh = self.made("extract", model, "whole.vtu", "--error", 3)
-            points, tetrahedra = (lambda read: (read.points.astype(float), cells(read, "tetra")))(meshio.read(path))
+            read = meshio.read(path)
+            points, tetrahedra = read.points.astype(float), cells(read, "tetra")
+            values = dict(zip(map(tuple, points), read.point_data["value"].ravel()))
             faces = numpy.sort(numpy.concatenate([numpy.delete(tetrahedra, corner, axis=1) for corner in range(4)]), axis=1)
             faces, times = numpy.unique(faces, axis=0, return_counts=True)
             told = {**mesh, "triangles": int((times == 1).sum())}
             vertices = len(numpy.unique(faces[times == 1]))
             self.assertGreater(len(points), vertices)
             for ending in ("vtp", "ply", "stl", "obj", "glb"):
-                self.judge_surface(self.made("extract", model, f"boundary.{ending}", "--error", 3)[0], told, vertices, area, volume)
+                self.judge_surface(self.made("extract", model, f"boundary.{ending}", "--error", 3)[0], told, vertices, area, volume, "value",
+                                   lambda found, values=values: [values[tuple(place)] for place in found])
 
     def test_surfaces(self):
         """A sphere: within what linear pieces of its size lose of it, outwards from the larger values inside."""
@@ -192,7 +240,7 @@ class Others(unittest.TestCase):
         self.assertTrue((numpy.einsum("ij,ij->i", outwards, mesh.point_data["Normals"]) > 0).all())
         for ending in ("vtu", "vtk", "vtp", "ply", "stl", "obj", "glb"):
             path, told = self.made("isosurface", "ball", f"sphere.{ending}", "--error", 0, "--value", 0)
-            self.judge_surface(path, told, len(mesh.points), area, volume)
+            self.judge_surface(path, told, len(mesh.points), area, volume, "isovalue", lambda found: numpy.zeros(len(found)))
 
     def test_arrays_keep_their_names(self):
         """Whoever writes what TAn reads, the array has its own name in what TAn writes, as far as the format bears it."""
@@ -260,7 +308,7 @@ class Others(unittest.TestCase):
                 self.assertAlmostEqual(float(re.search(r"Volume\s+:\s+(\S+)", said)[1]) / one["volume"], 1, delta=1e-4)
                 for ending in ("vtu", "vtk", "ply", "obj", "glb"):
                     path, told = self.made("isosurface", "cut", f"solid.{ending}", "--error", 1, "--value", 0, *words)
-                    self.judge_surface(path, told, one["vertices"], one["area"], one["volume"])
+                    self.judge_surface(path, told, one["vertices"], one["area"], one["volume"], "isovalue", lambda found: numpy.zeros(len(found)))
         self.assertAlmostEqual((volumes["--close above"] + volumes["--close below"]) / 8000, 1, delta=1e-6)
 
     def test_deviation(self):
