@@ -3869,10 +3869,6 @@ beliebige Verwerfung</translation>
         <translation>Ihr Abstand ist %1. Der Abstand benachbarter Punkte muss entlang jeder Achse eine positive Zahl sein.</translation>
     </message>
     <message>
-        <source>its origin %1 and spacing %2 give positions that are no finite numbers. Check both.</source>
-        <translation>Ihr Ursprung %1 und ihr Abstand %2 ergeben Positionen, die keine endlichen Zahlen sind. Prüfen Sie beide.</translation>
-    </message>
-    <message>
         <source>its origin %1 is so far away for the spacing %2 that neighbouring points fall together. Move the origin nearer to 0.</source>
         <translation>Ihr Ursprung %1 ist für den Abstand %2 so weit entfernt, dass benachbarte Punkte zusammenfallen. Rücken Sie den Ursprung näher an 0.</translation>
     </message>
@@ -8857,18 +8853,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um die Isofläche zu schließen. Schließen Sie andere Programme, oder verringern Sie die Genauigkeit des Netzes.</translation>
     </message>
     <message>
-        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
-        <translation>Dateien, die ihn nicht nennen, darunter Rohdaten: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
-    </message>
-    <message>
-        <source>Files that do not tell it: the position of the first point, as in 0,0,0.</source>
-        <translation>Dateien, die ihn nicht nennen: wo der erste Punkt liegt, etwa 0,0,0.</translation>
-    </message>
-    <message>
-        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model another one.</source>
-        <translation>sie nennt ihr %1 selbst. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell ein anderes.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; has coordinates in single precision, which cannot hold this surface: it is too large or too small. Write a .vtp or .ply file.</source>
         <translation>&apos;%1&apos; hat Koordinaten in einfacher Genauigkeit, die diese Fläche nicht fassen kann: Sie ist zu groß oder zu klein. Schreiben Sie eine .vtp- oder .ply-Datei.</translation>
     </message>
@@ -8965,12 +8949,40 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dateien, die sie nicht angeben: die Einheit der Koordinaten, etwa mm. Sie wird angezeigt und rechnet nichts um.</translation>
     </message>
     <message>
-        <source>The file does not tell its spacing: 1 x 1 x 1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
-        <translation>Die Datei gibt ihren Abstand nicht an: 1 x 1 x 1 wird angenommen. Geben Sie ihn mit &apos;--spacing&apos; oder unter Importoptionen an, oder nachträglich mit &apos;tan set-frame&apos;.</translation>
-    </message>
-    <message>
         <source>The model lies as the directions of its data say, and was seen without them, as TAn up to version 0.1 read such data: its places were other ones. The camera shows all of it; choose regions anew.</source>
         <translation>Das Modell liegt so, wie die Richtungen seiner Daten es sagen, und wurde ohne sie gesehen, wie TAn bis zur Version 0.1 solche Daten las: Seine Orte waren andere. Die Kamera zeigt alles davon; wählen Sie Bereiche neu.</translation>
+    </message>
+    <message>
+        <source>its origin %1 and spacing %2 are not finite, or too large or small to compute with. Check both.</source>
+        <translation>sein Ursprung %1 und sein Abstand %2 sind nicht endlich oder zu groß oder zu klein, um damit zu rechnen. Prüfen Sie beide.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5; else 1 is assumed.</source>
+        <translation>Dateien, die ihn nicht nennen, darunter Rohdaten: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5; sonst wird 1 angenommen.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it: the position of the first point, as in 10,20,-5; else 0 is assumed.</source>
+        <translation>Dateien, die ihn nicht nennen: der Ort des ersten Punktes, etwa 10,20,-5; sonst wird 0 angenommen.</translation>
+    </message>
+    <message>
+        <source>it tells its %1 itself, or is not a lattice and has none. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
+        <translation>sie nennt ihr %1 selbst, oder ist kein Gitter und hat keines. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell eines Gitters ein anderes.</translation>
+    </message>
+    <message>
+        <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
+        <translation>Die Datei gibt ihren Abstand nicht an: %1 wird angenommen. Geben Sie ihn mit &apos;--spacing&apos; oder unter Importoptionen an, oder nachträglich mit &apos;tan set-frame&apos;.</translation>
+    </message>
+    <message>
+        <source>names %1 files. Put the samples into fewer.</source>
+        <translation>nennt %1 Dateien. Verteilen Sie die Werte auf weniger.</translation>
+    </message>
+    <message>
+        <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs take them as right-handed: they show the mirror image.</source>
+        <translation>Ihr Raum &apos;%1&apos; ist linkshändig. Seine Koordinaten bleiben, und Bilder und andere Programme nehmen sie als rechtshändig: Sie zeigen das Spiegelbild.</translation>
+    </message>
+    <message>
+        <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
+        <translation>Ihre Einheiten sind von Achse zu Achse verschieden: %1. Ihre Zahlen wurden genommen, wie sie sind, ohne Einheit.</translation>
     </message>
 </context>
 <context>

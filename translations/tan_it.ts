@@ -3869,10 +3869,6 @@ deformazione qualsiasi</translation>
         <translation>la sua spaziatura è %1. La distanza fra punti vicini deve essere un numero positivo lungo ogni asse.</translation>
     </message>
     <message>
-        <source>its origin %1 and spacing %2 give positions that are no finite numbers. Check both.</source>
-        <translation>la sua origine %1 e la spaziatura %2 danno posizioni che non sono numeri finiti. Controllarle entrambe.</translation>
-    </message>
-    <message>
         <source>its origin %1 is so far away for the spacing %2 that neighbouring points fall together. Move the origin nearer to 0.</source>
         <translation>la sua origine %1 è così lontana per la spaziatura %2 che punti vicini coincidono. Avvicinare l&apos;origine a 0.</translation>
     </message>
@@ -8857,18 +8853,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La memoria non basta per chiudere l&apos;isosuperficie. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
     </message>
     <message>
-        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
-        <translation>File che non la dicono, tra cui quelli grezzi: la distanza tra punti vicini lungo x, y e z, come in 1x1x2.5.</translation>
-    </message>
-    <message>
-        <source>Files that do not tell it: the position of the first point, as in 0,0,0.</source>
-        <translation>File che non la dicono: la posizione del primo punto, come in 0,0,0.</translation>
-    </message>
-    <message>
-        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model another one.</source>
-        <translation>dice da sé il suo valore di %1. Omettere &apos;--%1&apos;; &apos;tan set-frame&apos; ne dà un altro al modello.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; has coordinates in single precision, which cannot hold this surface: it is too large or too small. Write a .vtp or .ply file.</source>
         <translation>&apos;%1&apos; ha coordinate in precisione singola, che non possono contenere questa superficie: è troppo grande o troppo piccola. Scrivere un file .vtp o .ply.</translation>
     </message>
@@ -8965,12 +8949,40 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>File che non la indicano: l&apos;unità delle coordinate, come mm. Viene mostrata e non converte nulla.</translation>
     </message>
     <message>
-        <source>The file does not tell its spacing: 1 x 1 x 1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
-        <translation>Il file non indica la sua spaziatura: si suppone 1 x 1 x 1. La si indichi con &apos;--spacing&apos; o nelle opzioni di importazione, oppure in seguito con &apos;tan set-frame&apos;.</translation>
-    </message>
-    <message>
         <source>The model lies as the directions of its data say, and was seen without them, as TAn up to version 0.1 read such data: its places were other ones. The camera shows all of it; choose regions anew.</source>
         <translation>Il modello giace come dicono le direzioni dei suoi dati, ed era visto senza di esse, come TAn fino alla versione 0.1 leggeva tali dati: i suoi luoghi erano altri. La telecamera lo mostra tutto; scegliere di nuovo le regioni.</translation>
+    </message>
+    <message>
+        <source>its origin %1 and spacing %2 are not finite, or too large or small to compute with. Check both.</source>
+        <translation>la sua origine %1 e la sua spaziatura %2 non sono finite, o sono troppo grandi o piccole per calcolare. Controllare entrambe.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5; else 1 is assumed.</source>
+        <translation>File che non la dicono, tra cui quelli grezzi: la distanza tra punti vicini lungo x, y e z, come in 1x1x2.5; altrimenti si suppone 1.</translation>
+    </message>
+    <message>
+        <source>Files that do not tell it: the position of the first point, as in 10,20,-5; else 0 is assumed.</source>
+        <translation>File che non la dicono: la posizione del primo punto, come in 10,20,-5; altrimenti si suppone 0.</translation>
+    </message>
+    <message>
+        <source>it tells its %1 itself, or is not a lattice and has none. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
+        <translation>dice da sé il suo valore di %1, o non è un reticolo e non ne ha. Omettere &apos;--%1&apos;; &apos;tan set-frame&apos; ne dà un altro al modello di un reticolo.</translation>
+    </message>
+    <message>
+        <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
+        <translation>Il file non indica la sua spaziatura: si suppone %1. La si indichi con &apos;--spacing&apos; o nelle opzioni di importazione, oppure in seguito con &apos;tan set-frame&apos;.</translation>
+    </message>
+    <message>
+        <source>names %1 files. Put the samples into fewer.</source>
+        <translation>nomina %1 file. Mettere i campioni in un numero minore.</translation>
+    </message>
+    <message>
+        <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs take them as right-handed: they show the mirror image.</source>
+        <translation>Il suo spazio &apos;%1&apos; è sinistrorso. Le sue coordinate restano, e le immagini e gli altri programmi le prendono per destrorse: mostrano l&apos;immagine speculare.</translation>
+    </message>
+    <message>
+        <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
+        <translation>Le sue unità cambiano da asse ad asse: %1. I suoi numeri sono stati presi come sono, senza unità.</translation>
     </message>
 </context>
 <context>

@@ -102,9 +102,14 @@ Status checkLatticePlacement(const Lattice& lattice)
     const Eigen::AlignedBox3d bounds = lattice.bounds();
     const Eigen::Vector3d extents = lattice.spacing.cwiseProduct(
         Eigen::Vector3d(lattice.size[0] - 1.0, lattice.size[1] - 1.0, lattice.size[2] - 1.0));
-    if (!lattice.origin.allFinite() || !extents.allFinite() || !bounds.min().allFinite() || !bounds.max().allFinite())
+    const auto isFar = [](const Eigen::Vector3d& place) {
+        return !place.allFinite() || place.cwiseAbs().maxCoeff() > farthestCoordinate;
+    };
+    if (isFar(lattice.origin) || isFar(extents) || isFar(bounds.min()) || isFar(bounds.max()) ||
+        lattice.spacing.minCoeff() * farthestCoordinate < 1)
         return Error{ErrorKind::BadInput,
-                     Message::say("its origin %1 and spacing %2 give positions that are no finite numbers. Check both.",
+                     Message::say("its origin %1 and spacing %2 are not finite, or too large or small to compute with. "
+                                  "Check both.",
                                   text(lattice.origin), text(lattice.spacing))};
     if (!staysApart(lattice))
         return Error{ErrorKind::BadInput,

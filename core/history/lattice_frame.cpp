@@ -38,6 +38,8 @@ bool isBoxOfLattice(const Lattice& lattice, const Eigen::AlignedBox3d& box)
 bool takeFrameSection(SectionId id, std::span<const std::byte> bytes, ModelDescription& description)
 {
     Lattice& lattice = description.lattice;
+    if (description.domain != DomainClass::RegularLattice)
+        return false;
     if (id == SectionId::Frame) {
         static_assert(sizeof(Eigen::Matrix3d) == 9 * sizeof(double) && !Eigen::Matrix3d::IsRowMajor);
         if (bytes.size() != sizeof(Eigen::Matrix3d))
@@ -50,7 +52,8 @@ bool takeFrameSection(SectionId id, std::span<const std::byte> bytes, ModelDescr
         return false;
     Eigen::Vector3d& metric = description.metric.emplace();
     std::memcpy(metric.data(), bytes.data(), bytes.size());
-    return std::ranges::all_of(metric, [](double length) { return length > 0 && std::isfinite(length); });
+    return std::ranges::all_of(
+        metric, [](double length) { return length <= farthestCoordinate && length * farthestCoordinate >= 1; });
 }
 
 } // namespace tetra

@@ -53,9 +53,11 @@ Result<ModelDescription> placed(const Model& model, const Placement& placement)
                          "itself. Only a lattice's spacing and origin can be corrected.",
                          model.path().string()),
             model.path()};
-    if (const Status free = checkWeights(model); !free)
-        return free.error();
-    description.metric = description.meshSpacing();
+    if (placement.spacing || placement.origin) {
+        if (const Status free = checkWeights(model); !free)
+            return free.error();
+        description.metric = description.meshSpacing();
+    }
     lattice.spacing = placement.spacing.value_or(lattice.spacing);
     lattice.origin = placement.origin.value_or(lattice.origin);
     description.lengthUnit = placement.lengthUnit.value_or(description.lengthUnit);

@@ -381,7 +381,11 @@ bool verifySource(const Model& model, const Dataset& dataset, const Dataset& ori
         failures.push_back("The model was built from another dataset: " +
                            kindText(description.domain, description.lattice, description.sampleType) + " ('" +
                            description.sourceName + "'), and '" + original.source.name + "' has " +
-                           kindText(dataset.domain, dataset.lattice, dataset.values.type()) + ".");
+                           kindText(dataset.domain, dataset.lattice, dataset.values.type()) +
+                           (original.domain == DomainClass::RegularLattice && !lattice.isAlongAxes()
+                                ? ". TAn up to version 0.1 read lattices with directions as other ones, or as "
+                                  "curvilinear grids: a model of that version is to be built again."
+                                : "."));
         return false;
     }
     const std::uint64_t hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
@@ -392,11 +396,11 @@ bool verifySource(const Model& model, const Dataset& dataset, const Dataset& ori
     if (description.lattice.spacing != lattice.spacing || description.lattice.origin != lattice.origin)
         failures.emplace_back("The spacing or the origin of the lattice is not that of the original.");
     if (description.lattice.directions != lattice.directions)
-        failures.emplace_back(description.lattice.isAlongAxes()
-                                  ? "The model was read without the directions of the lattice's axes, as TAn did up to "
-                                    "version 0.1: where the "
-                                    "original is turned or mirrored, the model is not. Build it again."
-                                  : "The directions of the lattice's axes are not those of the original.");
+        failures.emplace_back(
+            description.lattice.isAlongAxes()
+                ? "The model was read without the directions of the lattice's axes, or with its samples "
+                  "in another order in their place, as TAn did up to version 0.1. Build it again."
+                : "The directions of the lattice's axes are not those of the original.");
     const Eigen::AlignedBox3d bounds = original.bounds();
     if (description.bounds.min() != bounds.min() || description.bounds.max() != bounds.max())
         failures.emplace_back("The bounding box is not that of the original.");

@@ -37,12 +37,13 @@ inline std::vector<Parameter> placementParameters()
     spacing.id = "spacing";
     spacing.label = Message::marked("Spacing");
     spacing.explanation = Message::marked("Files that do not tell it, raw ones among them: the distance of "
-                                          "neighbouring points along x, y and z, as in 1x1x2.5.");
-    spacing.defaultValue = std::string("1x1x1");
+                                          "neighbouring points along x, y and z, as in 1x1x2.5; else 1 is assumed.");
+    spacing.defaultValue = std::string();
     origin.id = "origin";
     origin.label = Message::marked("Origin");
-    origin.explanation = Message::marked("Files that do not tell it: the position of the first point, as in 0,0,0.");
-    origin.defaultValue = std::string("0,0,0");
+    origin.explanation = Message::marked(
+        "Files that do not tell it: the position of the first point, as in 10,20,-5; else 0 is assumed.");
+    origin.defaultValue = std::string();
     return {spacing, origin, unitParameter()};
 }
 
@@ -69,14 +70,21 @@ template <class Number> Result<std::array<Number, 3>> parseThree(const std::stri
     return numbers;
 }
 
-/// What the user says; nothing without a value.
-inline Result<std::optional<Eigen::Vector3d>> placementValue(const ParameterValues& values, const std::string& id)
+/// What the user says; empty without a value, as fields of a form are that nobody has filled in.
+inline std::string placementText(const ParameterValues& values, const std::string& id)
 {
     const auto found = values.find(id);
     const auto* text = found != values.end() ? std::get_if<std::string>(&found->second) : nullptr;
-    if (text == nullptr)
+    const bool isSaid = text != nullptr && text->find_first_not_of(" \t") != std::string::npos;
+    return isSaid ? *text : std::string();
+}
+
+inline Result<std::optional<Eigen::Vector3d>> placementValue(const ParameterValues& values, const std::string& id)
+{
+    const std::string text = placementText(values, id);
+    if (text.empty())
         return std::optional<Eigen::Vector3d>();
-    const auto numbers = parseThree<double>(id, *text);
+    const auto numbers = parseThree<double>(id, text);
     if (!numbers)
         return numbers.error();
     return std::optional(Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]));
@@ -100,7 +108,7 @@ inline std::vector<std::string> givenPlacement(const ParameterValues& values)
 {
     std::vector<std::string> given;
     for (const Parameter& parameter : placementParameters())
-        if (values.contains(parameter.id))
+        if (!placementText(values, parameter.id).empty())
             given.push_back(parameter.id);
     return given;
 }
@@ -110,10 +118,11 @@ inline Status checkUntold(const std::vector<std::string>& given, const std::vect
 {
     for (const std::string& id : given)
         if (std::ranges::find(untold, id) == untold.end())
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("it tells its %1 itself. Leave '--%1' out; 'tan set-frame' gives the model "
-                                      "another one.",
-                                      id)};
+            return Error{
+                ErrorKind::WrongUsage,
+                Message::say("it tells its %1 itself, or is not a lattice and has none. Leave '--%1' out; 'tan "
+                             "set-frame' gives the model of a lattice another one.",
+                             id)};
     return {};
 }
 
@@ -132,19 +141,23 @@ inline Status placeByUser(const ParameterValues& values, const std::vector<std::
         return origin.error();
     lattice.spacing = spacing->value_or(lattice.spacing);
     lattice.origin = origin->value_or(lattice.origin);
-    if (const auto unit = values.find("unit"); unit != values.end())
-        if (const auto* text = std::get_if<std::string>(&unit->second))
-            lengthUnit = *text;
+    if (const std::string unit = placementText(values, "unit"); !unit.empty())
+        lengthUnit = unit;
     return {};
 }
 
 /// For Dataset::remarks of a lattice: nothing if the file or the user tells the spacing.
-inline std::vector<Message> remarkOnSpacing(const ParameterValues& values, const std::vector<std::string>& untold)
+inline std::vector<Message> remarkOnSpacing(const ParameterValues& values, const std::vector<std::string>& untold,
+                                            const Lattice& lattice)
 {
-    if (values.contains("spacing") || std::ranges::find(untold, "spacing") == untold.end())
+    if (!placementText(values, "spacing").empty() || std::ranges::find(untold, "spacing") == untold.end())
         return {};
-    return {Message::say("The file does not tell its spacing: 1 x 1 x 1 is assumed. Say what it is by '--spacing' or "
-                         "in Import Options, or afterwards by 'tan set-frame'.")};
+    std::string steps;
+    for (const double step : lattice.spacing)
+        steps += (steps.empty() ? "" : " x ") + formatNumber(step);
+    return {Message::say("The file does not tell its spacing: %1 is assumed. Say what it is by '--spacing' or in "
+                         "Import Options, or afterwards by 'tan set-frame'.",
+                         steps)};
 }
 
 } // namespace tetra

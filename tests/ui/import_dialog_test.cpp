@@ -124,6 +124,16 @@ void ImportDialogTest::aRawFileIsDescribed()
     QVERIFY(!dialog()->isVisible());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
     QTRY_VERIFY(window_->find<QLabel>("build.estimate").text().contains("memory"));
+    // Nobody has filled in where it lies, which is told as assumed.
+    const QString facts = window_->find<QLabel>("build.facts").text();
+    QVERIFY2(facts.contains("1 x 1 x 1 is assumed"), qPrintable(facts));
+    openAndAsk(window_->folder.filePath("samples.raw"));
+    window_->find<QLineEdit>("import.option.spacing").setText("0.5 0.5 2");
+    window_->find<QLineEdit>("import.option.unit").setText("mm");
+    click("import.read");
+    QTRY_COMPARE(window_->workbench.opening().dataset()->lattice.spacing, Eigen::Vector3d(0.5, 0.5, 2));
+    QTRY_VERIFY(window_->find<QLabel>("build.facts").text().contains("spacing 0.5 × 0.5 × 2 mm"));
+    QVERIFY(!window_->find<QLabel>("build.facts").text().contains("assumed"));
 }
 
 /// C10: by the size of what is in it, which the preview shows.

@@ -25,6 +25,7 @@ private slots:
     void whatAnotherModelCannotHaveIsNamed();
     void aSessionThatLostSomethingStaysAsItIs();
     void theLookOfASessionIsTakenOver();
+    void aKeptViewMayLackDirections();
     void aModelIsLocated();
     void theProgramTakesALook();
     void theProgramSaysWhatDiffers();
@@ -212,6 +213,34 @@ void RestoredViewTest::theLookOfASessionIsTakenOver()
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY2(window_->messages().first().contains("1 of 2 isovalues"), qPrintable(window_->messages().first()));
     QCOMPARE(session().view().camera.azimuth, 100.0);
+}
+
+/// What was kept of a model that was built before directions were read is not taken for one of the same places, even if
+/// they fill the same box.
+void RestoredViewTest::aKeptViewMayLackDirections()
+{
+    for (const double first : {7.0, 7.5}) {
+        const QString model = build("again.tan", 1);
+        open(model);
+        ViewValue view = session().view();
+        view.query.window = {true, {{{1, 1, 1}, {7, 6, 6}}, WindowBorder::Clipped}};
+        session().setView(view);
+        window_->find<QAction>("action.close").trigger();
+        QTRY_VERIFY(window_->workbench.opening().views().idle());
+        build("again.tan", 1, 8, first);
+        open(model);
+        QVERIFY(!session().view().query.window.enabled);
+        QTRY_COMPARE(window_->messages().size(), first == 7.0 ? 1 : 2);
+        QVERIFY2(window_->messages().last().contains("TAn up to version 0.1"), qPrintable(window_->messages().last()));
+        window_->find<QAction>("action.close").trigger();
+        QTRY_VERIFY(window_->workbench.opening().views().idle());
+        open(model); // as it was seen since
+        QCOMPARE(window_->messages().size(), first == 7.0 ? 1 : 2);
+        window_->find<QAction>("action.close").trigger();
+        QTRY_VERIFY(window_->workbench.opening().views().idle());
+        QVERIFY(QFile::remove(model));
+        window_->workbench.opening().views().forget(filePath(model));
+    }
 }
 
 void RestoredViewTest::aModelIsLocated()

@@ -92,10 +92,24 @@ std::uint64_t modelIdentity(const Model& model)
     return identity;
 }
 
+bool lacksDirections(const SessionDocument& document, const Model& model)
+{
+    const Lattice& lattice = model.description().lattice;
+    if (document.bounds.isEmpty() || document.withDirections || document.identity == modelIdentity(model) ||
+        model.description().domain != DomainClass::RegularLattice || lattice.isAlongAxes())
+        return false;
+    Eigen::Vector3d lengths = lattice.spacing;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        lengths[axis] *= lattice.size[static_cast<std::size_t>(axis)] - 1;
+    return document.bounds.sizes().isApprox(lengths, sameCorner);
+}
+
 bool isOfSameDomain(const SessionDocument& document, const Model& model)
 {
     if (document.bounds.isEmpty() || document.identity == modelIdentity(model))
         return true;
+    if (lacksDirections(document, model))
+        return false;
     const Eigen::AlignedBox3d& bounds = model.description().bounds;
     const double tolerance = sameCorner * bounds.diagonal().norm();
     return (document.bounds.min() - bounds.min()).norm() <= tolerance &&
@@ -122,6 +136,7 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
         const auto corner = [](const Eigen::Vector3d& place) { return QJsonArray{place[0], place[1], place[2]}; };
         model["bounds"] = QJsonArray{corner(document.bounds.min()), corner(document.bounds.max())};
     }
+    model["withDirections"] = document.withDirections;
     if (document.range)
         model["range"] = QJsonArray{document.range->minimum, document.range->maximum};
     QJsonObject ours = {{"format", formatName}, {"version", formatVersion}, {"model", model}};
@@ -171,6 +186,7 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
         document.relativeModel = placeOf(relative);
     if (!absolute.empty())
         document.absoluteModel = placeOf(absolute);
+    document.withDirections = model.object().value("withDirections").toBool();
     const QJsonArray corners = model.object().value("bounds").toArray();
     const QJsonArray range = model.object().value("range").toArray();
     for (const QJsonValue& corner : corners)

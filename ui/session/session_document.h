@@ -30,7 +30,8 @@ struct SessionDocument {
     std::filesystem::path absoluteModel{}; ///< where it lay when the file was written; likewise
     std::uint64_t identity = 0;            ///< modelIdentity() of the model; 0 if the file does not say
     Eigen::AlignedBox3d bounds{};          ///< of the model; empty if the file does not say
-    std::optional<ValueRange> range{};     ///< of its values, likewise
+    bool withDirections = false;           ///< its places are those of a lattice that does not lie along the axes
+    std::optional<ValueRange> range{};     ///< of its values; nothing if the file does not say
     ViewValue view{};
     bool hasCamera = false; ///< else the view's is none that anybody chose
     /// Of the view, width and height in pixels: lines and texts take as much of a picture as they do of that. Zeros if
@@ -47,6 +48,10 @@ inline constexpr std::size_t headerChecksumOffset = 248;
 
 /// Differs for models of different content: the checksum of the header and the section table (FORMAT.md).
 std::uint64_t modelIdentity(const Model& model);
+
+/// Whether the document seems to be of the same lattice without its directions, as TAn read such data up to version
+/// 0.1: of a box that is as long along x, y and z as the lattice is along its own axes.
+bool lacksDirections(const SessionDocument& document, const Model& model);
 
 /// Whether places, or values, of the document are places, or values, of this model, too: it is the same one, or has the
 /// same domain, or the same range; or the document does not say.

@@ -470,13 +470,15 @@ void Opening::showModel(const OpenedModel& opened)
         const ViewValue start = scenes_.startingView(*opened.model);
         return session_.open(opened.model, start.isovalues, start.appearance);
     }
-    const RestoredView restored =
-        opened.from.empty() ? RestoredView{lastView(*opened.view, scenes_.modes(), *opened.model, opened.field)}
-                            : restoredView(*opened.view, scenes_.modes(), *opened.model, opened.field);
+    const RestoredView restored = opened.from.empty()
+                                      ? lastView(*opened.view, scenes_.modes(), *opened.model, opened.field)
+                                      : restoredView(*opened.view, scenes_.modes(), *opened.model, opened.field);
     session_.restore(opened.model, restored.document.view, restored.document.hasCamera);
     if (!opened.from.empty())
         showSession(restored, opened);
-    emit viewRestored(opened.from, restored.differences.empty());
+    else if (!restored.differences.empty())
+        emit failed(translatedMessage(restored.differences.front().text));
+    emit viewRestored(opened.from, opened.from.empty() || restored.differences.empty());
 }
 
 /// What a session has beside the view of its model. One of which not all could be shown stays as it is: saving asks for
@@ -529,6 +531,7 @@ std::optional<SessionDocument> Opening::sessionDocument() const
     document.model = isAddress(model.path().string()) ? model.path() : std::filesystem::absolute(model.path());
     document.identity = sitesOfWhole_ == 0 ? modelIdentity(model) : 0;
     document.bounds = model.description().bounds;
+    document.withDirections = !model.description().lattice.isAlongAxes();
     document.range = model.description().range;
     document.view = session_.view();
     document.hasCamera = true;

@@ -26,20 +26,6 @@ bool liesIn(const MovableRegion& region, const Eigen::AlignedBox3d& bounds)
     return bounds.contains(box.least) && bounds.contains(box.largest);
 }
 
-/// Whether a document of another domain seems to be of the same lattice without its directions: of a box that is as
-/// long along x, y and z as the lattice is along its own axes.
-bool lacksDirections(const SessionDocument& kept, const Model& model)
-{
-    constexpr double rounding = 1e-6;
-    const Lattice& lattice = model.description().lattice;
-    if (model.description().domain != DomainClass::RegularLattice || lattice.isAlongAxes())
-        return false;
-    Eigen::Vector3d lengths = lattice.spacing;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-        lengths[axis] *= lattice.size[static_cast<std::size_t>(axis)] - 1;
-    return kept.bounds.sizes().isApprox(lengths, rounding);
-}
-
 Message cameraText(bool lacksDirections)
 {
     return lacksDirections ? Message::say("The model lies as the directions of its data say, and was seen without "
@@ -250,12 +236,15 @@ std::optional<SessionDifference> differentModel(const SessionDocument& document,
                                           model.path().string())};
 }
 
-SessionDocument lastView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
-                         const FieldExtent& field)
+RestoredView lastView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
+                      const FieldExtent& field)
 {
+    Differences differences;
+    if (lacksDirections(kept, model))
+        differences.push_back({"camera", cameraText(true)});
     if (!isStillOfUse(kept, model))
         dropPlacesAndValues(kept, startingView(modes, model, field));
-    return restoredView(std::move(kept), modes, model, field).document;
+    return {restoredView(std::move(kept), modes, model, field).document, differences};
 }
 
 } // namespace tetra

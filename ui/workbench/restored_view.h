@@ -35,8 +35,9 @@ RestoredView restoredView(SessionDocument kept, const std::vector<Provided<Rende
 std::optional<SessionDifference> differentModel(const SessionDocument& document, const Model& model);
 
 /// How the model of a file is seen again that was seen like this last. Where other data have taken its place, with
-/// another domain or without most of the range, nothing of that depends on places or values.
-SessionDocument lastView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
-                         const FieldExtent& field);
+/// another domain or without most of the range, nothing of that depends on places or values; that
+/// is told only if its places were those of the same data without their directions.
+RestoredView lastView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
+                      const FieldExtent& field);
 
 } // namespace tetra

@@ -174,6 +174,7 @@ Result<Dataset> makeHoles(const Dataset& grid, const Progress& progress)
     if (!dataset)
         return dataset.error();
     dataset->space = grid.space;
+    dataset->lengthUnit = grid.lengthUnit;
     if (dataset->faultyCells)
         dataset->faultyCells = byCellsOfGrid(grid, *dataset->faultyCells);
     std::vector<Message> remarks = grid.remarks;

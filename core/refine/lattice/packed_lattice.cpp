@@ -69,7 +69,11 @@ Result<LatticeMetric> latticeMetric(const std::array<std::uint32_t, 3>& size, co
                      Message::say("A lattice of %1 x %2 x %3 points is too large to be refined as a whole with exact "
                                   "arithmetic (512 x 512 x 512 is about the limit). Crop or subsample it.",
                                   size[0], size[1], size[2])};
-    const Eigen::Vector3d squares = spacing.cwiseProduct(spacing) / spacing.cwiseProduct(spacing).minCoeff();
+    // Scaled by a power of two, which rounds nothing, lest the squares of tiny or huge lengths are 0 or infinite.
+    int exponent = 0;
+    static_cast<void>(std::frexp(spacing.minCoeff(), &exponent));
+    const Eigen::Vector3d lengths = spacing.unaryExpr([&](double length) { return std::ldexp(length, -exponent); });
+    const Eigen::Vector3d squares = lengths.cwiseProduct(lengths) / lengths.cwiseProduct(lengths).minCoeff();
     LatticeMetric best{1, 1, 1};
     double bestDeviation = std::numeric_limits<double>::infinity();
     for (std::uint32_t unit = 1; unit <= 4096; ++unit) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/cells_reader.h"
 
+#include "plugins/api/placement_parameters.h"
 #include "plugins/readers/cells/cells_file.h"
 
 #include <algorithm>
@@ -96,6 +97,13 @@ Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& 
         [&](std::string_view bytes) { return made(readUcd(bytes, request, reading), false); });
 }
 
+Result<Dataset> withUnit(Result<Dataset> dataset, const ParameterValues& values)
+{
+    if (dataset)
+        dataset->lengthUnit = placementText(values, "unit");
+    return dataset;
+}
+
 } // namespace
 
 std::vector<std::string> CellsReader::nameFilters() const
@@ -129,25 +137,28 @@ std::vector<Parameter> CellsReader::parameters() const
     component.explanation =
         Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'.");
     component.defaultValue = std::string("magnitude");
-    return {array, component};
+    return {array, component, unitParameter()};
 }
 
 Result<Dataset> CellsReader::read(const std::filesystem::path& path, const ParameterValues& values,
                                   const Progress& progress) const
 {
-    return readMesh(path, requestOf(parameters(), values), std::nullopt, progress);
+    return withUnit(readMesh(path, requestOf(parameters(), values), std::nullopt, progress), values);
 }
 
 Result<Dataset> CellsReader::readAround(const Eigen::AlignedBox3d& region, const std::filesystem::path& path,
                                         const ParameterValues& values, const Progress& progress) const
 {
-    return readMesh(path, requestOf(parameters(), values), region, progress);
+    return withUnit(readMesh(path, requestOf(parameters(), values), region, progress), values);
 }
 
 Result<FileContents> CellsReader::probe(const std::filesystem::path& path, const ParameterValues& /*values*/,
                                         const Progress& /*progress*/) const
 {
-    return withFile<FileContents>(path, probeVtu, probeUcd);
+    auto contents = withFile<FileContents>(path, probeVtu, probeUcd);
+    if (contents)
+        contents->untold = {"unit"};
+    return contents;
 }
 
 } // namespace tetra

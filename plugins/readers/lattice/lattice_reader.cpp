@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 namespace tetra {
@@ -71,8 +72,12 @@ Result<File> openFile(const fs::path& path)
 /// What the file leaves to the user.
 Status placeLayout(const ParameterValues& values, SampleLayout& layout)
 {
-    const Status placed = placeByUser(values, layout.untold, layout.lattice, layout.lengthUnit);
-    return placed ? checkLatticePlacement(layout.lattice) : placed;
+    const Eigen::Vector3d assumed = layout.lattice.spacing;
+    if (const Status placed = placeByUser(values, layout.untold, layout.lattice, layout.lengthUnit); !placed)
+        return placed;
+    layout.lattice.origin += layout.stepsToOrigin.cwiseProduct(layout.lattice.spacing - assumed);
+    std::ranges::move(remarkOnSpacing(values, layout.untold, layout.lattice), std::back_inserter(layout.remarks));
+    return checkLatticePlacement(layout.lattice);
 }
 
 /// The data files of a detached header, else the header's own file.
@@ -189,8 +194,7 @@ Result<ScalarField> samplesOf(const fs::path& path, const VolumeFiles& volume, c
                 : read.error();
 }
 
-Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, const ParameterValues& options,
-                            const Progress& progress)
+Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, const Progress& progress)
 {
     const Result<ScalarField> values = samplesOf(path, volume, progress);
     if (!values)
@@ -200,7 +204,7 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, con
     dataset.values = *values;
     dataset.space = volume.layout.space;
     dataset.lengthUnit = volume.layout.lengthUnit;
-    dataset.remarks = remarkOnSpacing(options, volume.layout.untold);
+    dataset.remarks = volume.layout.remarks;
     dataset.source = {path.filename().string(), path, 0};
     if (isWithin(values->bytes(), volume.first->bytes()))
         dataset.mappedFile = volume.first;
@@ -264,7 +268,7 @@ Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues&
     const Result<VolumeFiles> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
-    return readDataset(path, *volume, values, progress);
+    return readDataset(path, *volume, progress);
 }
 
 std::vector<fs::path> LatticeReader::companions(const fs::path& path, const ParameterValues& /*values*/) const

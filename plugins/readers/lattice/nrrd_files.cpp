@@ -82,7 +82,7 @@ Result<std::vector<std::string>> namesOfPattern(const NrrdFields& fields, const 
     for (std::size_t i = 0; understood && i < 3; ++i) {
         constexpr std::int64_t farthest = 1'000'000'000;
         const auto number = parseNumber<std::int64_t>(words[i + 1]);
-        understood = number && std::abs(*number) <= farthest;
+        understood = number && *number >= -farthest && *number <= farthest;
         numbers[i] = number.value_or(0);
     }
     const auto [first, last, step] = numbers;
@@ -97,6 +97,9 @@ Result<std::vector<std::string>> namesOfPattern(const NrrdFields& fields, const 
         return wrongDataFile(fields, Message::say("names %1 files, which is not the number that its sizes ask for. "
                                                   "Correct the numbers of the first and the last file.",
                                                   files));
+    constexpr std::int64_t mostFiles = 1 << 20; // their names alone take a hundred megabytes
+    if (files > mostFiles)
+        return wrongDataFile(fields, Message::say("names %1 files. Put the samples into fewer.", files));
     std::vector<std::string> names;
     for (std::int64_t file = 0; file < files; ++file)
         names.push_back(pattern->name(first + file * step));

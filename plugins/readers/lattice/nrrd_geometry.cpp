@@ -106,6 +106,9 @@ Status place(const ThreeAxes& axes, const std::optional<Eigen::Vector3d>& spaceO
     return placed;
 }
 
+constexpr std::string_view leftHandedSpaces[] = {"left-anterior-superior",      "las",  "3d-left-handed",
+                                                 "left-anterior-superior-time", "last", "3d-left-handed-time"};
+
 /// The texts of '"mm" "mm" "mm"'.
 std::vector<std::string_view> quotedTexts(std::string_view text)
 {
@@ -117,6 +120,20 @@ std::vector<std::string_view> quotedTexts(std::string_view text)
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return texts;
+}
+
+/// Those of the space, else of the axes with points; none unless there are as many as there should be.
+std::set<std::string_view> lengthUnits(const NrrdFields& fields)
+{
+    const bool isInSpace = fields.has("space directions");
+    const auto sizes = split(fields["sizes"], " \t");
+    const auto units = quotedTexts(fields[isInSpace ? "space units" : "units"]);
+    std::set<std::string_view> found;
+    if (units.size() == (!isInSpace ? sizes.size() : nrrdSpaceHasTime(fields) ? 4 : 3))
+        for (std::size_t i = 0; i < units.size(); ++i)
+            if (isInSpace ? i < 3 : sizes[i] != "1")
+                found.insert(units[i]);
+    return found;
 }
 
 } // namespace
@@ -179,16 +196,37 @@ Result<Lattice> nrrdLattice(const NrrdFields& fields)
 
 std::string nrrdLengthUnit(const NrrdFields& fields)
 {
-    const bool isInSpace = fields.has("space directions");
-    const auto sizes = split(fields["sizes"], " \t");
-    const auto units = quotedTexts(fields[isInSpace ? "space units" : "units"]);
-    if (units.size() != (!isInSpace ? sizes.size() : nrrdSpaceHasTime(fields) ? 4 : 3))
-        return {};
-    std::set<std::string_view> found;
-    for (std::size_t i = 0; i < units.size(); ++i)
-        if (isInSpace ? i < 3 : sizes[i] != "1")
-            found.insert(units[i]);
-    return found.size() == 1 ? printable(*found.begin()) : std::string();
+    const auto units = lengthUnits(fields);
+    return units.size() == 1 ? printable(*units.begin()) : std::string();
+}
+
+Eigen::Vector3d nrrdStepsToOrigin(const NrrdFields& fields)
+{
+    Eigen::Vector3d steps = Eigen::Vector3d::Zero();
+    auto all = parseNrrdAxes(fields);
+    const auto axes = all ? volumeAxes(*std::move(all)) : all.error();
+    const auto spaceOrigin = parseSpaceOrigin(fields);
+    if (!axes || tellsNrrdSpacing(fields) || !spaceOrigin || *spaceOrigin)
+        return steps;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((*axes)[axis].minimum && (*axes)[axis].centeredInCells)
+            steps[static_cast<Eigen::Index>(axis)] = 0.5;
+    return steps;
+}
+
+std::vector<Message> nrrdPlaceRemarks(const NrrdFields& fields)
+{
+    std::vector<Message> remarks;
+    if (std::ranges::find(leftHandedSpaces, lowerCase(fields["space"])) != std::end(leftHandedSpaces))
+        remarks.push_back(
+            Message::say("Its space '%1' is left-handed. Its coordinates are kept, and pictures and other "
+                         "programs take them as right-handed: they show the mirror image.",
+                         printable(fields["space"])));
+    if (lengthUnits(fields).size() > 1)
+        remarks.push_back(Message::say("Its units differ from axis to axis: %1. Its numbers were taken as they are, "
+                                       "without a unit.",
+                                       printable(fields[fields.has("space directions") ? "space units" : "units"])));
+    return remarks;
 }
 
 } // namespace tetra

@@ -7,6 +7,7 @@
 #include <tan/data.h>
 
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -20,6 +21,13 @@ Result<Lattice> nrrdLattice(const NrrdFields& fields);
 /// Whether the header says the spacing of the axes, and where the first point lies: what it does not say are 1 and 0.
 bool tellsNrrdSpacing(const NrrdFields& fields);
 bool tellsNrrdOrigin(const NrrdFields& fields);
+
+/// SampleLayout::stepsToOrigin.
+Eigen::Vector3d nrrdStepsToOrigin(const NrrdFields& fields);
+
+/// What the header says that a picture or a file of a mesh does not show: a left-handed space, units that differ from
+/// axis to axis.
+std::vector<Message> nrrdPlaceRemarks(const NrrdFields& fields);
 
 /// Dataset::space, if the header says how the axes lie in it.
 std::string nrrdSpace(const NrrdFields& fields);

@@ -81,6 +81,8 @@ Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
     layout.samples.lengthUnit = nrrdLengthUnit(fields);
     layout.samples.untold =
         untoldPlacement(tellsNrrdSpacing(fields), tellsNrrdOrigin(fields), !layout.samples.lengthUnit.empty());
+    layout.samples.stepsToOrigin = nrrdStepsToOrigin(fields);
+    layout.samples.remarks = nrrdPlaceRemarks(fields);
     auto files = nrrdDataFiles(fields);
     if (!files)
         return files.error();

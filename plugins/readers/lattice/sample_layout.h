@@ -3,6 +3,7 @@
 
 #include "plugins/readers/lattice/nrrd_types.h"
 
+#include <tan/base.h>
 #include <tan/data.h>
 
 #include <bit>
@@ -18,6 +19,10 @@ struct SampleLayout {
     std::string space; ///< as those of a dataset
     std::string lengthUnit{};
     std::vector<std::string> untold{}; ///< as FileContents::untold
+    /// How many steps of the spacing lie between what the file says and the origin: 1/2 where it says where the first
+    /// cell begins. Of files that do not tell the spacing; else zeros.
+    Eigen::Vector3d stepsToOrigin = Eigen::Vector3d::Zero();
+    std::vector<Message> remarks{}; ///< for Dataset::remarks
     SampleType type = SampleType::UInt8;
     SampleEncoding encoding = SampleEncoding::Raw;
     std::endian order = std::endian::native; ///< of types of more than one byte; text has none

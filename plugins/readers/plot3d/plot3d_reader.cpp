@@ -291,7 +291,7 @@ Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& 
         return open.error();
     auto dataset = readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress.part(0.4, 1));
     if (dataset)
-        dataset->lengthUnit = parameterValue<std::string>(all, values, "unit");
+        dataset->lengthUnit = placementText(values, "unit");
     return dataset;
 }
 

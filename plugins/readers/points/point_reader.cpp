@@ -112,7 +112,7 @@ Result<Dataset> PointReader::read(const std::filesystem::path& path, const Param
                      Message::say("it has more than 4294967295 points. Take a part of them.")};
     auto dataset = datasetOf(std::move(*table), path);
     if (dataset)
-        dataset->lengthUnit = parameterValue<std::string>(parameters(), values, "unit");
+        dataset->lengthUnit = placementText(values, "unit");
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }

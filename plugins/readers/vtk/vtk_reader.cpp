@@ -111,8 +111,9 @@ Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& reg
     auto& findings = std::get<VtkFindings>(*answer);
     if (const Status placed = placeByUser(values, findings.untold, findings.lattice, findings.lengthUnit); !placed)
         return placed.error();
-    if (findings.kind == VtkDataKind::Lattice && findings.lattice.spacing == Eigen::Vector3d::Ones())
-        std::ranges::move(remarkOnSpacing(values, findings.untold), std::back_inserter(findings.remarks));
+    if (findings.kind == VtkDataKind::Lattice)
+        std::ranges::move(remarkOnSpacing(values, findings.untold, findings.lattice),
+                          std::back_inserter(findings.remarks));
     return toDataset(std::move(findings), request->format, path, region, progress.part(untilFound, 1));
 }
 

@@ -316,6 +316,10 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "sections", [](FileParts& f) { f.header().sectionCount = 5000; }, "its header makes no sense");
     row(
+        "frame", [](FileParts& f) { f.addSection(9, format::required); }, "section 'frame'");
+    row(
+        "metric", [](FileParts& f) { f.addSection(10, format::required); }, "section 'metric'");
+    row(
         "required", [](FileParts& f) { f.addSection(1000, format::required); }, "needs section 1000, which this");
     row(
         "twice", [](FileParts& f) { f.addSection(32, 0); }, "section 'other sites' is there twice");

@@ -21,6 +21,15 @@ private slots:
         QCOMPARE(metric, (LatticeMetric{1024, 1024, 225}));
     }
 
+    /// Their squares are 0, or infinite.
+    void tinyAndHugeLengthsAreLikeOthers()
+    {
+        for (const double unit : {1e-170, 1e-300, 1e170, 1e300}) {
+            const LatticeMetric metric = *latticeMetric({64, 64, 93}, Eigen::Vector3d(2, 2, 1) * unit);
+            QCOMPARE(metric, (LatticeMetric{4, 4, 1}));
+        }
+    }
+
     void irrationalRatiosAreClose()
     {
         const Eigen::Vector3d spacing(1, 1.4142135623730951, 2.718281828459045);

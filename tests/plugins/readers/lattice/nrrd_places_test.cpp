@@ -217,6 +217,66 @@ private slots:
         QVERIFY(!readWith(nrrdHeader("") + samples, {{"spacing", std::string("1x0x1")}}).ok());
     }
 
+    /// Half a cell before the first point is half of the spacing that the user says.
+    void theFirstCellBeginsWhereTheHeaderSays()
+    {
+        const QByteArray file =
+            nrrdHeader("centers: cell cell cell\naxis mins: 0 10 -4\n") + testSamples(SampleType::UInt8);
+        const auto assumed = read(file);
+        QVERIFY2(assumed.ok(), assumed.ok() ? "" : assumed.error().text().c_str());
+        QVERIFY(assumed->lattice.origin == Eigen::Vector3d(0.5, 10.5, -3.5));
+        const auto placed = readWith(file, {{"spacing", std::string("0.5x2x4")}});
+        QVERIFY2(placed.ok(), placed.ok() ? "" : placed.error().text().c_str());
+        QVERIFY(placed->lattice.spacing == Eigen::Vector3d(0.5, 2, 4));
+        QVERIFY(placed->lattice.origin == Eigen::Vector3d(0.25, 11, -2));
+    }
+
+    /// What no picture of it shows.
+    void whatIsUnusualIsTold()
+    {
+        const QByteArray directions = "space directions: (1,0,0) (0,1,0) (0,0,1)\n";
+        const QByteArray samples = testSamples(SampleType::UInt8);
+        const auto remarksOf = [&](const QByteArray& fields) {
+            const auto dataset = read(nrrdHeader(fields) + samples);
+            QByteArray told;
+            for (const Message& remark : dataset ? dataset->remarks : std::vector<Message>())
+                told += QByteArray::fromStdString(remark.text());
+            return dataset ? told : QByteArray::fromStdString(dataset.error().text());
+        };
+        QCOMPARE(remarksOf("space: RAS\n" + directions), QByteArray());
+        for (const char* const space : {"left-anterior-superior", "LAS", "3D-left-handed"}) {
+            const QByteArray told = remarksOf(QByteArray("space: ") + space + "\n" + directions);
+            QVERIFY2(told.contains("left-handed") && told.contains(space), told);
+        }
+        const QByteArray mixed = remarksOf(directions + "space units: \"mm\" \"mm\" \"cm\"\n");
+        QVERIFY2(mixed.contains("cm") && mixed.contains("as they are"), mixed);
+    }
+
+    void tinyHugeAndFarPlacesAreRefused()
+    {
+        for (const char* const steps : {"1e-170 1e-170 1e-170", "1e170 1e170 1e170"}) {
+            const auto dataset =
+                read(nrrdHeader(QByteArray("spacings: ") + steps + "\n") + testSamples(SampleType::UInt8));
+            QVERIFY(!dataset.ok());
+            QVERIFY2(dataset.error().text().find("too large or small") != std::string::npos,
+                     dataset.error().text().c_str());
+        }
+    }
+
+    /// Before a name is made of them.
+    void patternsOfTooManyFilesAreRefused()
+    {
+        for (const char* const pattern :
+             {"sizes: 3 4 1073741823\ndata file: s%d 1 1073741823 1\n",
+              "sizes: 3 4 900000000\ndata file: s%999d 1 900000000 1\n", "data file: s%d 0 -9223372036854775808 -1\n",
+              "data file: s%d -9223372036854775808 0 -1\n"}) {
+            QByteArray header = nrrdHeader(pattern);
+            const auto dataset = read(header);
+            QVERIFY(!dataset.ok());
+            QVERIFY2(dataset.error().text().find("data file") != std::string::npos, dataset.error().text().c_str());
+        }
+    }
+
     void knowsTheUnit_data()
     {
         QTest::addColumn<QByteArray>("fields");

@@ -337,6 +337,9 @@ private slots:
         const auto dataset = complete(builtVtkReader().read(folder_.write("image.vti", file), {}, {}));
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(dataset->domain == DomainClass::Irregular);
+        const auto measured =
+            complete(builtVtkReader().read(folder_.write("image.vti", file), {{"unit", std::string("mm")}}, {}));
+        QVERIFY(measured.ok() && measured->lengthUnit == "mm");
         for (const Message& remark : dataset->remarks)
             QVERIFY2(remark.text().find("inverted") == std::string::npos, remark.text().c_str());
         QVERIFY(distanceFromWorld(*dataset, 10) < 1e-4);
