@@ -8966,7 +8966,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>it tells its %1 itself, or is not a lattice and has none. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
-        <translation>sie nennt ihr %1 selbst, oder ist kein Gitter und hat keines. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell eines Gitters ein anderes.</translation>
+        <translation>sie nennt ihr %1 selbst, oder ist kein regelmäßiges Gitter und hat keines. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell eines regelmäßigen Gitters ein anderes.</translation>
     </message>
     <message>
         <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
