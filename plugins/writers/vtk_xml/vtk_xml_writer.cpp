@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <ranges>
 #include <type_traits>
 
 // VTK XML files of one piece: appended raw, little endian, 64-bit headers.
@@ -90,42 +91,51 @@ std::string numbersOf(const MeshFacts& facts)
     return text.empty() ? text : "<FieldData>\n" + text + "</FieldData>\n";
 }
 
+/// With the number of bytes before them.
+std::uint64_t blockBytesOf(const XmlArray& array)
+{
+    return sizeof array.bytes + array.bytes;
+}
+
+std::uint64_t blockBytesOf(const XmlGrid& grid)
+{
+    std::uint64_t bytes = 0;
+    for (const XmlElement& element : grid.elements)
+        for (const XmlArray& array : element.arrays)
+            bytes += blockBytesOf(array);
+    return bytes;
+}
+
+/// The block of the last array comes first, and that of the first array last: meshio 5 looks for the first array in the
+/// text with the offset of a block, and gives those that it has read other offsets, which may be those of blocks still
+/// to come. In this order it finds the right one before them.
 std::string headOf(const XmlGrid& grid)
 {
     std::string text = "<?xml version=\"1.0\"?>\n" + textsOf(grid.facts) + "<VTKFile type=\"" + grid.type +
                        "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" + grid.type + ">\n" +
                        numbersOf(grid.facts) + "<Piece" + grid.numbers + ">\n";
-    std::uint64_t offset = 0;
+    std::uint64_t offset = blockBytesOf(grid);
     for (const XmlElement& element : grid.elements) {
         text += "<" + element.name + element.attributes + ">\n";
         for (const XmlArray& array : element.arrays) {
+            offset -= blockBytesOf(array);
             text += "<DataArray type=\"" + std::string(array.type) + "\" Name=\"" + xmlAttribute(array.name) + "\"" +
                     (array.components > 1 ? " NumberOfComponents=\"" + std::to_string(array.components) + "\"" : "") +
                     " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
-            offset += sizeof(std::uint64_t) + array.bytes;
         }
         text += "</" + element.name + ">\n";
     }
     return text + "</Piece>\n</" + grid.type + ">\n<AppendedData encoding=\"raw\">\n_";
 }
 
-std::uint64_t bytesOf(const XmlGrid& grid)
-{
-    std::uint64_t bytes = 0;
-    for (const XmlElement& element : grid.elements)
-        for (const XmlArray& array : element.arrays)
-            bytes += array.bytes;
-    return bytes;
-}
-
-/// Writes the whole file, the arrays in the order of the elements.
+/// Writes the whole file.
 Status write(OutputFile& out, const XmlGrid& grid)
 {
-    out.expect(bytesOf(grid));
+    out.expect(blockBytesOf(grid));
     if (const Status written = out.text(headOf(grid)); !written)
         return written;
-    for (const XmlElement& element : grid.elements)
-        for (const XmlArray& array : element.arrays) {
+    for (const XmlElement& element : grid.elements | std::views::reverse)
+        for (const XmlArray& array : element.arrays | std::views::reverse) {
             if (const Status written = out.bytes(std::as_bytes(std::span(&array.bytes, 1))); !written)
                 return written;
             if (const Status written = array.write(out); !written)
