@@ -161,7 +161,7 @@ Status checkPart(const SurfacePart& part, bool normals)
     return {};
 }
 
-// Names of files, of arrays and of what plugins draw can have any bytes. Readers refuse files that are no UTF-8
+// Names of files, of arrays and of what plugins draw can have any bytes. Readers refuse files that are not UTF-8
 // (meshio), or hold characters that XML does not know (VTK), so that no writer gets such texts.
 
 MeshFacts visible(MeshFacts facts)
