@@ -5,6 +5,7 @@
 #include <QJsonDocument>
 #include <QObject>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -25,6 +26,12 @@ constexpr int indexTarget = 34963;
 float linear(float channel)
 {
     return channel <= 0.04045F ? channel / 12.92F : std::pow((channel + 0.055F) / 1.055F, 2.4F);
+}
+
+/// glTF's factors are from 0 to 1; what is not a number is 0.
+float factor(float channel)
+{
+    return channel > 0 ? std::min(channel, 1.0F) : 0.0F;
 }
 
 std::string triple(const Eigen::Vector3f& vector)
@@ -155,8 +162,8 @@ private:
         // The colours of the vertices are multiplied by the material's.
         std::string colour;
         for (std::size_t channel = 0; channel < 3; ++channel)
-            append(colour, part.colours.empty() ? formatNumber(linear(part.colour[channel])) : "1");
-        append(colour, formatNumber(part.colour[3]));
+            append(colour, part.colours.empty() ? formatNumber(linear(factor(part.colour[channel]))) : "1");
+        append(colour, formatNumber(factor(part.colour[3])));
         return R"({"name":)" + jsonString(part.name) + R"(,"doubleSided":true)" +
                (part.colour[3] < 1 ? R"(,"alphaMode":"BLEND")" : "") +
                R"(,"pbrMetallicRoughness":{"baseColorFactor":[)" + colour +

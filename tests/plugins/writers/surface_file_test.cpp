@@ -316,13 +316,15 @@ private slots:
         QCOMPARE(colour[3].toDouble(), 0.25);
     }
 
-    /// An isovalue beyond floats, and a fact without bound: JSON has no infinity, nor can VTK read one from text.
+    /// An isovalue beyond floats, a fact without bound and a colour that is none: JSON has no infinity, nor can VTK
+    /// read one from text.
     void infinityBreaksNoFile()
     {
         constexpr float infinity = std::numeric_limits<float>::infinity();
         const RandomSurface one(5, 4, 1);
         SurfaceContent content = contentOf(one.part("isovalue 1e+39"), one.part("isovalue 2"));
         content.parts[0].values = infinity;
+        content.parts[1].colour = {infinity, std::numeric_limits<float>::quiet_NaN(), 0, 1};
         content.facts.emplace_back("scale", static_cast<double>(infinity));
         const QString glb = folder_.filePath("infinite.glb"), vtp = folder_.filePath("infinite.vtp");
         QVERIFY(writeSurface(glb.toStdString(), content) && writeSurface(vtp.toStdString(), content));
@@ -334,6 +336,9 @@ private slots:
         QVERIFY(!meshes[0].toObject().contains("extras"));
         QCOMPARE(meshes[1].toObject()["extras"].toObject()["isovalue"].toDouble(), 2.0);
         QCOMPARE(json["scenes"].toArray()[0].toObject()["extras"].toObject()["scale"].toString(), QString("inf"));
+        QCOMPARE(
+            json["materials"].toArray()[1].toObject()["pbrMetallicRoughness"].toObject()["baseColorFactor"].toArray(),
+            QJsonArray({1, 0, 0, 1}));
         const VtkReader read(vtp);
         if (read.isMissing())
             QSKIP_WITHOUT("python3-vtk9");
