@@ -66,11 +66,13 @@ Caps::Caps(const TetrahedralMesh& mesh, const BoundaryFaces& boundary, double is
     std::ranges::sort(crossings_);
 }
 
-/// Where the contour crosses an edge, to the last bit, as its vertices were placed.
-/// In the order of the contour, to the last bit.
+/// Where the contour crosses an edge, to the last bit: inwards, as its vertices were placed. The other way a crossing
+/// that it has in a vertex of the mesh may be beside it.
 Eigen::Vector3d Caps::placeOn(EdgeKey edge) const
 {
-    const auto [first, second] = endsOf(edge);
+    auto [first, second] = endsOf(edge);
+    if (isAbove(first))
+        std::swap(first, second);
     const double share = crossingShare(isovalue_, mesh_.values[first], mesh_.values[second]);
     const Eigen::Vector3d &from = mesh_.positions[first], &to = mesh_.positions[second];
     return {coordinateAt(from[0], to[0], share), coordinateAt(from[1], to[1], share),

@@ -135,6 +135,27 @@ private slots:
         }
     }
 
+    /// Next to a vertex of the mesh it is a matter of rounding whether the contour crosses in it, and which way an edge
+    /// is walked decides that: here inwards it does on all three edges, outwards on none.
+    void crossingsByAVertexAreThoseOfTheContour()
+    {
+        TetrahedralMesh mesh;
+        const double far = std::ldexp(1.0, 22);
+        const Vector3d corner(far, far, far);
+        mesh.positions = {corner, corner + Vector3d(1, 0, 0), corner + Vector3d(0, 1, 0), corner + Vector3d(0, 0, 1)};
+        const auto little = static_cast<float>(std::ldexp(1 + std::ldexp(1.0, -23), -31));
+        mesh.values = {little, -1, -1, -1};
+        mesh.tetrahedra = {{0, 1, 2, 3}};
+        QCOMPARE(openSurface(mesh, 0).triangles.size(), std::size_t(0));
+        for (const SolidSide side : {SolidSide::Above, SolidSide::Below}) {
+            const TriangleMesh surface = closedSurface(mesh, 0, side);
+            const SurfaceShape shape = shapeOf(surface);
+            QVERIFY(isBalanced(surface));
+            QCOMPARE(shape.openEdges, std::uint64_t(0));
+            QVERIFY(std::abs(shape.volume - (side == SolidSide::Above ? 0.0 : 1.0 / 6)) < 1e-8);
+        }
+    }
+
     /// Where nothing meets the boundary it is the isosurface; where everything lies on one side, the boundary or
     /// nothing.
     void extremes()
