@@ -8,6 +8,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -28,6 +29,15 @@ double areaOf(const TriangleMesh& surface, const Triangle& triangle)
 {
     const Eigen::Vector3d& a = surface.positions[triangle[0]];
     return (surface.positions[triangle[1]] - a).cross(surface.positions[triangle[2]] - a).norm() / 2;
+}
+
+/// Of the tetrahedron from there to the triangle; negative if that looks there.
+double volumeFrom(const Eigen::Vector3d& reference, const TriangleMesh& surface, const Triangle& triangle)
+{
+    const auto from = [&](std::size_t corner) -> Eigen::Vector3d {
+        return surface.positions[triangle[corner]] - reference;
+    };
+    return from(0).dot(from(1).cross(from(2))) / 6;
 }
 
 /// Volumes are reckoned from there, as from far away they would be differences of large numbers.
@@ -77,22 +87,28 @@ SurfaceShape shapeOf(const TriangleMesh& surface)
         shape.parts += isKnown[root] ? 0 : 1;
         isKnown[root] = true;
         shape.area += areaOf(surface, triangle);
-        const auto from = [&](std::size_t corner) -> Eigen::Vector3d {
-            return surface.positions[triangle[corner]] - reference;
-        };
-        shape.volume += from(0).dot(from(1).cross(from(2))) / 6;
+        shape.volume += volumeFrom(reference, surface, triangle);
     }
     countEdges(surface, shape);
     return shape;
 }
 
-void keepLargestPart(TriangleMesh& surface)
+void keepLargestPart(TriangleMesh& surface, SurfaceParts among)
 {
     DisjointSets sets = joinedByTriangles(surface);
-    std::vector<double> areas(surface.positions.size(), 0.0);
-    for (const Triangle& triangle : surface.triangles)
-        areas[sets.root(triangle[0])] += areaOf(surface, triangle);
-    const auto largest = static_cast<std::uint32_t>(std::ranges::max_element(areas) - areas.begin());
+    struct Part {
+        double volume = 0, area = 0;
+    };
+    std::vector<Part> parts(surface.positions.size()); // at their roots
+    for (const Triangle& triangle : surface.triangles) {
+        const std::uint32_t root = sets.root(triangle[0]);
+        parts[root].volume += volumeFrom(surface.positions[root], surface, triangle);
+        parts[root].area += areaOf(surface, triangle);
+    }
+    const auto rank = [among](const Part& part) {
+        return std::pair(among == SurfaceParts::All || part.volume > 0, part.area);
+    };
+    const auto largest = static_cast<std::uint32_t>(std::ranges::max_element(parts, {}, rank) - parts.begin());
     std::erase_if(surface.triangles, [&](const Triangle& triangle) { return sets.root(triangle[0]) != largest; });
     const std::vector<std::uint32_t> used = renumberUsed(surface.triangles, surface.positions.size());
     const auto keep = [&used](auto& ofVertices) {

@@ -23,8 +23,13 @@ struct SurfaceShape {
 /// O(n log n), on all threads. May throw std::bad_alloc.
 TAN_INTERNAL SurfaceShape shapeOf(const TriangleMesh& surface);
 
-/// Leaves of the surface the part with the largest area, of equal ones the first, in the same order, and its vertices
-/// alone. O(n). May throw std::bad_alloc.
-TAN_INTERNAL void keepLargestPart(TriangleMesh& surface);
+enum class SurfaceParts {
+    All,
+    Outer, ///< of a solid's surface those that look away from what they enclose, so not the walls of its hollows
+};
+
+/// Leaves of the surface the part of this kind with the largest area, of equal ones the first, in the same order, and
+/// its vertices alone; where no part is of this kind, the largest of all. O(n). May throw std::bad_alloc.
+TAN_INTERNAL void keepLargestPart(TriangleMesh& surface, SurfaceParts among = SurfaceParts::All);
 
 } // namespace tetra

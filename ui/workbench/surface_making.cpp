@@ -17,7 +17,7 @@ Result<TriangleMesh> surfaceOf(const TetrahedralMesh& mesh, std::span<const Eige
     auto surface = making.solid ? closedIsosurface(mesh, isovalue, *making.solid, progress)
                                 : extractIsosurface(mesh, gradients, isovalue, progress, cells);
     if (surface && making.largestPart)
-        keepLargestPart(*surface);
+        keepLargestPart(*surface, making.solid ? SurfaceParts::Outer : SurfaceParts::All);
     return surface;
 }
 

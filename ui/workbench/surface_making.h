@@ -21,7 +21,7 @@ namespace tetra {
 /// What isosurfaces are made for: to be printed, say, as solids.
 struct SurfaceMaking {
     std::optional<SolidSide> solid{}; ///< closed at the boundary of the mesh, around what lies on this side
-    bool largestPart = false;         ///< of each surface that alone
+    bool largestPart = false;         ///< of each surface that alone; of a solid its skin, so that hollows are filled
 };
 
 /// How far a surface is from that of the finest mesh of its model, made in the same way, and that from it.

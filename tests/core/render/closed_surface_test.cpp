@@ -51,6 +51,29 @@ double volumeOf(const TetrahedralMesh& mesh)
     return volume;
 }
 
+/// The surface of a box, whose fronts look outwards, or into it.
+TriangleMesh box(const Vector3d& low, const Vector3d& high, bool inwards)
+{
+    TriangleMesh surface;
+    for (int corner = 0; corner < 8; ++corner)
+        surface.positions.push_back(
+            {corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(), corner & 4 ? high.z() : low.z()});
+    surface.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                         {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    if (inwards)
+        for (auto& triangle : surface.triangles)
+            std::swap(triangle[1], triangle[2]);
+    return surface;
+}
+
+void append(TriangleMesh& surface, const TriangleMesh& more)
+{
+    const auto first = static_cast<std::uint32_t>(surface.positions.size());
+    surface.positions.insert(surface.positions.end(), more.positions.begin(), more.positions.end());
+    for (const auto& [a, b, c] : more.triangles)
+        surface.triangles.push_back({a + first, b + first, c + first});
+}
+
 /// Each edge is run along as often in one direction as in the other.
 bool isBalanced(const TriangleMesh& surface)
 {
@@ -214,6 +237,22 @@ private slots:
         TriangleMesh none;
         keepLargestPart(none);
         QCOMPARE(shapeOf(none).parts, 0U);
+    }
+
+    /// The wall of a hollow may be larger than the skin around it, but it is no solid.
+    void ofASolidTheSkinIsKept()
+    {
+        const TriangleMesh skin = box(Vector3d(0, 0, 0), Vector3d(2, 2, 2), false);
+        TriangleMesh solid = box(Vector3d(1, 1, 1), Vector3d(9, 9, 9), true); // wound inwards
+        append(solid, skin);
+        TriangleMesh any = solid;
+        keepLargestPart(any);
+        QCOMPARE(shapeOf(any).volume, -512.0);
+        keepLargestPart(solid, SurfaceParts::Outer);
+        QVERIFY(solid.positions == skin.positions && solid.triangles == skin.triangles);
+        TriangleMesh inner = box(Vector3d(0, 0, 0), Vector3d(1, 1, 1), true);
+        keepLargestPart(inner, SurfaceParts::Outer); // better than nothing
+        QCOMPARE(inner.triangles.size(), std::size_t(12));
     }
 };
 
