@@ -146,6 +146,25 @@ Result<ValuedSurfaces> extractAll(const ExtractedMesh& extracted, const std::vec
     return surfaces;
 }
 
+/// Of values that the data have and the mesh does not reach, or whose surface is no more than some of its vertices.
+void tellLostSurfaces(std::span<const MadeSurface> surfaces, const Model& model, const TetrahedralMesh& mesh,
+                      Outcome& outcome)
+{
+    const ValueRange& ofData = model.description().range;
+    std::vector<Message> remarks;
+    for (const MadeSurface& surface : surfaces) {
+        if (surface.mesh.triangles.empty() && ofData.minimum <= surface.value && surface.value <= ofData.maximum) {
+            const auto [least, most] = std::ranges::minmax(mesh.values);
+            remarks.emplace_back("The surface of " + formatNumber(surface.value) +
+                                 " is empty in this mesh, whose values lie between " + formatNumber(least) + " and " +
+                                 formatNumber(most) + ".");
+        }
+        if (surface.hasNoCounterpart)
+            remarks.push_back(missingDeviationText(surface));
+    }
+    addRemarks(remarks, outcome);
+}
+
 /// Points into the surfaces.
 SurfaceContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
                          const ValuedSurfaces& surfaces)
@@ -312,6 +331,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
                             std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra" + reachedText(figures) +
                             ", in " + rounded(elapsed.count(), 3) + " s\n" + (query->range ? "" : shapes)};
     tellEmptySurfaces(empty, model->description().range, outcome);
+    tellLostSurfaces(surfaces->all, *model, mesh.mesh, outcome);
     addRemarks(*written, outcome);
     tellPart(*found, outcome);
     return outcome;

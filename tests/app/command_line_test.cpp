@@ -574,6 +574,41 @@ private slots:
         QCOMPARE(picture.json()["remarks"].toArray().size(), 1);
     }
 
+    /// A ramp with a spike: a mesh of a large error has the values of the corners alone, so it has the surface of 47
+    /// and not that of 105.
+    void aSurfaceThatTheMeshLostIsTold()
+    {
+        QByteArray samples;
+        for (int point = 0; point < 9 * 9 * 9; ++point)
+            samples += static_cast<char>(point == 3 + 9 * (4 + 9 * 5) ? 110 : 100 * (point % 9) / 8);
+        QVERIFY(writeFile(path("spike.nrrd"), nrrd("uint8", "9 9 9", samples)));
+        QCOMPARE(tan({"build", "spike.nrrd", "-o", "spike.tan"}).exitCode, 0);
+        const auto surfaces = [this](const QString& values) {
+            const Run run = tan({"isosurface", "spike.tan", "--error", "90", "--value", values, "--deviation", "-o",
+                                 "spike.stl", "--json"});
+            return run.json();
+        };
+        const auto remarks = [](const QJsonObject& figures) {
+            QStringList all;
+            for (const QJsonValue remark : figures["remarks"].toArray())
+                if (remark.toString().contains("surface of"))
+                    all += remark.toString();
+            return all;
+        };
+        QCOMPARE(remarks(surfaces("47")), QStringList());
+        QVERIFY(readFile(path("spike.stl")).startsWith("binary STL, deviation "));
+        const QJsonObject both = surfaces("47,105");
+        const QStringList told = remarks(both);
+        QCOMPARE(told.size(), 2);
+        QVERIFY2(told[0].startsWith("The surface of 105 is empty in this mesh, whose values lie between 0 "),
+                 qPrintable(told[0]));
+        QVERIFY2(told[1].startsWith("The finest mesh has the surface of 105 and this mesh does not"),
+                 qPrintable(told[1]));
+        QVERIFY(both["surfaces"][0].toObject().contains("deviation"));
+        QVERIFY(!both["surfaces"][1].toObject().contains("deviation"));
+        QVERIFY(readFile(path("spike.stl")).startsWith("binary STL, isosurfaces"));
+    }
+
     void extractTellsWhatIsReached()
     {
         const Run run = tan({"extract", "c60.tan", "--error", "8", "-o", "reached.vtu", "--json"});

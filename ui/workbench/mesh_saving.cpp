@@ -204,6 +204,8 @@ Result<Message> writeSolids(PluginHost& host, const SolidOrder& order, const Pro
                                  .values = static_cast<float>(surface.value),
                                  .colour = {shown[i].red, shown[i].green, shown[i].blue, shown[i].opacity}});
         report = report.empty() ? shapeText(surface) : Message::say("%1 %2", report, shapeText(surface));
+        if (surface.hasNoCounterpart)
+            report = Message::say("%1 %2", report, missingDeviationText(surface));
     }
     content.facts = factsOf(model, order.mesh.query, mesh->scale);
     addDeviation(*surfaces, content.facts);

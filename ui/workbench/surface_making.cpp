@@ -91,6 +91,7 @@ Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const
         const auto reference = surfaceOf(mesh, gradients, surface.value, making, part.part(0, made), nullptr);
         if (!reference)
             return reference.error();
+        surface.hasNoCounterpart = surface.mesh.triangles.empty() != reference->triangles.empty();
         if (surface.mesh.triangles.empty() || reference->triangles.empty())
             continue;
         const auto to = surfaceDistance(*reference, surface.mesh, part.part(made, measuredOnce));
@@ -107,21 +108,35 @@ Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const
 void addDeviation(std::span<const MadeSurface> surfaces, MeshFacts& facts)
 {
     double largest = -1, mean = 0;
-    for (const MadeSurface& surface : surfaces)
+    for (const MadeSurface& surface : surfaces) {
+        if (surface.hasNoCounterpart)
+            return;
         if (surface.deviation) {
             largest = std::max(largest, surface.deviation->largest());
             mean = std::max(mean, surface.deviation->mean());
         }
+    }
     if (largest < 0)
         return;
     facts.emplace_back("deviation", largest);
     facts.emplace_back("mean_deviation", mean);
 }
 
+Message missingDeviationText(const MadeSurface& surface)
+{
+    const std::string value = formatNumber(surface.value);
+    return surface.mesh.triangles.empty()
+               ? Message::say(
+                     "The finest mesh has the surface of %1 and this mesh does not, so no deviation is stated.", value)
+               : Message::say("The finest mesh does not have the surface of %1, so no deviation is stated.", value);
+}
+
 Message shapeText(const MadeSurface& surface)
 {
     const SurfaceShape& shape = surface.shape;
     const std::string value = formatNumber(surface.value), area = shortNumber(shape.area);
+    if (surface.mesh.triangles.empty())
+        return Message::say("Value %1: empty.", value);
     Message text = shape.isClosed() ? Message::say("Value %1: closed; parts: %2, area: %3, volume: %4.", value,
                                                    shape.parts, area, shortNumber(shape.volume))
                                     : Message::say("Value %1: open; openings: %2 (edges: %3), parts: %4, area: %5.",

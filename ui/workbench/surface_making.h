@@ -38,6 +38,7 @@ struct MadeSurface {
     TriangleMesh mesh;
     SurfaceShape shape{};
     std::optional<SurfaceDeviation> deviation{}; ///< if it was measured; none where one of the two surfaces is empty
+    bool hasNoCounterpart = false;               ///< it was to be measured, and just one of the two surfaces is empty
 };
 
 /// The isosurfaces of a mesh; `cells`, if given, gets the tetrahedra of their triangles, one surface after the other,
@@ -51,10 +52,14 @@ Result<std::vector<MadeSurface>> makeSurfaces(const TetrahedralMesh& mesh, std::
 Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const SurfaceMaking& making,
                          std::span<MadeSurface> surfaces, const Progress& progress);
 
-/// Adds the largest and the mean deviation of all, if they were measured: "deviation", "mean_deviation".
+/// Adds the largest and the mean deviation of all, if they were measured: "deviation", "mean_deviation". None where a
+/// surface has no counterpart, as a number would be taken for true of that, too.
 void addDeviation(std::span<const MadeSurface> surfaces, MeshFacts& facts);
 
 /// Whether it is closed, of how many parts, how large, and how far from the finest: a sentence.
 Message shapeText(const MadeSurface& surface);
+
+/// Why the file states no deviation, of a surface without a counterpart.
+Message missingDeviationText(const MadeSurface& surface);
 
 } // namespace tetra
