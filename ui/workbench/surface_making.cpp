@@ -11,13 +11,43 @@
 namespace tetra {
 namespace {
 
-Result<TriangleMesh> surfaceOf(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients, double isovalue,
-                               const SurfaceMaking& making, const Progress& progress, Buffer<std::uint32_t>* cells)
+/// A mesh, and what its surfaces of all isovalues have in common.
+class SurfaceSource {
+public:
+    /// Errors: those of closingBasis().
+    static Result<SurfaceSource> of(const TetrahedralMesh& mesh, const SurfaceMaking& making, const Progress& progress)
+    {
+        if (!making.solid)
+            return SurfaceSource{mesh, making, vertexGradients(mesh), {}};
+        auto basis = closingBasis(mesh, progress);
+        if (!basis)
+            return basis.error();
+        return SurfaceSource{mesh, making, {}, *std::move(basis)};
+    }
+
+    Result<TriangleMesh> surface(double isovalue, const Progress& progress,
+                                 Buffer<std::uint32_t>* cells = nullptr) const;
+
+private:
+    SurfaceSource(const TetrahedralMesh& mesh, const SurfaceMaking& making, Buffer<Eigen::Vector3f> gradients,
+                  ClosingBasis basis)
+        : mesh_(&mesh), making_(making), gradients_(std::move(gradients)), basis_(std::move(basis))
+    {
+    }
+
+    const TetrahedralMesh* mesh_;
+    SurfaceMaking making_;
+    Buffer<Eigen::Vector3f> gradients_; ///< closed surfaces have no normals, so none then
+    ClosingBasis basis_;                ///< of closed surfaces
+};
+
+Result<TriangleMesh> SurfaceSource::surface(double isovalue, const Progress& progress,
+                                            Buffer<std::uint32_t>* cells) const
 {
-    auto surface = making.solid ? closedIsosurface(mesh, isovalue, *making.solid, progress)
-                                : extractIsosurface(mesh, gradients, isovalue, progress, cells);
-    if (surface && making.largestPart)
-        keepLargestPart(*surface, making.solid ? SurfaceParts::Outer : SurfaceParts::All);
+    auto surface = making_.solid ? closedIsosurface(*mesh_, basis_, isovalue, *making_.solid, progress)
+                                 : extractIsosurface(*mesh_, gradients_, isovalue, progress, cells);
+    if (surface && making_.largestPart)
+        keepLargestPart(*surface, making_.solid ? SurfaceParts::Outer : SurfaceParts::All);
     return surface;
 }
 
@@ -26,12 +56,6 @@ Progress share(const Progress& progress, std::size_t index, std::size_t count)
 {
     const double each = 1.0 / static_cast<double>(count);
     return progress.part(each * static_cast<double>(index), each * static_cast<double>(index + 1));
-}
-
-/// Closed surfaces have no normals.
-Buffer<Eigen::Vector3f> gradientsFor(const TetrahedralMesh& mesh, const SurfaceMaking& making)
-{
-    return making.solid ? Buffer<Eigen::Vector3f>() : vertexGradients(mesh);
 }
 
 /// The same query for the finest mesh there is.
@@ -60,12 +84,15 @@ Result<std::vector<MadeSurface>> makeSurfaces(const TetrahedralMesh& mesh, std::
                                               const SurfaceMaking& making, const Progress& progress,
                                               Buffer<std::uint32_t>* cells)
 {
-    const auto gradients = gradientsFor(mesh, making);
+    constexpr double prepared = 0.2;
+    const auto source = SurfaceSource::of(mesh, making, progress.part(0, prepared));
+    if (!source)
+        return source.error();
     std::vector<MadeSurface> surfaces;
     for (std::size_t i = 0; i < isovalues.size(); ++i) {
         Buffer<std::uint32_t> own;
-        auto surface = surfaceOf(mesh, gradients, isovalues[i], making, share(progress, i, isovalues.size()),
-                                 cells != nullptr ? &own : nullptr);
+        auto surface = source->surface(isovalues[i], share(progress.part(prepared, 1), i, isovalues.size()),
+                                       cells != nullptr ? &own : nullptr);
         if (!surface)
             return surface.error();
         const SurfaceShape shape = shapeOf(*surface);
@@ -79,16 +106,17 @@ Result<std::vector<MadeSurface>> makeSurfaces(const TetrahedralMesh& mesh, std::
 Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const SurfaceMaking& making,
                          std::span<MadeSurface> surfaces, const Progress& progress)
 {
-    constexpr double extracted = 0.4, made = 0.2, measuredOnce = 0.6;
+    constexpr double extracted = 0.4, prepared = 0.5, made = 0.2, measuredOnce = 0.6;
     const auto finest = extractor.extract(finestOf(query), progress.part(0, extracted));
     if (!finest)
         return finest.error();
-    const TetrahedralMesh& mesh = (*finest)->mesh;
-    const auto gradients = gradientsFor(mesh, making);
+    const auto source = SurfaceSource::of((*finest)->mesh, making, progress.part(extracted, prepared));
+    if (!source)
+        return source.error();
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        const Progress part = share(progress.part(extracted, 1), i, surfaces.size());
+        const Progress part = share(progress.part(prepared, 1), i, surfaces.size());
         MadeSurface& surface = surfaces[i];
-        const auto reference = surfaceOf(mesh, gradients, surface.value, making, part.part(0, made), nullptr);
+        const auto reference = source->surface(surface.value, part.part(0, made));
         if (!reference)
             return reference.error();
         surface.hasNoCounterpart = surface.mesh.triangles.empty() != reference->triangles.empty();

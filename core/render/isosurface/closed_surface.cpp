@@ -2,7 +2,6 @@
 #include "core/render/isosurface/closed_surface.h"
 
 #include "core/base/guarded.h"
-#include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 #include "core/render/isosurface/isosurface.h"
@@ -130,45 +129,68 @@ void Caps::add(const Triangle& face)
         surface_.triangles.push_back({corners_[0], corners_[i - 1], corners_[i]});
 }
 
-Result<TriangleMesh> closed(const TetrahedralMesh& mesh, double isovalue, SolidSide side, const Progress& progress)
+Result<TriangleMesh> closed(const TetrahedralMesh& mesh, const ClosingBasis& basis, double isovalue, SolidSide side,
+                            const Progress& progress)
 {
-    constexpr double contoured = 0.5, bounded = 0.8;
-    // No normals are asked for, so there is no need of gradients: those of a mesh without slope.
-    const Buffer<Eigen::Vector3f> gradients(mesh.positions.size(), Eigen::Vector3f(0, 0, 1));
-    auto contour = extractContour(mesh, mesh.values, nullptr, gradients, isovalue, progress.part(0, contoured));
+    constexpr double contoured = 0.7;
+    auto contour = extractContour(mesh, mesh.values, nullptr, basis.gradients, isovalue, progress.part(0, contoured));
     if (!contour)
         return contour.error();
-    const BoundaryFaces boundary = boundaryFaces(mesh.positions.size(), mesh.tetrahedra);
-    if (progress.cancelled())
-        return cancelledError(closingSurface);
-    progress.report(bounded, closingSurface);
     contour->surface.normals.clear();
     if (side == SolidSide::Below)
         for (Triangle& triangle : contour->surface.triangles)
             std::swap(triangle[1], triangle[2]);
+    const BoundaryFaces& boundary = basis.boundary;
     Caps caps(mesh, boundary, isovalue, side, *contour);
+    if (progress.cancelled())
+        return cancelledError(closingSurface);
     for (const Triangle& face : boundary.triangles)
         caps.add({boundary.vertices[face[0]], boundary.vertices[face[1]], boundary.vertices[face[2]]});
     progress.report(1, closingSurface);
     return std::move(contour->surface);
 }
 
+constexpr MarkedText noMemory =
+    Message::marked("Not enough memory to close the isosurface. Close other programs or lower the accuracy of the "
+                    "mesh.");
+
 } // namespace
 
-Result<TriangleMesh> closedIsosurface(const TetrahedralMesh& mesh, double isovalue, SolidSide side,
-                                      const Progress& progress)
+Result<ClosingBasis> closingBasis(const TetrahedralMesh& mesh, const Progress& progress)
 {
-    if (std::isnan(isovalue))
-        return Error{ErrorKind::WrongUsage, Message::say("The isovalue is not a number.")};
-    if (mesh.values.size() != mesh.positions.size())
-        return Error{ErrorKind::WrongUsage, Message::say("The mesh and its values do not belong together.")};
     if (mesh.tetrahedra.size() > largestAdjacentCellCount)
         return Error{ErrorKind::OutOfResource,
                      Message::say("The mesh has too many tetrahedra for its boundary to be found. Lower the accuracy "
                                   "of the mesh.")};
-    return guarded(Message::marked("Not enough memory to close the isosurface. Close other programs or lower the "
-                                   "accuracy of the mesh."),
-                   [&] { return closed(mesh, isovalue, side, progress); });
+    return guarded(noMemory, [&]() -> Result<ClosingBasis> {
+        progress.report(0, closingSurface);
+        ClosingBasis basis{boundaryFaces(mesh.positions.size(), mesh.tetrahedra),
+                           Buffer<Eigen::Vector3f>(mesh.positions.size(), Eigen::Vector3f(0, 0, 1))};
+        if (progress.cancelled())
+            return cancelledError(closingSurface);
+        progress.report(1, closingSurface);
+        return basis;
+    });
+}
+
+Result<TriangleMesh> closedIsosurface(const TetrahedralMesh& mesh, const ClosingBasis& basis, double isovalue,
+                                      SolidSide side, const Progress& progress)
+{
+    if (std::isnan(isovalue))
+        return Error{ErrorKind::WrongUsage, Message::say("The isovalue is not a number.")};
+    if (mesh.values.size() != mesh.positions.size() || basis.gradients.size() != mesh.positions.size())
+        return Error{ErrorKind::WrongUsage, Message::say("The mesh and its values do not belong together.")};
+    return guarded(noMemory, [&] { return closed(mesh, basis, isovalue, side, progress); });
+}
+
+Result<TriangleMesh> closedIsosurface(const TetrahedralMesh& mesh, double isovalue, SolidSide side,
+                                      const Progress& progress)
+{
+    constexpr double prepared = 0.3;
+    const auto basis = closingBasis(mesh, progress.part(0, prepared));
+    if (!basis)
+        return basis.error();
+    return closedIsosurface(mesh, *basis, isovalue, side, progress.part(prepared, 1));
 }
 
 } // namespace tetra

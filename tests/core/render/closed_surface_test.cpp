@@ -179,6 +179,27 @@ private slots:
         }
     }
 
+    /// The boundary is found once for the surfaces of many values.
+    void oneBasisServesAllValues()
+    {
+        TetrahedralMesh mesh = holedMesh(3, 5);
+        std::mt19937 random(3);
+        for (float& value : mesh.values)
+            value = static_cast<float>(random() % 1000) / 250;
+        const auto basis = closingBasis(mesh);
+        QVERIFY(basis.ok());
+        for (const double isovalue : {1.0, 1.7, 3.0})
+            for (const SolidSide side : {SolidSide::Above, SolidSide::Below}) {
+                const auto surface = closedIsosurface(mesh, *basis, isovalue, side);
+                QVERIFY(surface.ok());
+                const TriangleMesh alone = closedSurface(mesh, isovalue, side);
+                QVERIFY(surface->positions == alone.positions && surface->triangles == alone.triangles);
+            }
+        mesh.positions.push_back(Vector3d(0, 0, 0));
+        mesh.values.push_back(0);
+        QVERIFY(!closedIsosurface(mesh, *basis, 1, SolidSide::Above).ok()); // it is that of another mesh
+    }
+
     /// Where nothing meets the boundary it is the isosurface; where everything lies on one side, the boundary or
     /// nothing.
     void extremes()
