@@ -5,14 +5,22 @@
 #include "core/mesh/topology.h"
 
 #include <Eigen/Geometry>
-#include <tbb/parallel_sort.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace tetra {
 namespace {
+
+constexpr MarkedText lookingForOpenings = Message::marked("Looking for openings");
+constexpr std::size_t trianglesAtOnce = std::size_t(1) << 16;
+constexpr std::size_t verticesAtOnce = std::size_t(1) << 13;
 
 /// The vertices in sets by what the triangles join.
 DisjointSets joinedByTriangles(const TriangleMesh& surface)
@@ -46,20 +54,77 @@ Eigen::Vector3d referenceOf(const TriangleMesh& surface)
     return surface.positions.empty() ? Eigen::Vector3d(0, 0, 0) : surface.positions.front();
 }
 
-void countEdges(const TriangleMesh& surface, SurfaceShape& shape)
-{
-    Buffer<EdgeKey> edges;
-    edges.reserve(3 * surface.triangles.size());
-    for (const auto& [a, b, c] : surface.triangles)
-        edges.insert(edges.end(), {edgeKey(a, b), edgeKey(b, c), edgeKey(c, a)});
-    tbb::parallel_sort(edges.begin(), edges.end());
+/// The edges of all triangles by their smaller ends: of each vertex the larger ends, each as often as there are
+/// triangles at the edge.
+class EdgesByVertex {
+public:
+    /// Incomplete if cancelled.
+    EdgesByVertex(const TriangleMesh& surface, const Progress& progress) : places_(surface.positions.size() + 1, 0)
+    {
+        forEach(surface, progress, [this](std::uint32_t smaller, std::uint32_t) { ++places_[smaller + 1]; });
+        std::partial_sum(places_.begin(), places_.end(), places_.begin());
+        larger_.resize(places_.back());
+        forEach(surface, progress, [this](std::uint32_t smaller, std::uint32_t larger) {
+            larger_[places_[smaller]++] = larger; // so each place moves to where the next vertex began
+        });
+    }
+
+    std::span<std::uint32_t> of(std::size_t vertex)
+    {
+        const std::size_t first = vertex == 0 ? 0 : places_[vertex - 1];
+        return {larger_.data() + first, places_[vertex] - first};
+    }
+
+private:
+    template <class Visit> static void forEach(const TriangleMesh& surface, const Progress& progress, Visit&& visit)
+    {
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+            if (t % trianglesAtOnce == 0 && progress.cancelled())
+                return;
+            const auto& [a, b, c] = surface.triangles[t];
+            for (const auto& [one, other] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+                visit(std::min(one, other), std::max(one, other));
+        }
+    }
+
+    std::vector<std::size_t> places_;
+    Buffer<std::uint32_t> larger_;
+};
+
+struct EdgeFindings {
     std::vector<EdgeKey> open;
-    for (auto begin = edges.begin(); begin != edges.end();) {
-        const auto end = std::find_if(begin, edges.end(), [begin](EdgeKey edge) { return edge != *begin; });
+    std::uint64_t crowded = 0;
+};
+
+/// `larger` are of one vertex, and are sorted by this.
+void findEdges(std::uint32_t vertex, std::span<std::uint32_t> larger, EdgeFindings& found)
+{
+    std::ranges::sort(larger);
+    for (auto begin = larger.begin(); begin != larger.end();) {
+        const auto end = std::find_if(begin, larger.end(), [begin](std::uint32_t other) { return other != *begin; });
         if (end - begin == 1)
-            open.push_back(*begin);
-        shape.crowdedEdges += end - begin > 2 ? 1 : 0;
+            found.open.push_back(edgeKey(vertex, *begin));
+        found.crowded += end - begin > 2 ? 1 : 0;
         begin = end;
+    }
+}
+
+void countEdges(const TriangleMesh& surface, const Progress& progress, SurfaceShape& shape)
+{
+    EdgesByVertex edges(surface, progress);
+    tbb::enumerable_thread_specific<EdgeFindings> found;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.positions.size(), verticesAtOnce),
+                      [&](const auto& range) {
+                          if (progress.cancelled())
+                              return;
+                          EdgeFindings& mine = found.local();
+                          for (std::size_t vertex = range.begin(); vertex != range.end(); ++vertex)
+                              findEdges(static_cast<std::uint32_t>(vertex), edges.of(vertex), mine);
+                      });
+    std::vector<EdgeKey> open;
+    for (const EdgeFindings& one : found) {
+        open.insert(open.end(), one.open.begin(), one.open.end());
+        shape.crowdedEdges += one.crowded;
     }
     shape.openEdges = open.size();
     DisjointSets rims(open.empty() ? 0 : surface.positions.size());
@@ -76,20 +141,28 @@ void countEdges(const TriangleMesh& surface, SurfaceShape& shape)
 
 } // namespace
 
-SurfaceShape shapeOf(const TriangleMesh& surface)
+SurfaceShape shapeOf(const TriangleMesh& surface, const Progress& progress)
 {
+    constexpr double joined = 0.3, measured = 0.6;
     SurfaceShape shape;
+    progress.report(0, lookingForOpenings);
     DisjointSets sets = joinedByTriangles(surface);
     std::vector<bool> isKnown(surface.positions.size(), false);
     const Eigen::Vector3d reference = referenceOf(surface);
-    for (const Triangle& triangle : surface.triangles) {
+    progress.report(joined, lookingForOpenings);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        if (t % trianglesAtOnce == 0 && progress.cancelled())
+            return shape;
+        const Triangle& triangle = surface.triangles[t];
         const std::uint32_t root = sets.root(triangle[0]);
         shape.parts += isKnown[root] ? 0 : 1;
         isKnown[root] = true;
         shape.area += areaOf(surface, triangle);
         shape.volume += volumeFrom(reference, surface, triangle);
     }
-    countEdges(surface, shape);
+    progress.report(measured, lookingForOpenings);
+    countEdges(surface, progress, shape);
+    progress.report(1, lookingForOpenings);
     return shape;
 }
 

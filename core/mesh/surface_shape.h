@@ -20,8 +20,9 @@ struct SurfaceShape {
     bool isClosed() const noexcept { return openEdges == 0; }
 };
 
-/// O(n log n), on all threads. May throw std::bad_alloc.
-TAN_INTERNAL SurfaceShape shapeOf(const TriangleMesh& surface);
+/// O(n) where no vertex has very many triangles; edges on all threads. Incomplete if cancelled. May throw
+/// std::bad_alloc.
+TAN_INTERNAL SurfaceShape shapeOf(const TriangleMesh& surface, const Progress& progress = {});
 
 enum class SurfaceParts {
     All,

@@ -13,9 +13,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <filesystem>
 #include <functional>
+#include <new>
 #include <stdexcept>
+#include <stop_token>
 
 using namespace tetra;
 
@@ -33,6 +36,7 @@ private slots:
     void whatARendererThrowsIsTold();
     void theSurfacesOfAnotherRendererAreSaved();
     void aFormatThatNobodyWritesIsRefusedFirst();
+    void theShapeOfASurfaceMayTakeLong();
 
 private:
     SceneRequest request(double percent, std::vector<Isovalue> isovalues) const;
@@ -298,6 +302,40 @@ void SceneBuilderTest::aFormatThatNobodyWritesIsRefusedFirst()
                                  Progress(stopped.get_token(), {}));
     QVERIFY(!saved);
     QVERIFY2(saved.error().kind == ErrorKind::WrongUsage, saved.error().text().c_str());
+}
+
+/// So it is looked for only where it is told, and can be cancelled; and a lack of memory is told.
+void SceneBuilderTest::theShapeOfASurfaceMayTakeLong()
+{
+    const auto extracted = MeshExtractor(model_).extract({.error = 4.0}, {});
+    QVERIFY(extracted.ok());
+    const std::array values = {100.0};
+    const auto shape = [&](Buffer<std::uint32_t>* cells) {
+        const auto made = makeSurfaces((*extracted)->mesh, values, {}, {}, cells);
+        return made.ok() ? made->front().shape : SurfaceShape();
+    };
+    Buffer<std::uint32_t> cells;
+    QVERIFY(shape(nullptr).parts > 0 && shape(nullptr).area > 0);
+    QCOMPARE(shape(&cells).parts, 0U);
+    QVERIFY(!cells.empty());
+    std::stop_source stop;
+    const auto lookingForOpenings = [](const Message& activity) { return activity.text() == "Looking for openings"; };
+    const auto cancelled =
+        makeSurfaces((*extracted)->mesh, values, {}, Progress(stop.get_token(), [&](double, const Message& activity) {
+                         if (lookingForOpenings(activity))
+                             stop.request_stop();
+                     }));
+    QVERIFY(!cancelled.ok() && cancelled.error().kind == ErrorKind::Cancelled);
+    const SolidOrder order{{model_, *extracted, {.error = 4.0}, folder_.filePath("solid.stl").toStdString()},
+                           {Isovalue{100}},
+                           {.solid = SolidSide::Above},
+                           false};
+    const auto withoutMemory = writeSolids(*host_, order, Progress({}, [&](double, const Message& activity) {
+        if (lookingForOpenings(activity))
+            throw std::bad_alloc();
+    }));
+    QVERIFY(!withoutMemory.ok() && withoutMemory.error().kind == ErrorKind::OutOfResource);
+    QVERIFY(writeSolids(*host_, order, {}).ok());
 }
 
 QTEST_GUILESS_MAIN(SceneBuilderTest)

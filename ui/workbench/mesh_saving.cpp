@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/mesh_saving.h"
 
+#include "core/base/guarded.h"
+
 #include <tan/query.h>
 #include <tan/render.h>
 
@@ -157,9 +159,7 @@ Status checkMeasurable(const SolidOrder& order)
     return {};
 }
 
-} // namespace
-
-Result<Message> writeSolids(PluginHost& host, const SolidOrder& order, const Progress& progress)
+Result<Message> makeAndWriteSolids(PluginHost& host, const SolidOrder& order, const Progress& progress)
 {
     constexpr double extracted = 0.3, made = 0.5, measured = 0.9;
     const Model& model = *order.mesh.model;
@@ -218,6 +218,15 @@ Result<Message> writeSolids(PluginHost& host, const SolidOrder& order, const Pro
     for (const Message& remark : *saved)
         report = Message::say("%1 %2", report, remark);
     return report;
+}
+
+} // namespace
+
+Result<Message> writeSolids(PluginHost& host, const SolidOrder& order, const Progress& progress)
+{
+    return guarded(Message::marked(
+                       "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh."),
+                   [&] { return makeAndWriteSolids(host, order, progress); });
 }
 
 } // namespace tetra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/surface_making.h"
 
+#include "core/base/guarded.h"
+
 #include <tan/render.h>
 
 #include <array>
@@ -10,6 +12,9 @@
 
 namespace tetra {
 namespace {
+
+constexpr MarkedText noMemory =
+    Message::marked("Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.");
 
 /// A mesh, and what its surfaces of all isovalues have in common.
 class SurfaceSource {
@@ -78,33 +83,27 @@ std::string shortNumber(double number)
     return {text.data(), end};
 }
 
-} // namespace
-
-Result<std::vector<MadeSurface>> makeSurfaces(const TetrahedralMesh& mesh, std::span<const double> isovalues,
-                                              const SurfaceMaking& making, const Progress& progress,
-                                              Buffer<std::uint32_t>* cells)
+Result<MadeSurface> makeSurface(const SurfaceSource& source, double isovalue, const Progress& progress,
+                                Buffer<std::uint32_t>* cells)
 {
-    constexpr double prepared = 0.2;
-    const auto source = SurfaceSource::of(mesh, making, progress.part(0, prepared));
-    if (!source)
-        return source.error();
-    std::vector<MadeSurface> surfaces;
-    for (std::size_t i = 0; i < isovalues.size(); ++i) {
-        Buffer<std::uint32_t> own;
-        auto surface = source->surface(isovalues[i], share(progress.part(prepared, 1), i, isovalues.size()),
-                                       cells != nullptr ? &own : nullptr);
-        if (!surface)
-            return surface.error();
-        const SurfaceShape shape = shapeOf(*surface);
-        surfaces.push_back({isovalues[i], *std::move(surface), shape});
-        if (cells != nullptr)
-            cells->insert(cells->end(), own.begin(), own.end());
+    constexpr double extracted = 0.8;
+    Buffer<std::uint32_t> own;
+    auto surface = source.surface(isovalue, progress.part(0, extracted), cells != nullptr ? &own : nullptr);
+    if (!surface)
+        return surface.error();
+    MadeSurface made{isovalue, *std::move(surface)};
+    if (cells != nullptr) {
+        cells->insert(cells->end(), own.begin(), own.end());
+        return made;
     }
-    return surfaces;
+    made.shape = shapeOf(made.mesh, progress.part(extracted, 1));
+    if (progress.cancelled())
+        return cancelledError(Message::say("Looking for openings"));
+    return made;
 }
 
-Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const SurfaceMaking& making,
-                         std::span<MadeSurface> surfaces, const Progress& progress)
+Status measure(MeshExtractor& extractor, const MeshQuery& query, const SurfaceMaking& making,
+               std::span<MadeSurface> surfaces, const Progress& progress)
 {
     constexpr double extracted = 0.4, prepared = 0.5, made = 0.2, measuredOnce = 0.6;
     const auto finest = extractor.extract(finestOf(query), progress.part(0, extracted));
@@ -131,6 +130,35 @@ Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const
         surface.deviation = SurfaceDeviation{*to, *from};
     }
     return {};
+}
+
+} // namespace
+
+Result<std::vector<MadeSurface>> makeSurfaces(const TetrahedralMesh& mesh, std::span<const double> isovalues,
+                                              const SurfaceMaking& making, const Progress& progress,
+                                              Buffer<std::uint32_t>* cells)
+{
+    return guarded(noMemory, [&]() -> Result<std::vector<MadeSurface>> {
+        constexpr double prepared = 0.2;
+        const auto source = SurfaceSource::of(mesh, making, progress.part(0, prepared));
+        if (!source)
+            return source.error();
+        std::vector<MadeSurface> surfaces;
+        for (std::size_t i = 0; i < isovalues.size(); ++i) {
+            auto made =
+                makeSurface(*source, isovalues[i], share(progress.part(prepared, 1), i, isovalues.size()), cells);
+            if (!made)
+                return made.error();
+            surfaces.push_back(*std::move(made));
+        }
+        return surfaces;
+    });
+}
+
+Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const SurfaceMaking& making,
+                         std::span<MadeSurface> surfaces, const Progress& progress)
+{
+    return guarded(noMemory, [&] { return measure(extractor, query, making, surfaces, progress); });
 }
 
 void addDeviation(std::span<const MadeSurface> surfaces, MeshFacts& facts)

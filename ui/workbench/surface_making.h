@@ -42,7 +42,8 @@ struct MadeSurface {
 };
 
 /// The isosurfaces of a mesh; `cells`, if given, gets the tetrahedra of their triangles, one surface after the other,
-/// and goes with plain surfaces alone. Errors: those of extractIsosurface() and closedIsosurface().
+/// and goes with plain surfaces alone, whose shapes are not looked for then. Errors: those of extractIsosurface() and
+/// closedIsosurface().
 Result<std::vector<MadeSurface>> makeSurfaces(const TetrahedralMesh& mesh, std::span<const double> isovalues,
                                               const SurfaceMaking& making, const Progress& progress,
                                               Buffer<std::uint32_t>* cells = nullptr);

@@ -10,7 +10,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <random>
@@ -86,6 +88,17 @@ bool isBalanced(const TriangleMesh& surface)
     return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; });
 }
 
+/// How many edges this number of triangles have, or more if there is no other bound.
+std::uint64_t slowEdges(const TriangleMesh& surface, int least, int most = std::numeric_limits<int>::max())
+{
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
+    for (const auto& triangle : surface.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            ++counts[std::minmax(triangle[i], triangle[(i + 1) % 3])];
+    const auto isMeant = [&](const auto& edge) { return edge.second >= least && edge.second <= most; };
+    return static_cast<std::uint64_t>(std::ranges::count_if(counts, isMeant));
+}
+
 /// Parts by going from triangle to triangle over common vertices.
 std::uint32_t slowParts(const TriangleMesh& surface)
 {
@@ -149,10 +162,13 @@ private slots:
                     QVERIFY(isBalanced(surface));
                     QCOMPARE(shape.openEdges, std::uint64_t(0));
                     QCOMPARE(shape.openings, std::uint64_t(0));
+                    QCOMPARE(shape.crowdedEdges, slowEdges(surface, 3));
                     QVERIFY(shape.volume >= -1e-9);
                     QCOMPARE(shape.parts, slowParts(surface));
                     volumes += shape.volume;
                 }
+                const TriangleMesh open = openSurface(mesh, isovalue);
+                QCOMPARE(shapeOf(open).openEdges, slowEdges(open, 1, 1));
                 QVERIFY2(std::abs(volumes / volumeOf(mesh) - 1) < 1e-7, qPrintable(QString::number(volumes)));
             }
         }
