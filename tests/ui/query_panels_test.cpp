@@ -374,7 +374,8 @@ void QueryPanelsTest::theSolidsAreSaved()
                                                            : window_->messages().join(", ");
     };
     const QString above = report(0, "above.stl"), below = report(1, "below.stl"), open = report(2, "open.stl");
-    QVERIFY2(above.contains(": closed; parts: 1, ") && above.contains("Deviation from the finest mesh: at most "),
+    QVERIFY2(above.contains(": closed; parts: 1, ") &&
+                 above.contains("Deviation from the finest mesh, measured at many places: largest "),
              qPrintable(above));
     QVERIFY2(below.contains(": closed; parts: 1, ") && !below.contains("Deviation"), qPrintable(below));
     QVERIFY2(open.contains("parts: 1, "), qPrintable(open));

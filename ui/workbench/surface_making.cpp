@@ -200,8 +200,8 @@ Message shapeText(const MadeSurface& surface)
     if (shape.crowdedEdges > 0)
         text = Message::say("%1 More than two triangles meet at some edges: %2.", text, shape.crowdedEdges);
     if (const auto& deviation = surface.deviation)
-        text = Message::say("%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most "
-                            "%4 (mean %5).",
+        text = Message::say("%1 Deviation from the finest mesh, measured at many places: largest %2 (mean %3), and of "
+                            "that from this: largest %4 (mean %5).",
                             text, shortNumber(deviation->toFinest.largest), shortNumber(deviation->toFinest.mean),
                             shortNumber(deviation->fromFinest.largest), shortNumber(deviation->fromFinest.mean));
     return text;

@@ -4,7 +4,10 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <random>
 
 using namespace tetra;
@@ -115,6 +118,27 @@ private slots:
         const SurfaceDistance found = distance(soup, from);
         QVERIFY2(std::abs(found.largest - largest) < 1e-5,
                  qPrintable(QString("%1 %2").arg(found.largest).arg(largest)));
+    }
+
+    /// Large triangles are measured between their corners, too: both are on the other surface, a cone's tip is not.
+    void placesInsideTrianglesCount()
+    {
+        const double height = 0.25;
+        const TriangleMesh flat = sheet(1, [](double, double) { return 0.0; });
+        const TriangleMesh cone =
+            sheet(40, [&](double x, double y) { return std::max(0.0, height - std::hypot(x - 0.5, y - 0.35)); });
+        const SurfaceDistance found = distance(cone, flat);
+        const double most = height / std::sqrt(2.0);
+        QVERIFY2(found.largest > most - 0.03 && found.largest < most + 0.01,
+                 qPrintable(QString::number(found.largest)));
+        const double mean = std::numbers::pi * height * height * most / 3; // of a cone over the unit square
+        QVERIFY2(std::abs(found.mean / mean - 1) < 0.2, qPrintable(QString::number(found.mean / mean)));
+        // However small the other's triangles are, there is an end of it.
+        TriangleMesh speck = flat;
+        for (Vector3d& position : speck.positions)
+            position *= 1e-9;
+        QVERIFY(std::abs(distance(speck, sheet(3, [](double, double) { return 0.0; })).largest - std::sqrt(2.0)) <
+                1e-6);
     }
 
     void emptyAndCancelled()

@@ -18,6 +18,8 @@ try:
     import meshio
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
     from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFeatureEdges, vtkMassProperties, vtkPolyDataConnectivityFilter
     from vtkmodules.vtkFiltersModeling import vtkHausdorffDistancePointSetFilter
     from vtkmodules.vtkIOGeometry import vtkGLTFReader
@@ -60,6 +62,30 @@ def areas_around(points, triangles):
     a, b, c = (points[triangles[:, corner]] for corner in range(3))
     third = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1) / 6
     return numpy.bincount(triangles.ravel(), numpy.repeat(third, 3), len(points))
+
+
+def in_pieces(surface, other):
+    """The same surface, of triangles about as large as most of the other one."""
+    def corners_of(of):
+        points = vtk_to_numpy(of.GetPoints().GetData()).astype(float)
+        corners = points[vtk_to_numpy(of.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+        return corners, numpy.linalg.norm(corners - numpy.roll(corners, -1, axis=1), axis=2).max(axis=1)
+    (corners, sizes), (_, others) = corners_of(surface), corners_of(other)
+    length = numpy.sort(others)[len(others) // 2]
+    points, polygons = vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for (a, b, c), size in zip(corners, sizes):
+        count = max(1, round(size / length))
+        number = {(i, j): points.InsertNextPoint(a + (b - a) * (i / count) + (c - a) * (j / count))
+                  for j in range(count + 1) for i in range(count + 1 - j)}
+        for i, j in number:
+            for piece in ([(i, j), (i + 1, j), (i, j + 1)], [(i + 1, j), (i + 1, j + 1), (i, j + 1)]):
+                if all(corner in number for corner in piece):
+                    polygons.InsertNextCell(3, [number[corner] for corner in piece])
+    pieces = vtkPolyData()
+    pieces.SetPoints(points)
+    pieces.SetPolys(polygons)
+    return pieces
 
 
 def run_filter(made, **settings):
@@ -318,6 +344,7 @@ class Others(unittest.TestCase):
             finest, _ = self.made("isosurface", "cut", "finest.vtp", "--error", 0, "--value", 0, *words)
             self.assertIn(b'Name="deviation"', path.read_bytes()[:4000])
             mine, theirs = self.by_vtk(path), self.by_vtk(finest)
+            mine, theirs = in_pieces(mine, theirs), in_pieces(theirs, mine)
             judge = vtkHausdorffDistancePointSetFilter()
             judge.SetInputData(0, mine)
             judge.SetInputData(1, theirs)
