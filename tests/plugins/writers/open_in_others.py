@@ -75,7 +75,7 @@ def in_pieces(surface, other):
     points, polygons = vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
     for (a, b, c), size in zip(corners, sizes):
-        count = max(1, round(size / length))
+        count = max(1, math.floor(size / length + 0.5))
         number = {(i, j): points.InsertNextPoint(a + (b - a) * (i / count) + (c - a) * (j / count))
                   for j in range(count + 1) for i in range(count + 1 - j)}
         for i, j in number:
