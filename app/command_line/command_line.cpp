@@ -18,6 +18,8 @@
 #include <cerrno>
 #include <exception>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -158,41 +160,84 @@ bool wantsJson(std::span<const std::string> words)
 }
 
 /// With --json the error is an object, too.
-int failFor(std::span<const std::string> words, const Streams& streams, const Error& error)
+int failFor(std::span<const std::string> words, const Streams& streams, const Error& error,
+            std::span<const Message> remarks = {})
 {
     const int code = wantsJson(words) && streams.resultIsOutput ? exitCode(error.kind) : fail(streams, error);
     if (!wantsJson(words))
         return code;
-    const QJsonObject told{{"error", QString::fromStdString(error.text())},
-                           {"kind", QString::fromStdString(std::string(kindName(error.kind)))},
-                           {"exit_code", code}};
-    return tell(streams, jsonText(told), code);
+    Outcome told{.figures = {{"error", QString::fromStdString(error.text())},
+                             {"kind", QString::fromStdString(std::string(kindName(error.kind)))},
+                             {"exit_code", code}},
+                 .text = {}};
+    addRemarks(remarks, told);
+    return tell(streams, jsonText(told.figures), code);
 }
+
+/// What the plugins that fail meanwhile say. It goes to the messages at once, but not where those may be one object,
+/// which has them for itself: then it is kept for that, or told in the end.
+class PluginFailures {
+public:
+    PluginFailures(PluginHost& host, std::ostream& messages, bool areKept) : host_(host), messages_(messages)
+    {
+        host_.whenFailing([this, areKept](const Error& error) {
+            if (areKept)
+                kept_.push_back(error.message);
+            else
+                print(error.message);
+        });
+    }
+    PluginFailures(const PluginFailures&) = delete;
+    PluginFailures& operator=(const PluginFailures&) = delete;
+    ~PluginFailures()
+    {
+        for (const Message& message : take())
+            print(message);
+    }
+
+    /// Those that were kept. None is heard of any more.
+    std::vector<Message> take()
+    {
+        host_.whenFailing({});
+        return std::exchange(kept_, {});
+    }
+
+private:
+    void print(const Message& message) { messages_ << "tan: " << visibleText(message) << std::endl; }
+
+    PluginHost& host_;
+    std::ostream& messages_;
+    std::vector<Message> kept_;
+};
 
 int runSubcommand(const Subcommand& subcommand, std::span<const std::string> words, PluginHost& host, Streams streams,
                   const std::stop_token& stop)
 {
+    PluginFailures failures(host, streams.messages, wantsJson(words) && asksForStandardOutput(words));
     const Syntax syntax = wholeSyntax(subcommand, host);
     if (asksForHelp(words))
         return print(streams, subcommandHelp(subcommand.name, syntax), 0);
     streams.resultIsOutput = syntax.resultMayBeOutput && asksForStandardOutput(words);
+    const auto remarks = [&] { return streams.resultIsOutput ? failures.take() : std::vector<Message>(); };
     const auto arguments = parseArguments(syntax, words);
     if (!arguments)
         return failFor(words, streams,
                        trueReason({arguments.error().kind, arguments.error().text() + " 'tan " +
                                                                std::string(subcommand.name) + " --help' explains it."},
-                                  host));
+                                  host),
+                       remarks());
 
     ProgressLine line(streams.messages, streams.messagesAreTerminal);
     // An object on standard error has it for itself.
     const bool isSilent = streams.resultIsOutput && arguments->has("json");
     const Progress progress = isSilent ? Progress(stop, {}) : line.progress(stop);
-    const auto outcome = runGuarded(subcommand, {*arguments, host, progress, streams.messages});
+    auto outcome = runGuarded(subcommand, {*arguments, host, progress, streams.messages});
     line.clear();
     if (!outcome)
-        return failFor(words, streams, trueReason(outcome.error(), host));
+        return failFor(words, streams, trueReason(outcome.error(), host), remarks());
     if (!outcome->isHeard)
         return 0;
+    addRemarks(remarks(), *outcome);
     const std::string text = arguments->has("json") ? jsonText(outcome->figures) : outcome->text;
     return tell(streams, text, outcome->isYes ? 0 : 1);
 }
@@ -236,11 +281,7 @@ int runCommandLine(std::span<const std::string> words, PluginHost& host, const S
     const Subcommand* subcommand = findSubcommand(first);
     if (subcommand == nullptr)
         return failFor(words, streams, unknownSubcommand(first));
-    host.whenFailing(
-        [&streams](const Error& error) { streams.messages << "tan: " << visibleText(error.message) << std::endl; });
-    const int code = runSubcommand(*subcommand, words.subspan(1), host, streams, stop);
-    host.whenFailing({});
-    return code;
+    return runSubcommand(*subcommand, words.subspan(1), host, streams, stop);
 }
 
 } // namespace tetra

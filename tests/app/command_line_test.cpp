@@ -500,6 +500,23 @@ private slots:
         QVERIFY2(render.messages.contains("TAN_PLUGIN_DISABLE"), render.messages);
     }
 
+    /// The object on standard error has it for itself.
+    void badPluginsAreToldInTheObject()
+    {
+        const QMap<QString, QString> environment = {{"TAN_PLUGIN_PATH", TAN_FIXTURES}};
+        const QStringList words = {"--error", "2", "--against", "c60.nrrd", "-o", "-", "--format", "vtu", "--json"};
+        const auto told = [&](const char* model, int exitCode) {
+            const Run run = tan(QStringList{"extract", model} + words, environment);
+            return run.exitCode == exitCode ? QJsonDocument::fromJson(run.messages).object() : QJsonObject();
+        };
+        QStringList remarks;
+        for (const QJsonValue remark : told("c60.tan", 0)["remarks"].toArray())
+            remarks += remark.toString();
+        QVERIFY2(remarks.join('\n').contains("The plugin \"missing-library\" cannot be used."),
+                 qPrintable(remarks.join('\n')));
+        QVERIFY(told("none.tan", 3).contains("error"));
+    }
+
     void everySubcommandHasHelpAndWritesItToStandardOutput()
     {
         const Run all = tan({"--help"});
