@@ -8933,10 +8933,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 An manchen Kanten treffen sich mehr als zwei Dreiecke: %2.</translation>
     </message>
     <message>
-        <source>%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most %4 (mean %5).</source>
-        <translation>%1 Abweichung vom feinsten Netz: höchstens %2 (Mittel %3), und von jenem zu diesem: höchstens %4 (Mittel %5).</translation>
-    </message>
-    <message>
         <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
         <translation>ihr %1 ist &apos;%2&apos; und nicht %3 endliche Zahlen.</translation>
     </message>
@@ -8983,6 +8979,38 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
         <translation>Ihre Einheiten sind von Achse zu Achse verschieden: %1. Ihre Zahlen wurden genommen, wie sie sind, ohne Einheit.</translation>
+    </message>
+    <message>
+        <source>Looking for openings</source>
+        <translation>Öffnungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; one triangle is left out, as two of its corners are the same in single precision.</source>
+        <translation>In &apos;%1&apos; fehlt ein Dreieck, da zwei seiner Ecken in einfacher Genauigkeit gleich sind.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; %2 triangles are left out, as two corners of each are the same in single precision.</source>
+        <translation>In &apos;%1&apos; fehlen %2 Dreiecke, da je zwei ihrer Ecken in einfacher Genauigkeit gleich sind.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not have the triangles&apos; values (%2), as many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
+        <translation>&apos;%1&apos; hat die Werte der Dreiecke (%2) nicht, da viele Programme keine PLY-Datei mit solchen Werten lesen können. Um sie zu behalten, schreiben Sie eine .vtp-Datei.</translation>
+    </message>
+    <message>
+        <source>The finest mesh has the surface of %1 and this mesh does not, so no deviation is stated.</source>
+        <translation>Das feinste Netz hat die Fläche von %1 und dieses Netz nicht, daher wird keine Abweichung angegeben.</translation>
+    </message>
+    <message>
+        <source>The finest mesh does not have the surface of %1, so no deviation is stated.</source>
+        <translation>Das feinste Netz hat die Fläche von %1 nicht, daher wird keine Abweichung angegeben.</translation>
+    </message>
+    <message>
+        <source>Value %1: empty.</source>
+        <translation>Wert %1: leer.</translation>
+    </message>
+    <message>
+        <source>%1 Deviation from the finest mesh, measured at many places: largest %2 (mean %3), and of that from this: largest %4 (mean %5).</source>
+        <translation>%1 Abweichung vom feinsten Netz, an vielen Orten gemessen: größte %2 (Mittel %3), und die von jenem zu diesem: größte %4 (Mittel %5).</translation>
     </message>
 </context>
 <context>

@@ -8933,10 +8933,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 Più di due triangoli si incontrano in alcuni spigoli: %2.</translation>
     </message>
     <message>
-        <source>%1 Deviation from the finest mesh: at most %2 (mean %3), and of that from this: at most %4 (mean %5).</source>
-        <translation>%1 Scostamento dalla mesh più fine: al massimo %2 (media %3), e di quella da questa: al massimo %4 (media %5).</translation>
-    </message>
-    <message>
         <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
         <translation>il suo %1 è &apos;%2&apos; e non %3 numeri finiti.</translation>
     </message>
@@ -8983,6 +8979,38 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
         <translation>Le sue unità cambiano da asse ad asse: %1. I suoi numeri sono stati presi come sono, senza unità.</translation>
+    </message>
+    <message>
+        <source>Looking for openings</source>
+        <translation>Ricerca di aperture</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; one triangle is left out, as two of its corners are the same in single precision.</source>
+        <translation>In &apos;%1&apos; è omesso un triangolo, perché due dei suoi vertici sono uguali in precisione singola.</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos; %2 triangles are left out, as two corners of each are the same in single precision.</source>
+        <translation>In &apos;%1&apos; sono omessi %2 triangoli, perché due vertici di ciascuno sono uguali in precisione singola.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not have the triangles&apos; values (%2), as many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
+        <translation>&apos;%1&apos; non ha i valori dei triangoli (%2), perché molti programmi non sanno leggere un file PLY con tali valori. Per conservarli, scrivere un file .vtp.</translation>
+    </message>
+    <message>
+        <source>The finest mesh has the surface of %1 and this mesh does not, so no deviation is stated.</source>
+        <translation>La mesh più fine ha la superficie di %1 e questa mesh no, perciò non si indica alcuno scostamento.</translation>
+    </message>
+    <message>
+        <source>The finest mesh does not have the surface of %1, so no deviation is stated.</source>
+        <translation>La mesh più fine non ha la superficie di %1, perciò non si indica alcuno scostamento.</translation>
+    </message>
+    <message>
+        <source>Value %1: empty.</source>
+        <translation>Valore %1: vuota.</translation>
+    </message>
+    <message>
+        <source>%1 Deviation from the finest mesh, measured at many places: largest %2 (mean %3), and of that from this: largest %4 (mean %5).</source>
+        <translation>%1 Scostamento dalla mesh più fine, misurato in molti punti: massimo %2 (medio %3), e di quella da questa: massimo %4 (medio %5).</translation>
     </message>
 </context>
 <context>
