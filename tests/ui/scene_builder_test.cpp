@@ -4,6 +4,7 @@
 #include "tests/ui/sample_files.h"
 #include "ui/workbench/film_file.h"
 #include "ui/workbench/mesh_saving.h"
+#include "ui/workbench/picture_file.h"
 #include "ui/workbench/scene_builder.h"
 
 #include <tan/query.h>
@@ -16,6 +17,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <stop_token>
@@ -37,6 +39,7 @@ private slots:
     void theSurfacesOfAnotherRendererAreSaved();
     void aFormatThatNobodyWritesIsRefusedFirst();
     void theShapeOfASurfaceMayTakeLong();
+    void aPictureThatCannotBeHeldIsNone();
 
 private:
     SceneRequest request(double percent, std::vector<Isovalue> isovalues) const;
@@ -336,6 +339,17 @@ void SceneBuilderTest::theShapeOfASurfaceMayTakeLong()
     }));
     QVERIFY(!withoutMemory.ok() && withoutMemory.error().kind == ErrorKind::OutOfResource);
     QVERIFY(writeSolids(*host_, order, {}).ok());
+}
+
+/// Then writing it tells of the lack of memory.
+void SceneBuilderTest::aPictureThatCannotBeHeldIsNone()
+{
+    Picture picture;
+    picture.width = picture.height = std::numeric_limits<int>::max(); // more bytes than there are addresses
+    const QImage image = imageOf(picture);
+    QVERIFY(image.isNull());
+    const Status written = writePicture(image, folder_.filePath("none.png").toStdString());
+    QVERIFY(!written.ok() && written.error().kind == ErrorKind::OutOfResource);
 }
 
 QTEST_GUILESS_MAIN(SceneBuilderTest)

@@ -19,6 +19,8 @@ constexpr double inchesPerMetre = 1 / 0.0254;
 QImage imageOf(const Picture& picture)
 {
     QImage image(picture.width, picture.height, QImage::Format_RGBA8888);
+    if (image.isNull()) // not enough memory
+        return image;
     const std::size_t rowBytes = static_cast<std::size_t>(picture.width) * 4;
     for (int row = 0; row < picture.height; ++row)
         std::memcpy(image.scanLine(row), picture.pixels.data() + static_cast<std::size_t>(row) * picture.width,
