@@ -83,19 +83,21 @@ struct SurfaceWishes {
 /// Options that make a surface one for a printer, and tell how far it is from what the model has.
 std::vector<Option> printingOptions()
 {
-    return {{.name = "close",
-             .placeholder = "above|below",
-             .explanation = "Close the surfaces where they meet the boundary of the mesh, with the part of it that has "
-                            "values above or below the isovalue: each is the surface of a solid then, watertight and "
-                            "without normals."},
-            {.name = "largest-part",
-             .placeholder = "",
-             .explanation = "Of each surface only the part with the largest area."},
-            {.name = "deviation",
-             .placeholder = "",
-             .explanation = "Also measure how far the surfaces are from those of the finest mesh of the model, made in "
-                            "the same way: the largest and the mean distance, both ways, in the unit of length of the "
-                            "data. Takes as long as '--error 0'."}};
+    return {
+        {.name = "close",
+         .placeholder = "above|below",
+         .explanation = "Close the surfaces where they meet the boundary of the mesh, with the part of it that has "
+                        "values above or below the isovalue: each is the surface of a solid then, watertight and "
+                        "without normals."},
+        {.name = "largest-part",
+         .placeholder = "",
+         .explanation =
+             "Of each surface only the part with the largest area; of a closed one its skin, so hollows are filled."},
+        {.name = "deviation",
+         .placeholder = "",
+         .explanation = "Also measure how far the surfaces are from those of the finest mesh of the model, made in "
+                        "the same way: the largest and the mean distance, both ways, in the unit of length of the "
+                        "data. Takes as long as '--error 0'."}};
 }
 
 Result<SurfaceWishes> wishesOf(const Arguments& arguments, const MeshQuery& query)
