@@ -86,16 +86,15 @@ inline void fetchStarOffsets(const Model& model, std::uint32_t site)
     __builtin_prefetch(&model.starOffsets()[site]);
 }
 
-/// Asks memory for the star itself: destroyers, sites and, if they matter, own errors of its tetrahedra.
-inline void fetchStar(const Model& model, std::uint32_t site, bool withErrors)
+/// Asks memory for the star itself: destroyers, sites and own errors of its tetrahedra.
+inline void fetchStar(const Model& model, std::uint32_t site)
 {
     const auto star = starOf(model, site);
     if (star.empty())
         return;
     fetchAll(&model.destroyers()[star.front()], star.size());
     fetchAll(&model.otherSites()[star.front()], star.size());
-    if (withErrors)
-        fetchAll(&model.ownErrors()[star.front()], star.size());
+    fetchAll(&model.ownErrors()[star.front()], star.size());
 }
 
 } // namespace tetra

@@ -255,7 +255,7 @@ void Growth::fetchAhead() const
         links_.fetchOffsets(added_[next_ + 2 * sitesAhead]);
     }
     if (next_ + sitesAhead < added_.size()) {
-        fetchStar(model_, added_[next_ + sitesAhead], true);
+        fetchStar(model_, added_[next_ + sitesAhead]);
         links_.fetchParents(added_[next_ + sitesAhead]);
     }
 }
@@ -420,7 +420,7 @@ Status SetScan::run(const Progress& progress)
         }
         if (vertex + 2 * starsAhead < out_.sites.size()) {
             fetchStarOffsets(model_, out_.sites[vertex + 2 * starsAhead]);
-            fetchStar(model_, out_.sites[vertex + starsAhead], false);
+            fetchStar(model_, out_.sites[vertex + starsAhead]);
         }
         scanStar(out_.sites[vertex]);
     }
