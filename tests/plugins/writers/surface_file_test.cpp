@@ -530,7 +530,8 @@ private slots:
         QVERIFY(!bytes.contains(strange.c_str()) && !bytes.contains("\xef\xbf\xbd")); // nor a replacement
         QByteArray shown = "caf\\xe9 \\ufffe\\x1b[1m";
         if (ending != "stl")
-            QVERIFY(bytes.contains(ending == "glb" ? R"("source":"caf\\xe9 \\ufffe\\x1b[1m")" : "source: " + shown));
+            QVERIFY(
+                bytes.contains(ending == "glb" ? "\"source\":\"caf\\\\xe9 \\\\ufffe\\\\x1b[1m\"" : "source: " + shown));
         if (ending == "obj")
             QVERIFY(bytes.contains("\ng " + shown.replace(' ', '_') + "\n"));
         const VtkReader read(path);
