@@ -113,8 +113,8 @@ private slots:
         QTest::newRow("no build tag") << "1.0" << 0x060402 << "" << reader << "tan_plugin_module()";
         QTest::newRow("another interface") << "1.0" << 0x060402 << build << "org.tan.Builder/1"
                                            << "org.tan.Builder/1";
-        QTest::newRow("a later interface") << "1.0" << 0x060402 << build << "org.tan.Reader/2"
-                                           << "org.tan.Reader/2";
+        QTest::newRow("a later interface") << "1.0" << 0x060402 << build << "org.tan.Reader/99"
+                                           << "org.tan.Reader/99";
     }
     void compatibility()
     {
