@@ -6085,10 +6085,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>NRRD-Dateien enthalten regelmäßige Gitter, und „%1“ ist %2. Geben Sie der Datei eine andere Endung: .xyz für krummlinige Gitter, .csv für verstreute Punkte.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in 64x64x32.</source>
-        <translation>„%1“ für „%2“ ist nicht zu verstehen. Geben Sie drei Zahlen entlang x, y und z an, wie in 64x64x32.</translation>
-    </message>
-    <message>
         <source>%1, or %2</source>
         <translation>%1, oder %2</translation>
     </message>
@@ -8813,10 +8809,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&apos;%1&apos; wurde mit Gewichten an bestimmten Stellen erstellt (&apos;%2&apos;), die dann anderswo lägen, als sie gemeint waren. Erstellen Sie es neu aus Daten, die sagen, wo sie liegen.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only a lattice&apos;s spacing and origin can be corrected.</source>
-        <translation>&apos;%1&apos; ist kein Modell eines regelmäßigen Gitters: Seine Punkte liegen einzeln dort, wo die Daten es sagen. Nur bei einem regelmäßigen Gitter lassen sich Abstand und Ursprung berichtigen.</translation>
-    </message>
-    <message>
         <source>The model cannot lie there: %1</source>
         <translation>Das Modell kann dort nicht liegen: %1</translation>
     </message>
@@ -8961,10 +8953,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dateien, die ihn nicht nennen: der Ort des ersten Punktes, etwa 10,20,-5; sonst wird 0 angenommen.</translation>
     </message>
     <message>
-        <source>it tells its %1 itself, or is not a lattice and has none. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
-        <translation>sie nennt ihr %1 selbst, oder ist kein regelmäßiges Gitter und hat keines. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell eines regelmäßigen Gitters ein anderes.</translation>
-    </message>
-    <message>
         <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
         <translation>Die Datei gibt ihren Abstand nicht an: %1 wird angenommen. Geben Sie ihn mit &apos;--spacing&apos; oder unter Importoptionen an, oder nachträglich mit &apos;tan set-frame&apos;.</translation>
     </message>
@@ -9011,6 +8999,18 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>%1 Deviation from the finest mesh, measured at many places: largest %2 (mean %3), and of that from this: largest %4 (mean %5).</source>
         <translation>%1 Abweichung vom feinsten Netz, an vielen Orten gemessen: größte %2 (Mittel %3), und die von jenem zu diesem: größte %4 (Mittel %5).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give &apos;--unit&apos; when you build the model.</source>
+        <translation>&apos;%1&apos; ist kein Modell eines regelmäßigen Gitters: Seine Punkte liegen, wo die Daten es sagen, jeder für sich. Nur bei einem regelmäßigen Gitter lassen sich Abstand, Ursprung und Einheit nachträglich setzen; bei anderen Daten geben Sie &apos;--unit&apos; beim Bau des Modells an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in %3.</source>
+        <translation>&apos;%1&apos; für &apos;%2&apos; ist nicht verständlich. Geben Sie drei Zahlen an, entlang x, y und z, etwa %3.</translation>
+    </message>
+    <message>
+        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
+        <translation>sie nennt ihr %1 selbst. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell eines regelmäßigen Gitters ein anderes.</translation>
     </message>
 </context>
 <context>

@@ -6085,10 +6085,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I file NRRD contengono reticoli regolari, e «%1» è %2. Dare al file un&apos;altra estensione: .xyz per griglie curvilinee, .csv per punti sparsi.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in 64x64x32.</source>
-        <translation>«%1» per «%2» non si capisce. Indicare tre numeri lungo x, y e z, come in 64x64x32.</translation>
-    </message>
-    <message>
         <source>%1, or %2</source>
         <translation>%1, o %2</translation>
     </message>
@@ -8813,10 +8809,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&apos;%1&apos; è stato costruito con pesi in certi luoghi (&apos;%2&apos;), che si troverebbero altrove da dove erano intesi. Costruirlo di nuovo da dati che dicono dove si trovano.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only a lattice&apos;s spacing and origin can be corrected.</source>
-        <translation>&apos;%1&apos; non è un modello di un reticolo regolare: i suoi punti si trovano dove dicono i dati, ciascuno per sé. Solo la spaziatura e l&apos;origine di un reticolo si possono correggere.</translation>
-    </message>
-    <message>
         <source>The model cannot lie there: %1</source>
         <translation>Il modello non può trovarsi lì: %1</translation>
     </message>
@@ -8961,10 +8953,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>File che non la dicono: la posizione del primo punto, come in 10,20,-5; altrimenti si suppone 0.</translation>
     </message>
     <message>
-        <source>it tells its %1 itself, or is not a lattice and has none. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
-        <translation>dice da sé il suo valore di %1, o non è un reticolo e non ne ha. Omettere &apos;--%1&apos;; &apos;tan set-frame&apos; ne dà un altro al modello di un reticolo.</translation>
-    </message>
-    <message>
         <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
         <translation>Il file non indica la sua spaziatura: si suppone %1. La si indichi con &apos;--spacing&apos; o nelle opzioni di importazione, oppure in seguito con &apos;tan set-frame&apos;.</translation>
     </message>
@@ -9011,6 +8999,18 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>%1 Deviation from the finest mesh, measured at many places: largest %2 (mean %3), and of that from this: largest %4 (mean %5).</source>
         <translation>%1 Scostamento dalla mesh più fine, misurato in molti punti: massimo %2 (medio %3), e di quella da questa: massimo %4 (medio %5).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give &apos;--unit&apos; when you build the model.</source>
+        <translation>&apos;%1&apos; non è il modello di un reticolo: i suoi punti giacciono dove dicono i dati, ciascuno per sé. Solo di un reticolo si possono impostare in seguito spaziatura, origine e unità; di altri dati si dia &apos;--unit&apos; alla costruzione del modello.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in %3.</source>
+        <translation>&apos;%1&apos; per &apos;%2&apos; non è comprensibile. Dare tre numeri, lungo x, y e z, come in %3.</translation>
+    </message>
+    <message>
+        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
+        <translation>dice da sé il suo valore di %1. Omettere &apos;--%1&apos;; &apos;tan set-frame&apos; ne dà un altro al modello di un reticolo.</translation>
     </message>
 </context>
 <context>

@@ -27,19 +27,29 @@ std::string sizeText(const Lattice& lattice)
            std::to_string(lattice.size[2]);
 }
 
-std::string placeText(const Eigen::Vector3d& place)
+std::string vectorText(const Eigen::Vector3d& vector, int digits)
 {
-    return "(" + rounded(place[0]) + ", " + rounded(place[1]) + ", " + rounded(place[2]) + ")";
+    return "(" + rounded(vector[0], digits) + ", " + rounded(vector[1], digits) + ", " + rounded(vector[2], digits) +
+           ")";
 }
 
-/// ", first point (10, 20, 30), axes along (0, 1, 0), ..." of a lattice that does not lie along x, y and z.
+/// To the millimetre also in metres from far away, as those of UTM.
+std::string placeText(const Eigen::Vector3d& place)
+{
+    constexpr int digits = 10;
+    return vectorText(place, digits);
+}
+
+/// ", first point (10, 20, 30), axes along (0, 1, 0), ..." of a lattice, as far as it is not at 0 and along x, y and z.
 std::string frameText(const Lattice& lattice)
 {
-    if (lattice.isAlongAxes())
-        return {};
-    const auto direction = [&](Eigen::Index axis) { return placeText(lattice.directions.col(axis)); };
-    return ", first point " + placeText(lattice.origin) + ", axes along " + direction(0) + ", " + direction(1) + ", " +
-           direction(2);
+    std::string text;
+    if (!lattice.isAlongAxes() || !lattice.origin.isZero(0))
+        text += ", first point " + placeText(lattice.origin);
+    constexpr int digits = 4;
+    for (Eigen::Index axis = 0; axis < 3 && !lattice.isAlongAxes(); ++axis)
+        text += (axis == 0 ? ", axes along " : ", ") + vectorText(lattice.directions.col(axis), digits);
+    return text;
 }
 
 /// "LPS" as "left-posterior-superior".
@@ -227,7 +237,8 @@ std::string datasetText(const DatasetSummary& summary)
                " x " + rounded(lattice.spacing[1]) + " x " + rounded(lattice.spacing[2]) +
                (summary.lengthUnit.empty() ? "" : " " + visibleText(summary.lengthUnit)) + frameText(lattice);
     if (summary.domain != DomainClass::RegularLattice)
-        text += ", from " + placeText(summary.bounds.min()) + " to " + placeText(summary.bounds.max());
+        text += ", from " + placeText(summary.bounds.min()) + " to " + placeText(summary.bounds.max()) +
+                (summary.lengthUnit.empty() ? "" : " " + visibleText(summary.lengthUnit));
     if (!summary.space.empty())
         text += ", coordinates " + spaceText(summary.space);
     return text + ", values " + rangeText(summary.range.minimum, summary.range.maximum);

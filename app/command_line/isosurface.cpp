@@ -167,6 +167,15 @@ void tellLostSurfaces(std::span<const MadeSurface> surfaces, const Model& model,
     addRemarks(remarks, outcome);
 }
 
+/// What a deviation from the finest mesh does not count.
+void tellFinestError(const Model& model, Outcome& outcome)
+{
+    if (const double error = meshSizeAt(model, Accuracy{}).error; error > 0)
+        addRemarks(std::vector<Message>{Message("The finest mesh of this model has errors of up to " + rounded(error) +
+                                                " % itself, which the deviation does not count.")},
+                   outcome);
+}
+
 /// Points into the surfaces.
 SurfaceContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
                          const ValuedSurfaces& surfaces)
@@ -317,7 +326,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         if (surface.mesh.triangles.empty())
             empty.push_back(surface.value);
         else
-            shapes += shapeText(surface).text() + "\n";
+            shapes += shapeText(surface, model->description().lengthUnit).text() + "\n";
         each.append(figuresOf(surface));
     }
     QJsonObject figures = figuresOf(*model, *query, mesh);
@@ -327,6 +336,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     figures["seconds"] = elapsed.count();
     if (!query->range)
         figures["surfaces"] = each;
+    if (const std::string& unit = model->description().lengthUnit; !unit.empty())
+        figures["unit"] = QString::fromStdString(unit);
     Outcome outcome{.figures = figures,
                     .text = shownName(*output) + ": " + std::to_string(vertices) + " vertices, " +
                             std::to_string(triangles) + " triangles from " +
@@ -334,6 +345,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
                             ", in " + rounded(elapsed.count(), 3) + " s\n" + (query->range ? "" : shapes)};
     tellEmptySurfaces(empty, model->description().range, outcome);
     tellLostSurfaces(surfaces->all, *model, mesh.mesh, outcome);
+    if (wishes->deviation)
+        tellFinestError(*model, outcome);
     addRemarks(*written, outcome);
     tellPart(*found, outcome);
     return outcome;

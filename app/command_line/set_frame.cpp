@@ -1,41 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/datasets.h"
 #include "app/command_line/model_input.h"
-#include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
 #include "core/base/text.h"
 #include "core/build/model_build.h"
+#include "plugins/api/placement_parameters.h"
 #include "plugins/host/output_check.h"
 
 #include <QFile>
 
 #include <array>
-#include <limits>
 
 namespace tetra {
 namespace {
 
-/// Three numbers, if the option is there.
-Result<std::optional<Eigen::Vector3d>> vectorOption(const Arguments& arguments, std::string_view name, double least)
+/// Three numbers, if the option is there, as 'tan build' takes them.
+Result<std::optional<Eigen::Vector3d>> vectorOption(const Arguments& arguments, const std::string& name)
 {
     if (!arguments.has(name))
         return std::optional<Eigen::Vector3d>();
-    const auto numbers = parseNumbers(name, *arguments.value(name), least, std::numeric_limits<double>::max());
+    const auto numbers = parseThree<double>(name, *arguments.value(name));
     if (!numbers)
         return numbers.error();
-    if (numbers->size() != 3)
-        return Error{ErrorKind::WrongUsage, "'--" + std::string(name) +
-                                                "' takes three numbers separated by commas, along x, y and z, such as "
-                                                "0.7,0.7,1.25."};
-    return std::optional(Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]));
+    const Eigen::Vector3d vector((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    if (!vector.allFinite() || (name == "spacing" && vector.minCoeff() <= 0))
+        return Error{ErrorKind::WrongUsage,
+                     "'--" + name + "' takes three numbers" +
+                         (name == "spacing" ? " greater than 0, the distances of neighbouring points" : "") +
+                         " along x, y and z."};
+    return std::optional(vector);
 }
 
 Result<Placement> placementOf(const Arguments& arguments)
 {
-    const auto spacing = vectorOption(arguments, "spacing", std::numeric_limits<double>::denorm_min());
+    const auto spacing = vectorOption(arguments, "spacing");
     if (!spacing)
         return spacing.error();
-    const auto origin = vectorOption(arguments, "origin", std::numeric_limits<double>::lowest());
+    const auto origin = vectorOption(arguments, "origin");
     if (!origin)
         return origin.error();
     Placement placement{*spacing, *origin, std::nullopt};
@@ -92,12 +93,10 @@ Result<Outcome> runSetFrame(const Invocation& invocation)
     if (!model)
         return model.error();
     const DatasetSummary summary = summaryOf((*model)->description());
-    const Eigen::Vector3d& origin = summary.lattice.origin;
     Outcome outcome{.figures = datasetFigures(summary), .text = {}};
     outcome.figures["model"] = QFile::decodeName(output.c_str());
     outcome.figures["bytes"] = static_cast<qint64>((*model)->fileSize());
-    outcome.text = visibleText(output.string()) + ": " + datasetText(summary) + ", origin " + formatNumber(origin.x()) +
-                   ", " + formatNumber(origin.y()) + ", " + formatNumber(origin.z()) + "\n";
+    outcome.text = visibleText(output.string()) + ": " + datasetText(summary) + "\n";
     return outcome;
 }
 

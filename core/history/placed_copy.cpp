@@ -50,7 +50,8 @@ Result<ModelDescription> placed(const Model& model, const Placement& placement)
         return Error{
             ErrorKind::WrongUsage,
             Message::say("'%1' is not a model of a regular lattice: its points lie where the data say, each by "
-                         "itself. Only a lattice's spacing and origin can be corrected.",
+                         "itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give "
+                         "'--unit' when you build the model.",
                          model.path().string()),
             model.path()};
     if (placement.spacing || placement.origin) {

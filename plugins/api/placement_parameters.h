@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace tetra {
@@ -63,10 +64,9 @@ template <class Number> Result<std::array<Number, 3>> parseThree(const std::stri
         rest.remove_prefix(word.size());
     }
     if (!understood || rest.find_first_not_of(separators) != std::string_view::npos)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("'%1' for '%2' is not understood. Give three numbers, along x, y and z, as in 64x64x32.",
-                         printable(text), id)};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' for '%2' is not understood. Give three numbers, along x, y and z, as in %3.",
+                                  printable(text), id, std::is_integral_v<Number> ? "64x64x32" : "0.7x0.7x1.25")};
     return numbers;
 }
 
@@ -120,8 +120,8 @@ inline Status checkUntold(const std::vector<std::string>& given, const std::vect
         if (std::ranges::find(untold, id) == untold.end())
             return Error{
                 ErrorKind::WrongUsage,
-                Message::say("it tells its %1 itself, or is not a lattice and has none. Leave '--%1' out; 'tan "
-                             "set-frame' gives the model of a lattice another one.",
+                Message::say("it tells its %1 itself. Leave '--%1' out; 'tan set-frame' gives the model of a lattice "
+                             "another one.",
                              id)};
     return {};
 }

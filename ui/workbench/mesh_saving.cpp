@@ -203,7 +203,8 @@ Result<Message> makeAndWriteSolids(PluginHost& host, const SolidOrder& order, co
                                  .triangles = surface.mesh.triangles,
                                  .values = static_cast<float>(surface.value),
                                  .colour = {shown[i].red, shown[i].green, shown[i].blue, shown[i].opacity}});
-        report = report.empty() ? shapeText(surface) : Message::say("%1 %2", report, shapeText(surface));
+        const Message shape = shapeText(surface, model.description().lengthUnit);
+        report = report.empty() ? shape : Message::say("%1 %2", report, shape);
         if (surface.hasNoCounterpart)
             report = Message::say("%1 %2", report, missingDeviationText(surface));
     }

@@ -2,6 +2,7 @@
 #include "ui/workbench/surface_making.h"
 
 #include "core/base/guarded.h"
+#include "core/base/text.h"
 
 #include <tan/render.h>
 
@@ -187,14 +188,17 @@ Message missingDeviationText(const MadeSurface& surface)
                : Message::say("The finest mesh does not have the surface of %1, so no deviation is stated.", value);
 }
 
-Message shapeText(const MadeSurface& surface)
+Message shapeText(const MadeSurface& surface, const std::string& lengthUnit)
 {
     const SurfaceShape& shape = surface.shape;
-    const std::string value = formatNumber(surface.value), area = shortNumber(shape.area);
+    const auto measured = [&](double number, const char* power) {
+        return shortNumber(number) + (lengthUnit.empty() ? "" : " " + visibleText(lengthUnit) + power);
+    };
+    const std::string value = formatNumber(surface.value), area = measured(shape.area, "²");
     if (surface.mesh.triangles.empty())
         return Message::say("Value %1: empty.", value);
     Message text = shape.isClosed() ? Message::say("Value %1: closed; parts: %2, area: %3, volume: %4.", value,
-                                                   shape.parts, area, shortNumber(shape.volume))
+                                                   shape.parts, area, measured(shape.volume, "³"))
                                     : Message::say("Value %1: open; openings: %2 (edges: %3), parts: %4, area: %5.",
                                                    value, shape.openings, shape.openEdges, shape.parts, area);
     if (shape.crowdedEdges > 0)
@@ -202,8 +206,8 @@ Message shapeText(const MadeSurface& surface)
     if (const auto& deviation = surface.deviation)
         text = Message::say("%1 Deviation from the finest mesh, measured at many places: largest %2 (mean %3), and of "
                             "that from this: largest %4 (mean %5).",
-                            text, shortNumber(deviation->toFinest.largest), shortNumber(deviation->toFinest.mean),
-                            shortNumber(deviation->fromFinest.largest), shortNumber(deviation->fromFinest.mean));
+                            text, measured(deviation->toFinest.largest, ""), measured(deviation->toFinest.mean, ""),
+                            measured(deviation->fromFinest.largest, ""), measured(deviation->fromFinest.mean, ""));
     return text;
 }
 

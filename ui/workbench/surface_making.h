@@ -57,8 +57,9 @@ Status measureDeviations(MeshExtractor& extractor, const MeshQuery& query, const
 /// surface has no counterpart, as a number would be taken for true of that, too.
 void addDeviation(std::span<const MadeSurface> surfaces, MeshFacts& facts);
 
-/// Whether it is closed, of how many parts, how large, and how far from the finest: a sentence.
-Message shapeText(const MadeSurface& surface);
+/// Whether it is closed, of how many parts, how large, and how far from the finest, in a unit of length if that is not
+/// empty: a sentence.
+Message shapeText(const MadeSurface& surface, const std::string& lengthUnit);
 
 /// Why the file states no deviation, of a surface without a counterpart.
 Message missingDeviationText(const MadeSurface& surface);

@@ -251,7 +251,7 @@ private slots:
         row("words", matrix, "TransformMatrix = one 0 0 0 1 0 0 0 1", "not 9 finite numbers");
         row("offset of two", "Offset = 0 0 0", "Offset = 0 0", "not 3 finite numbers");
         row("offset not a number", "Offset = 0 0 0", "Offset = 0 nan 0", "not 3 finite numbers");
-        row("offset too far", "Offset = 0 0 0", "Offset = 0 1e300 0", "fall together");
+        row("offset too far", "Offset = 0 0 0", "Offset = 0 1e300 0", "too large or small");
         row("no spacing", "ElementSpacing = 1 1 1", "ElementSpacing = 1 0 1", "positive number");
         row("spacing of two", "ElementSpacing = 1 1 1", "ElementSpacing = 1 1", "not 3 finite numbers");
     }
