@@ -298,6 +298,7 @@ void QueryPanelsTest::theMeshIsSaved()
         window_->workbench.exporting().saveMesh(path.toStdString()); // the first while the picture is still on its way
         QTRY_COMPARE(saved.count(), 1);
         QCOMPARE(saved.takeFirst()[0].toString(), path);
+        QTRY_VERIFY(mesh());
         QVERIFY(static_cast<std::size_t>(QFile(path).size()) >
                 mesh()->mesh.tetrahedra.size() * 16 + mesh()->mesh.positions.size() * 16);
     }
