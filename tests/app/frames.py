@@ -61,7 +61,8 @@ class Frame:
         # As far as the places of neighbours still differ by a thousand units in the last place.
         farthest = min(1e9, lengths.min() * 1e12)
         self.origin = random.choice((0.0, 1.0)) * random.uniform(-1, 1, 3) * farthest
-        self.values = random.permutation(int(self.size.prod())).astype("<f4").reshape(self.size)
+        # Not whole numbers: some of these lie in the middle of others, so that their samples are never off.
+        self.values = (100 * random.normal(size=self.size)).astype("<f4")
         self.values += 10 * self.values.std() * (numpy.indices(self.size).sum(axis=0) / self.size.sum()).astype("<f4")
 
     @property
