@@ -133,7 +133,7 @@ void NrrdRefusalsTest::ofFiles_data()
     fields("direction in part unknown", "space directions: (nan,0,1) (0,1,0) (0,0,1)\n", {"positive"});
     fields("directions too long", "space directions: (1e308,1e308,0) (0,1,0) (0,0,1)\n", {"finite"});
     fields("directions too short", "space directions: (1e-320,1e-320,0) (0,1,0) (0,0,1)\nspace origin: (1,1,1)\n",
-           {"fall together"});
+           {"too large or small"});
     fields("origin too far", "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1e17,0,0)\n",
            {"fall together"});
     fields("directions of a plane", "space directions: (1,0) (0,1) (1,1)\n", {"three numbers"});
