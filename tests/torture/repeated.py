@@ -2,6 +2,7 @@
 """Tests of ./dev test that repeat more of what they do, with chances of their own, and tests that are too long for it: those that
 ctest knows by the labels `repeated`, `soak` and `latency` (tests/CMakeLists.txt)."""
 import json
+import pathlib
 import subprocess
 from dataclasses import dataclass
 
@@ -15,7 +16,7 @@ class Test:
     name: str
     command: tuple
     environment: dict
-    folder: str
+    folder: pathlib.Path
 
 
 def tests_of(bench, label):
@@ -26,7 +27,7 @@ def tests_of(bench, label):
         for one in json.loads(told.stdout)["tests"]:
             properties = {prop["name"]: prop["value"] for prop in one["properties"]}
             environment = dict(word.split("=", 1) for word in properties.get("ENVIRONMENT", ()))
-            found.append(Test(one["name"], tuple(one["command"]), environment, properties["WORKING_DIRECTORY"]))
+            found.append(Test(one["name"], tuple(one["command"]), environment, pathlib.Path(properties["WORKING_DIRECTORY"])))
         return sorted(found, key=lambda test: test.name)
     return bench.once(("tests", label), ask)
 
