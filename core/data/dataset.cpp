@@ -8,6 +8,29 @@
 
 namespace tetra {
 
+MarkedText takenPartText(TakenPart part) noexcept
+{
+    constexpr MarkedText texts[] = {
+        Message::marked("array"),     Message::marked("component"), Message::marked("places"),
+        Message::marked("block"),     Message::marked("series"),    Message::marked("channel"),
+        Message::marked("time step"), Message::marked("frame"),     Message::marked("unit of the values"),
+        Message::marked("fill value")};
+    return texts[static_cast<std::size_t>(part)];
+}
+
+std::string_view takenPartName(TakenPart part) noexcept
+{
+    constexpr std::string_view names[] = {"array",   "component", "places", "block", "series",
+                                          "channel", "step",      "frame",  "unit",  "fill"};
+    return names[static_cast<std::size_t>(part)];
+}
+
+Message takenText(const Taken& taken)
+{
+    return taken.guessed ? Message::say("%1: %2 (a guess)", takenPartText(taken.part), taken.what)
+                         : Message::say("%1: %2", takenPartText(taken.part), taken.what);
+}
+
 std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions, const PointTetrahedra& tetrahedra)
 {
     Checksum sum;

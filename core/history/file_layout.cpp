@@ -496,6 +496,7 @@ Header headerOf(const ModelDescription& description)
 namespace {
 
 constexpr std::string_view parameterPrefix = "parameter.";
+constexpr std::string_view takenPrefix = "taken.", guessPrefix = "guess.", leftOutPrefix = "left.";
 
 std::string escaped(std::string_view text, bool isKey)
 {
@@ -532,6 +533,26 @@ void appendLine(std::string& text, std::string_view key, std::string_view value)
     text += escaped(key, true) + "=" + escaped(value, false) + "\n";
 }
 
+/// Of a part that a later version knows nothing is told.
+void readTaken(std::string_view key, std::string value, ModelDescription& description)
+{
+    const bool guessed = key.starts_with(guessPrefix);
+    const std::string_view name = key.substr((guessed ? guessPrefix : takenPrefix).size());
+    for (auto number = 0U; number <= static_cast<unsigned>(TakenPart::Fill); ++number)
+        if (const auto part = static_cast<TakenPart>(number); takenPartName(part) == name)
+            description.taken.push_back({part, std::move(value), guessed});
+}
+
+void appendProvenance(std::string& text, const ModelDescription& description)
+{
+    for (const Taken& taken : description.taken)
+        appendLine(text,
+                   std::string(taken.guessed ? guessPrefix : takenPrefix) + std::string(takenPartName(taken.part)),
+                   taken.what.text());
+    for (std::size_t number = 0; number < description.leftOut.size(); ++number)
+        appendLine(text, std::string(leftOutPrefix) + std::to_string(number + 1), description.leftOut[number].text());
+}
+
 void readLine(std::string_view line, ModelDescription& description)
 {
     const std::size_t separator = line.find('=');
@@ -549,6 +570,10 @@ void readLine(std::string_view line, ModelDescription& description)
         description.space = std::move(value);
     else if (key == "builder")
         description.builder = std::move(value);
+    else if (key.starts_with(leftOutPrefix))
+        description.leftOut.emplace_back(std::move(value));
+    else if (key.starts_with(takenPrefix) || key.starts_with(guessPrefix))
+        readTaken(key, std::move(value), description);
     else if (key.starts_with(parameterPrefix))
         description.parameters.emplace_back(key.substr(parameterPrefix.size()), std::move(value));
 }
@@ -569,6 +594,8 @@ void describeSource(ModelDescription& description, const Dataset& dataset)
     description.sourceName = dataset.source.name;
     description.sourceHash = dataset.source.hash;
     description.valueName = dataset.source.valueName;
+    description.taken = dataset.source.taken;
+    description.leftOut = dataset.source.leftOut;
 }
 
 Result<std::string> textOf(const ModelDescription& description, const std::filesystem::path& target)
@@ -577,6 +604,7 @@ Result<std::string> textOf(const ModelDescription& description, const std::files
     appendLine(text, "source", description.sourceName);
     if (!description.valueName.empty())
         appendLine(text, "value.name", description.valueName);
+    appendProvenance(text, description);
     appendLine(text, "builder", description.builder);
     if (!description.space.empty())
         appendLine(text, "space", description.space);

@@ -171,6 +171,8 @@ std::optional<Dataset> replayedDataset(const ModelDescription& description, cons
     dataset.lengthUnit = description.lengthUnit;
     dataset.source.name = description.sourceName;
     dataset.source.valueName = description.valueName;
+    dataset.source.taken = description.taken;
+    dataset.source.leftOut = description.leftOut;
     dataset.source.hash = contentHash(dataset.values, nullptr);
     if (dataset.source.hash != description.sourceHash || dataset.values.notFiniteCount() > 0)
         return std::nullopt;

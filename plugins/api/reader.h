@@ -19,6 +19,7 @@ struct FileArray {
     int components = 1; ///< above 1: one of them or the magnitude is taken
     bool perCell = false;
     std::optional<ValueRange> range{}; ///< if it is known without reading the array
+    std::string unit{};                ///< of its values, as the file says
 };
 
 /// What a file holds, as far as that is known without loading it. Empty lists: nothing to choose.
@@ -31,6 +32,10 @@ struct FileContents {
     std::vector<FileArray> arrays{};
     std::vector<double> timeSteps{};
     std::vector<std::string> blocks{};
+    std::vector<std::string> series{};   ///< of pictures that lie in one folder
+    std::vector<std::string> channels{}; ///< of a picture that has several
+    std::vector<Taken> taken{};          ///< what read() would take by the same values, as far as it shows
+    std::vector<Message> leftOut{};      ///< what the file says and read() would not use
     /// Of the reader's parameters those for what other files tell and this one does not: "spacing", "unit".
     std::vector<std::string> untold{};
     /// Values of the reader's parameters that would fit a file that does not say how it is to be read, the likeliest
@@ -51,7 +56,9 @@ public:
     virtual double score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const = 0;
     /// What must be known besides the file (a raw file's size and sample type).
     virtual std::vector<Parameter> parameters() const = 0;
-    /// What Source leaves empty, the name, the path or the hash, the program fills in. A grid may have values that are
+    /// What Source leaves empty, the name, the path or the hash, the program fills in. Source::taken names every choice
+    /// among what the file offers, with what the file does not say as a guess, and Source::leftOut what it says and is
+    /// not used: nothing is dropped without a word. A grid may have values that are
     /// not finite and cells that are blanked out (Dataset::cells): the program makes holes of them, withHoles().
     virtual Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                                  const Progress& progress) const = 0;

@@ -172,6 +172,7 @@ private:
             if (source.path.empty())
                 source.path = path;
             source.valueName = printable(source.valueName); // it goes into other files
+            std::ranges::sort(source.taken, {}, &Taken::part);
             if (source.hash == 0) {
                 const auto hash = hashOf(*dataset, progress.part(readEnd, 1));
                 if (!hash)

@@ -258,13 +258,46 @@ private:
     std::shared_ptr<const std::byte> samples_;
 };
 
+/// What a reader takes of a file that offers several, or that does not say how it is meant.
+enum class TakenPart : std::uint8_t {
+    Array,     ///< of values: an array, a column, a variable
+    Component, ///< of an array with several: the number of one, a magnitude
+    Places,    ///< the columns, or the arrays, of the positions
+    Block,     ///< a part, a zone, a piece, a level
+    Series,    ///< of a folder of pictures
+    Channel,
+    TimeStep,
+    Frame, ///< which of the places that a header gives a lattice
+    Unit,  ///< of the values
+    Fill   ///< the numbers that stand for no value
+};
+
+/// In words for the user: "time step".
+TAN_API MarkedText takenPartText(TakenPart part) noexcept;
+
+/// The same as a name, which stays: in models, in JSON.
+TAN_API std::string_view takenPartName(TakenPart part) noexcept;
+
+/// One choice of a reader (D3): what it took, in the file's words or as the option takes it that asks for another one.
+struct Taken {
+    TakenPart part = TakenPart::Array;
+    Message what;         ///< "temperature", "2 of 5, time 0.5"
+    bool guessed = false; ///< the file does not say that it is this one: another may be meant
+    bool operator==(const Taken&) const = default;
+};
+
+/// "time step: 2 of 5", "array: temperature (a guess)".
+TAN_API Message takenText(const Taken& taken);
+
 /// Where a dataset came from: kept in every model built from it.
 struct Source {
-    std::string name;           ///< what the user calls it: the file's name, or a sample's
-    std::filesystem::path path; ///< empty when it was never a file
-    std::uint64_t hash = 0;     ///< XXH3 of the samples' bytes in memory order, followed by the positions and the
-                                ///< tetrahedra, if there are any
-    std::string valueName{};    ///< what the file calls the values: an array, a column; empty if it does not say
+    std::string name;               ///< what the user calls it: the file's name, or a sample's
+    std::filesystem::path path;     ///< empty when it was never a file
+    std::uint64_t hash = 0;         ///< XXH3 of the samples' bytes in memory order, followed by the positions and the
+                                    ///< tetrahedra, if there are any
+    std::string valueName{};        ///< what the file calls the values: an array, a column; empty if it does not say
+    std::vector<Taken> taken{};     ///< each part at most once, in the order of TakenPart
+    std::vector<Message> leftOut{}; ///< what the file says and was not used, in sentences: "It holds 20 volumes ..."
 };
 
 /// Where each point lies, all finite; shared and never changed.
@@ -407,7 +440,7 @@ enum class CellShape : std::uint8_t {
     QuadraticPrism,
     QuadraticHexahedron,
     TriquadraticHexahedron,
-    Polyhedron, ///< refused, with their count
+    Polyhedron, ///< its corners are its faces: of each the number of its points, then these, in any orientation
     Flat ///< vertices, lines, triangles, quadrilaterals: without volume: left out, and reported in Dataset::remarks
 };
 
@@ -420,6 +453,10 @@ struct CellComplex {
     std::vector<std::uint8_t> blanked;  ///< one per cell, nonzero: the cell is a hole; empty if there are none
     /// All that will be taken: only what lies in it has to be sound, and is looked at. What lies beyond stays as it is.
     std::optional<Eigen::AlignedBox3d> region{};
+    /// The largest share of the cells, or of their volume, that may be taken out because they are faulty.
+    double mostFaulty = 0.001;
+    /// Whether a polyhedron that no tetrahedra between its own points fill gets a point in its middle.
+    bool addsCentres = false;
 };
 
 /// Values for the points of a complex, or for its cells.

@@ -79,6 +79,8 @@ struct ModelDescription {
     std::string sourceName;                                      ///< provenance: the dataset's name ...
     std::uint64_t sourceHash = 0;                                ///< ... and Source::hash
     std::string valueName;                                       ///< Source::valueName; empty: unknown
+    std::vector<Taken> taken;                                    ///< Source::taken ...
+    std::vector<Message> leftOut;                                ///< ... and Source::leftOut, in English
     std::string builder;                                         ///< id of the builder plugin
     std::vector<std::pair<std::string, std::string>> parameters; ///< the builder's parameters, as text
 

@@ -115,6 +115,8 @@ Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const std:
     if (!dataset)
         return dataset.error();
     dataset->source = source;
+    dataset->source.taken = std::move(findings.taken);
+    dataset->source.leftOut = std::move(findings.leftOut);
     dataset->space = findings.space;
     dataset->lengthUnit = findings.lengthUnit;
     dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());

@@ -159,10 +159,15 @@ template <class Archive> void exchange(Archive& archive, Lattice& lattice)
     archive.bytes(lattice.directions.data(), 9 * sizeof(double));
 }
 
+template <class Archive> void exchange(Archive& archive, std::vector<Taken>& all)
+{
+    archive.each(all, [&](Taken& taken) { exchangeAll(archive, taken.part, taken.what, taken.guessed); });
+}
+
 template <class Archive> void exchange(Archive& archive, VtkFindings& found)
 {
     exchangeAll(archive, found.kind, found.lattice, found.space, found.lengthUnit, found.untold, found.type,
-                found.perCell, found.arrayName, found.remarks);
+                found.perCell, found.arrayName, found.remarks, found.taken, found.leftOut);
     archive.list(found.positions);
     archive.list(found.samples);
     archive.list(found.shapes);
@@ -173,13 +178,13 @@ template <class Archive> void exchange(Archive& archive, VtkFindings& found)
 
 template <class Archive> void exchange(Archive& archive, FileArray& array)
 {
-    exchangeAll(archive, array.name, array.components, array.perCell, array.range);
+    exchangeAll(archive, array.name, array.components, array.perCell, array.range, array.unit);
 }
 
 template <class Archive> void exchange(Archive& archive, FileContents& contents)
 {
     exchangeAll(archive, contents.domain, contents.lattice, contents.points, contents.cells, contents.type,
-                contents.blocks, contents.untold);
+                contents.blocks, contents.untold, contents.series, contents.channels, contents.taken, contents.leftOut);
     archive.list(contents.timeSteps);
     archive.each(contents.arrays, [&](FileArray& array) { exchange(archive, array); });
 }

@@ -50,6 +50,8 @@ struct VtkFindings {
     std::vector<std::uint8_t> blanked{}; ///< one a cell, nonzero: a hole; empty if there are none; not of Points
     std::string arrayName{};
     std::vector<Message> remarks{};
+    std::vector<Taken> taken{}; ///< as those of Source
+    std::vector<Message> leftOut{};
 };
 
 } // namespace tetra
