@@ -2,8 +2,8 @@
 #include "plugins/readers/vtk/vtk_reader.h"
 
 #include "plugins/api/placement_parameters.h"
-#include "plugins/readers/vtk/helper_process.h"
-#include "plugins/readers/vtk/vtk_dataset.h"
+#include "plugins/process/found_dataset.h"
+#include "plugins/process/reading_process.h"
 #include "plugins/readers/vtk/vtk_format.h"
 #include "plugins/readers/vtk/vtk_parameters.h"
 
@@ -63,9 +63,33 @@ Result<Dataset> toDataset(VtkFindings findings, VtkFormat format, const fs::path
     return dataset;
 }
 
+fs::path besidePlugin()
+{
+    return programBesidePlugin(reinterpret_cast<const void*>(&besidePlugin), "tan-read-vtk");
+}
+
+Result<ReadAnswer> ask(const fs::path& helper, const VtkRequest& request, const Progress& progress)
+{
+    return askReadingProgram(vtkReadingProgram(helper), requestText(request), request.path, progress);
+}
+
 } // namespace
 
-VtkReader::VtkReader(fs::path helper) : helper_(helper.empty() ? vtkHelperBesidePlugin() : std::move(helper)) {}
+ReadingProgram vtkReadingProgram(fs::path helper)
+{
+    return {
+        .path = std::move(helper),
+        .library = "VTK",
+        .notInstalled =
+            Message::say("Install the package tan-vtk-readers, which comes with TAn: 'apt install "
+                         "./tan-vtk-readers_*.deb' where the file lies (of a build of your own: build it anew after "
+                         "'apt install libvtk9-dev'), or convert the file to NRRD or CSV."),
+        .install = Message::say("Install VTK with 'apt install libvtk9.1' (other systems: VTK 9)."),
+        .otherwise = Message::say("Export it again, or in another format (.vtu, .vti)."),
+    };
+}
+
+VtkReader::VtkReader(fs::path helper) : helper_(helper.empty() ? besidePlugin() : std::move(helper)) {}
 
 std::vector<std::string> VtkReader::nameFilters() const
 {
@@ -105,7 +129,7 @@ Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& reg
     const auto request = requestFor(path, values);
     if (!request)
         return request.error();
-    auto answer = askVtkHelper(helper_, *request, progress.part(0, untilFound));
+    auto answer = ask(helper_, *request, progress.part(0, untilFound));
     if (!answer)
         return answer.error();
     auto& findings = std::get<VtkFindings>(*answer);
@@ -124,7 +148,7 @@ Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValue
     if (!request)
         return request.error();
     request->contentsOnly = true;
-    auto answer = askVtkHelper(helper_, *request, progress);
+    auto answer = ask(helper_, *request, progress);
     if (!answer)
         return answer.error();
     auto& contents = std::get<FileContents>(*answer);

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "plugins/api/reader.h"
+#include "plugins/process/reading_process.h"
 
 namespace tetra {
+
+/// The program in which VTK reads, at this place.
+ReadingProgram vtkReadingProgram(std::filesystem::path helper);
 
 /// Reads what VTK reads (vtk_format.h): grids, irregular meshes and points, with the choice of array, component, time
 /// step and part. VTK itself works in a helper program, so that this reader loads at once, also where VTK is missing.

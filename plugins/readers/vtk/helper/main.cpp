@@ -1,61 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program in which VTK reads a file for the plugin: takes one request from its input and writes messages to its
-// output (plugins/readers/vtk/vtk_exchange.h). It may break down: the plugin bears that.
+// output (plugins/process/exchange.h). It may break down: the plugin bears that.
 #include "plugins/api/placement_parameters.h"
+#include "plugins/process/process_limits.h"
+#include "plugins/process/reading_program.h"
 #include "plugins/readers/vtk/checks/file_check.h"
 #include "plugins/readers/vtk/helper/contents.h"
 #include "plugins/readers/vtk/helper/findings.h"
 #include "plugins/readers/vtk/helper/running.h"
-#include "plugins/readers/vtk/process_limits.h"
-#include "plugins/readers/vtk/vtk_exchange.h"
 
-#include <new>
-#include <stdexcept>
 #include <unistd.h>
 
 namespace tetra {
 namespace {
 
-bool writeAll(int output, const void* data, std::size_t bytes)
-{
-    constexpr std::size_t most = std::size_t(1) << 30; // a call of write() takes no more than 2 GB
-    for (const char* place = static_cast<const char*>(data); bytes > 0;) {
-        const ssize_t written = write(output, place, std::min(bytes, most));
-        if (written <= 0)
-            return false;
-        place += written;
-        bytes -= static_cast<std::size_t>(written);
-    }
-    return true;
-}
-
-bool readAll(void* data, std::size_t bytes)
-{
-    for (char* place = static_cast<char*>(data); bytes > 0;) {
-        const ssize_t count = read(STDIN_FILENO, place, bytes);
-        if (count <= 0)
-            return false;
-        place += count;
-        bytes -= static_cast<std::size_t>(count);
-    }
-    return true;
-}
-
-template <class Value> void send(ExchangeOutput& output, VtkMessage message, Value value)
-{
-    exchange(output, message);
-    exchange(output, value);
-}
-
-Error inFile(const VtkRequest& request, const Error& error)
-{
-    if (!error.file.empty())
-        return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", request.path, error.message), request.path};
-}
-
 Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
-                              const std::function<void(double)>& progress)
+                              const TellProgress& progress)
 {
     if (source.knowsContents) {
         source.reader->UpdateInformation();
@@ -79,7 +39,7 @@ Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request
 }
 
 Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
-                         const std::function<void(double)>& progress)
+                         const TellProgress& progress)
 {
     const auto data = runSource(source, request.timeStep, log, progress);
     if (!data)
@@ -99,57 +59,26 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
     return found;
 }
 
-void answer(const VtkRequest& request, const VtkLog& log, ExchangeOutput& output)
-try {
-    const auto progress = [&](double fraction) { send(output, VtkMessage::Progress, fraction); };
+Result<ReadAnswer> answer(const VtkRequest& request, const VtkLog& log, const TellProgress& progress)
+{
     const auto checked = checkBeforeVtk(request);
-    if (!checked) {
-        send(output, VtkMessage::Error, inFile(request, checked.error()));
-        return;
-    }
+    if (!checked)
+        return checked.error();
     limitWork(limitsFor(checked->bytes, checked->unpackedBytes, physicalBytes()));
     const auto source = makeSource(request);
-    if (!source) {
-        send(output, VtkMessage::Error, inFile(request, source.error()));
-    } else if (const Status fits = checkUntold(request.given, source->untold); !fits) {
-        send(output, VtkMessage::Error, inFile(request, fits.error()));
-    } else if (request.contentsOnly) {
-        const auto contents = lookInto(*source, request, log, progress);
-        contents ? send(output, VtkMessage::Contents, *contents)
-                 : send(output, VtkMessage::Error, inFile(request, contents.error()));
-    } else {
-        auto found = find(*source, request, log, progress);
-        if (found)
-            found->remarks.insert(found->remarks.begin(), checked->remarks.begin(), checked->remarks.end());
-        found ? send(output, VtkMessage::Findings, *std::move(found))
-              : send(output, VtkMessage::Error, inFile(request, found.error()));
+    if (!source)
+        return source.error();
+    if (const Status fits = checkUntold(request.given, source->untold); !fits)
+        return fits.error();
+    if (request.contentsOnly) {
+        auto contents = lookInto(*source, request, log, progress);
+        return contents ? Result<ReadAnswer>(*std::move(contents)) : contents.error();
     }
-} catch (const std::bad_alloc&) {
-    send(output, VtkMessage::Error, inFile(request, memoryLimitMet()));
-} catch (const std::length_error&) {
-    send(output, VtkMessage::Error,
-         inFile(request, {ErrorKind::BadInput,
-                          Message::say("it says that it holds more than any machine can. It is damaged.")}));
-} catch (const std::exception& problem) {
-    send(output, VtkMessage::Error,
-         inFile(request, {ErrorKind::BadInput, Message::say("VTK says: %1. It is damaged.", problem.what())}));
-}
-
-int run()
-{
-    limitThisProcess();
-    const int descriptor = takeStandardOutput();
-    ExchangeInput input(readAll);
-    VtkRequest request;
-    exchange(input, request);
-    if (descriptor < 0 || !input.good())
-        return 2;
-    VtkLog log;
-    sendVtkMessagesTo(log);
-    ExchangeOutput output([=](const void* data, std::size_t bytes) { return writeAll(descriptor, data, bytes); });
-    answer(request, log, output);
-    close(descriptor);
-    _exit(output.good() ? 0 : 1); // VTK's own tidying up has been seen to crash
+    auto found = find(*source, request, log, progress);
+    if (!found)
+        return found.error();
+    found->remarks.insert(found->remarks.begin(), checked->remarks.begin(), checked->remarks.end());
+    return ReadAnswer(*std::move(found));
 }
 
 } // namespace
@@ -157,5 +86,14 @@ int run()
 
 int main()
 {
-    return tetra::run();
+    using namespace tetra;
+    static VtkLog log; // VTK writes to it up to the end of the process
+    const int code = runReadingProgram("VTK", [](RequestInput& input) -> AnswerRequest {
+        VtkRequest request;
+        exchange(input.input, request);
+        input.file = request.path;
+        sendVtkMessagesTo(log);
+        return [request](const TellProgress& progress) { return answer(request, log, progress); };
+    });
+    _exit(code); // VTK's own tidying up has been seen to crash
 }

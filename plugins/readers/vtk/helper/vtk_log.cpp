@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/vtk_log.h"
 
-#include "plugins/readers/vtk/process_limits.h"
+#include "plugins/process/process_limits.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -132,7 +132,7 @@ Status statusOf(const VtkLog& log)
     for (const std::string& error : log.errors)
         for (const std::string_view memory : {"llocat", "out of memory", "ot enough memory"})
             if (error.find(memory) != std::string::npos)
-                return memoryLimitMet();
+                return memoryLimitMet("VTK");
     const auto reason = std::ranges::find_if(log.errors, [](const std::string& e) { return e != failure; });
     const std::string& said = reason == log.errors.end() ? log.errors.front() : *reason;
     const Message message = said == failure ? Message::of(said, {}) : Message(said.ends_with('.') ? said : said + ".");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The helper program has limits that fit the file, says which it met, can be cancelled at any time, and what is wrong
 // with it or with the machine is told as that (issue 18, 8). Scripts stand for a helper that goes wrong.
-#include "plugins/readers/vtk/helper_process.h"
-#include "plugins/readers/vtk/process_limits.h"
+#include "plugins/process/process_limits.h"
+#include "plugins/process/reading_process.h"
+#include "plugins/readers/vtk/vtk_findings.h"
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 #include "tests/soak.h"
 #include "tests/waiting.h"
@@ -62,6 +63,12 @@ VtkRequest anyRequest()
     return request;
 }
 
+Result<ReadAnswer> ask(const std::filesystem::path& helper, const VtkRequest& request, const Progress& progress,
+                       std::chrono::milliseconds idle = std::chrono::minutes(10))
+{
+    return askReadingProgram(vtkReadingProgram(helper), requestText(request), request.path, progress, idle);
+}
+
 } // namespace
 
 class VtkHelperTest : public QObject {
@@ -110,7 +117,7 @@ private slots:
         });
         QCOMPARE(status, EXIT_FAILURE);
         QVERIFY2(said.find(limitNote) == 0, said.c_str());
-        QVERIFY(limitMessage(said.substr(limitNote.size())).text().starts_with("VTK needs more than 1 seconds"));
+        QVERIFY(limitMessage(said.substr(limitNote.size()), "VTK").text().starts_with("VTK needs more than 1 seconds"));
     }
 
     void memoryIsLimited()
@@ -123,12 +130,12 @@ private slots:
                 std::vector<char> much(2 * gibi, 1);
                 ::_exit(much[0]);
             } catch (const std::bad_alloc&) {
-                ::_exit(memoryLimitMet().kind == ErrorKind::OutOfResource ? 7 : 8);
+                ::_exit(memoryLimitMet("VTK").kind == ErrorKind::OutOfResource ? 7 : 8);
             }
         });
         QCOMPARE(status, 7);
         QVERIFY2(said.find(limitNote) == 0, said.c_str());
-        const std::string told = limitMessage(said.substr(limitNote.size())).text();
+        const std::string told = limitMessage(said.substr(limitNote.size()), "VTK").text();
         QVERIFY2(told.starts_with("VTK needs more than 1.1 GB of memory"), told.c_str());
         QVERIFY2(told.find("damaged") != std::string::npos, told.c_str());
     }
@@ -168,7 +175,7 @@ private slots:
         row("the system ended it", "kill -KILL $$", ErrorKind::OutOfResource, "a.vti': the system ended VTK");
         row("it was ended by Ctrl-C", "kill -INT $$", ErrorKind::Cancelled, "Reading was cancelled.");
         row("nothing that makes sense", "head -c 100000 /dev/zero", ErrorKind::BadInput, "a.vti");
-        row("a limit was met", "printf '\\ntan-read-vtk met a limit: memory 1073741824' >&2; exit 1",
+        row("a limit was met", "printf '\\ntan-read met a limit: memory 1073741824' >&2; exit 1",
             ErrorKind::OutOfResource, "a.vti': VTK needs more than 1.1 GB of memory");
     }
     void whatWentWrongIsTold()
@@ -189,7 +196,7 @@ private slots:
         const auto helper = scripted("exit 1");
         const rlimit few{4, before.rlim_max};
         ::setrlimit(RLIMIT_NOFILE, &few);
-        const auto answer = askVtkHelper(helper, anyRequest(), {});
+        const auto answer = ask(helper, anyRequest(), {});
         ::setrlimit(RLIMIT_NOFILE, &before);
         QVERIFY(!answer.ok());
         QCOMPARE(int(answer.error().kind), int(ErrorKind::OutOfResource));
@@ -208,8 +215,8 @@ private slots:
         QFETCH(QByteArray, script);
         std::stop_source stop;
         const auto helper = scripted(script);
-        auto answer = std::async(std::launch::async,
-                                 [&] { return askVtkHelper(helper, anyRequest(), Progress(stop.get_token(), {})); });
+        auto answer =
+            std::async(std::launch::async, [&] { return ask(helper, anyRequest(), Progress(stop.get_token(), {})); });
         QTest::qWait(200); // it has begun, mostly
         QElapsedTimer timer;
         timer.start();
@@ -223,12 +230,12 @@ private slots:
     /// As on a disk that does not answer. One that works is left to its own limits.
     void itIsEndedIfItDoesNothing()
     {
-        const auto idle = askVtkHelper(scripted("exec sleep 1000"), anyRequest(), {}, 300ms);
+        const auto idle = ask(scripted("exec sleep 1000"), anyRequest(), {}, 300ms);
         QVERIFY(!idle.ok());
         QCOMPARE(int(idle.error().kind), int(ErrorKind::OutOfResource));
         QVERIFY2(idle.error().text().find("disk") != std::string::npos, idle.error().text().c_str());
-        const auto busy = askVtkHelper(scripted("i=0; while [ $i -lt 600000 ]; do i=$((i+1)); done; kill -SEGV $$"),
-                                       anyRequest(), {}, 300ms);
+        const auto busy =
+            ask(scripted("i=0; while [ $i -lt 600000 ]; do i=$((i+1)); done; kill -SEGV $$"), anyRequest(), {}, 300ms);
         QVERIFY(!busy.ok());
         QVERIFY2(busy.error().text().find("crashed") != std::string::npos, busy.error().text().c_str());
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "plugins/readers/vtk/vtk_findings.h"
+#include "plugins/process/findings.h"
 
 #include <tan/base.h>
 #include <tan/data.h>
@@ -16,7 +16,7 @@ namespace tetra {
 /// merged. `source` says the file; the hash is found here. The error says what is wrong with "it", for the caller to
 /// name the file.
 /// `region`: CellComplex's.
-Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
+Result<Dataset> datasetOf(FileFindings findings, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
                           const Progress& progress);
 
 } // namespace tetra

@@ -8,7 +8,7 @@
 
 namespace tetra {
 
-/// What the helper program may take for a file.
+/// What a reading program may take for a file.
 struct WorkLimits {
     std::uint64_t memory = 0;     ///< bytes
     std::uint64_t seconds = 0;    ///< of processor time, which is fair to slow and busy machines
@@ -19,23 +19,24 @@ struct WorkLimits {
 /// and a minute, at most half of the machine's memory.
 WorkLimits limitsFor(std::uint64_t bytes, std::uint64_t unpackedBytes, std::uint64_t machineBytes);
 
-/// Keeps this process from harming others, whatever a damaged file makes VTK do: it ends with the program that started
-/// it, is the first to go when memory runs out, leaves no core file, and has the limits of the largest file until
-/// limitWork() sets others. Call first.
+/// Keeps this process from harming others, whatever a damaged file makes its library do: it ends with the program that
+/// started it, is the first to go when memory runs out, leaves no core file, and has the limits of the largest file
+/// until limitWork() sets others. Call first.
 void limitThisProcess();
 
 /// From now on this process may take so much more. When its time is over it ends, having written limitNote and a few
 /// words to standard error; where memory ends, std::bad_alloc is thrown, and the same written.
 void limitWork(const WorkLimits& limits);
 
-/// The Error for std::bad_alloc under the limits that are set: that, and what to do.
-Error memoryLimitMet();
+/// The Error for std::bad_alloc under the limits that are set: that, and what to do. `library` is whose name messages
+/// give the one who needs so much: "VTK".
+Error memoryLimitMet(std::string_view library);
 
 /// What a process whose limits were met begins its last words with.
-inline constexpr std::string_view limitNote = "\ntan-read-vtk met a limit: ";
+inline constexpr std::string_view limitNote = "\ntan-read met a limit: ";
 
-/// The last words, which limitNote comes before, as a sentence for the user.
-Message limitMessage(std::string_view words);
+/// The last words, which limitNote comes before, as a sentence for the user; `library` as in memoryLimitMet().
+Message limitMessage(std::string_view words, std::string_view library);
 
 /// Sends what is printed to standard output and standard error to nowhere from now on, and gives the file descriptor
 /// that still leads to the former output; limitNote still goes to the former error.

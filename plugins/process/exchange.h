@@ -2,19 +2,19 @@
 #pragma once
 
 #include "plugins/api/reader.h"
-#include "plugins/readers/vtk/vtk_findings.h"
+#include "plugins/process/findings.h"
 
 #include <functional>
 #include <type_traits>
 
 namespace tetra {
 
-/// How TAn and its helper program talk: requests go in through the helper's input, messages come out of its output, in
-/// the machine's own byte order. Both are built together, so that no version is needed. The same function
+/// How a reader and its program talk: a request goes in through the program's input, messages come out of its output,
+/// in the machine's own byte order. Both are built together, so that no version is needed. The same function
 /// `exchange(archive, value)` writes and reads a value, so that the two sides cannot differ.
 
 /// The first byte of each message. Error, Findings and Contents are the last one.
-enum class VtkMessage : std::uint8_t { Progress = 'p', Error = 'e', Findings = 'f', Contents = 'c' };
+enum class ProcessMessage : std::uint8_t { Progress = 'p', Error = 'e', Findings = 'f', Contents = 'c' };
 
 /// Writes values; good() is false after the first failure.
 class ExchangeOutput {
@@ -97,12 +97,6 @@ template <class Archive, class... T> void exchangeAll(Archive& archive, T&... va
     (exchange(archive, values), ...);
 }
 
-template <class Archive> void exchange(Archive& archive, VtkRequest& request)
-{
-    exchangeAll(archive, request.contentsOnly, request.format, request.path, request.array, request.component,
-                request.timeStep, request.part, request.given);
-}
-
 template <class Archive> void exchange(Archive& archive, Message& message)
 {
     std::string text = message.text(), sentence = message.sentence();
@@ -164,7 +158,7 @@ template <class Archive> void exchange(Archive& archive, std::vector<Taken>& all
     archive.each(all, [&](Taken& taken) { exchangeAll(archive, taken.part, taken.what, taken.guessed); });
 }
 
-template <class Archive> void exchange(Archive& archive, VtkFindings& found)
+template <class Archive> void exchange(Archive& archive, FileFindings& found)
 {
     exchangeAll(archive, found.kind, found.lattice, found.space, found.lengthUnit, found.untold, found.type,
                 found.perCell, found.arrayName, found.remarks, found.taken, found.leftOut);

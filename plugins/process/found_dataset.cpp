@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/readers/vtk/vtk_dataset.h"
+#include "plugins/process/found_dataset.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,7 +13,7 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& size)
     return std::uint64_t(size[0]) * size[1] * size[2];
 }
 
-Result<ScalarField> fieldOf(VtkFindings& found, std::uint64_t points, const Progress& progress)
+Result<ScalarField> fieldOf(FileFindings& found, std::uint64_t points, const Progress& progress)
 {
     if (found.samples.size() / sampleSize(found.type) != points)
         return Error{ErrorKind::BadInput,
@@ -23,21 +23,21 @@ Result<ScalarField> fieldOf(VtkFindings& found, std::uint64_t points, const Prog
     return ScalarField::scanned(found.type, points, {samples, samples->data()}, progress);
 }
 
-std::vector<double> doublesOf(const VtkFindings& found)
+std::vector<double> doublesOf(const FileFindings& found)
 {
     std::vector<double> values(found.samples.size() / sizeof(double));
     std::memcpy(values.data(), found.samples.data(), values.size() * sizeof(double));
     return values;
 }
 
-Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
+Result<Dataset> gridDataset(FileFindings& found, const Progress& progress)
 {
     const auto& size = found.lattice.size;
     if (const Status fits = checkLatticeSize({size[0], size[1], size[2]}); !fits)
         return fits.error();
     Dataset dataset;
     dataset.lattice.size = size;
-    const bool onLattice = found.kind == VtkDataKind::Lattice;
+    const bool onLattice = found.kind == FoundKind::Lattice;
     dataset.domain = onLattice ? DomainClass::RegularLattice : DomainClass::Curvilinear;
     if (onLattice) {
         dataset.lattice = found.lattice;
@@ -65,7 +65,7 @@ Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
     return dataset;
 }
 
-Status checkPoints(const VtkFindings& found, std::span<const double> values)
+Status checkPoints(const FileFindings& found, std::span<const double> values)
 {
     if (values.size() != found.positions.size())
         return Error{ErrorKind::BadInput,
@@ -85,7 +85,7 @@ Status checkPoints(const VtkFindings& found, std::span<const double> values)
     return {};
 }
 
-Result<Dataset> pointsDataset(VtkFindings& found, const Source& source)
+Result<Dataset> pointsDataset(FileFindings& found, const Source& source)
 {
     std::vector<double> values = doublesOf(found);
     if (const Status usable = checkPoints(found, values); !usable)
@@ -93,8 +93,8 @@ Result<Dataset> pointsDataset(VtkFindings& found, const Source& source)
     return scatteredDataset(std::move(found.positions), std::move(values), source.name);
 }
 
-Result<Dataset> cellsDataset(VtkFindings& found, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
-                             const Progress& progress)
+Result<Dataset> cellsDataset(FileFindings& found, const Source& source,
+                             const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
 {
     const ComplexValues values{doublesOf(found), found.perCell, found.type};
     found.samples = {};
@@ -105,13 +105,13 @@ Result<Dataset> cellsDataset(VtkFindings& found, const Source& source, const std
 
 } // namespace
 
-Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
+Result<Dataset> datasetOf(FileFindings findings, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
                           const Progress& progress)
 {
     const std::vector<Message> remarks = std::move(findings.remarks);
-    auto dataset = findings.kind == VtkDataKind::Cells    ? cellsDataset(findings, source, region, progress)
-                   : findings.kind == VtkDataKind::Points ? pointsDataset(findings, source)
-                                                          : gridDataset(findings, progress);
+    auto dataset = findings.kind == FoundKind::Cells    ? cellsDataset(findings, source, region, progress)
+                   : findings.kind == FoundKind::Points ? pointsDataset(findings, source)
+                                                        : gridDataset(findings, progress);
     if (!dataset)
         return dataset.error();
     dataset->source = source;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/readers/vtk/helper_process.h"
+#include "plugins/process/reading_process.h"
 
-#include "plugins/readers/vtk/process_limits.h"
-#include "plugins/readers/vtk/vtk_exchange.h"
+#include "plugins/process/process_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -27,33 +26,31 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds betweenLooks{50}; ///< at whether it is to be cancelled
-constexpr MarkedText install = Message::marked("Install VTK with 'apt install libvtk9.1' (other systems: VTK 9).");
 
 Error cannotRead(const std::string& file, ErrorKind kind, const Message& reason)
 {
     return {kind, Message::say("Cannot read '%1': %2", file, reason), file};
 }
 
-Error notEnoughToStart(const Message& reason)
+Error notEnoughToStart(const ReadingProgram& program, const Message& reason)
 {
     return {ErrorKind::OutOfResource,
-            Message::say("There are not enough memory, processes or open files to start the VTK readers (%1). "
+            Message::say("There are not enough memory, processes or open files to start the %1 readers (%2). "
                          "Close other programs, or raise the limit (ulimit).",
-                         reason)};
+                         program.library, reason)};
 }
 
-Error notStarted(const fs::path& helper, int systemError)
+Error notStarted(const ReadingProgram& program, int systemError)
 {
     const Message reason = systemErrorText(systemError);
     if (isLackOfResources(systemError))
-        return notEnoughToStart(reason);
+        return notEnoughToStart(program, reason);
     std::error_code ignored;
-    if (!fs::exists(helper, ignored))
+    if (!fs::exists(program.path, ignored))
         return {ErrorKind::BadInput,
-                Message::say("The VTK readers are not installed. Install the package tan-vtk-readers, which comes with "
-                             "TAn: 'apt install ./tan-vtk-readers_*.deb' where the file lies (of a build of your own: "
-                             "build it anew after 'apt install libvtk9-dev'), or convert the file to NRRD or CSV.")};
-    return {ErrorKind::BadInput, Message::say("The VTK readers cannot be started: '%1': %2", helper.string(), reason)};
+                Message::say("The %1 readers are not installed. %2", program.library, program.notInstalled)};
+    return {ErrorKind::BadInput,
+            Message::say("The %1 readers cannot be started: '%2': %3", program.library, program.path.string(), reason)};
 }
 
 class Descriptor {
@@ -103,16 +100,26 @@ Descriptor filledPipe(const std::string& content)
     return Descriptor();
 }
 
+/// As the system takes lists of words: with an end.
+std::vector<char*> pointersTo(std::vector<std::string>& words)
+{
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
 /// A program that runs: its input was given before, its output is read from a pipe.
-class HelperProcess {
+class RunningProgram {
 public:
     /// The error is the system's.
-    static std::variant<HelperProcess, int> start(const fs::path& program, const std::string& input)
+    static std::variant<RunningProgram, int> start(const ReadingProgram& program, const std::string& input)
     {
         const Descriptor request = filledPipe(input);
         if (request.number() < 0)
             return errno;
-        Descriptor errors(::memfd_create("tan-read-vtk", MFD_CLOEXEC)); // needs no one to read it meanwhile
+        Descriptor errors(::memfd_create("tan-read", MFD_CLOEXEC)); // needs no one to read it meanwhile
         if (errors.number() < 0)
             return errno;
         Pipe output = Pipe::make();
@@ -133,24 +140,28 @@ public:
         sigemptyset(&every);
         posix_spawnattr_setsigmask(&attributes, &every);
         posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-        std::string name = program.string();
-        const std::array<char*, 2> arguments{name.data(), nullptr};
+        std::vector<std::string> words = {program.path.string()};
+        words.insert(words.end(), program.arguments.begin(), program.arguments.end());
+        std::vector<std::string> environment = program.environment;
+        for (char** word = environ; *word != nullptr; ++word)
+            environment.emplace_back(*word); // the first of a name counts
         pid_t process = -1;
-        const int failure = ::posix_spawn(&process, name.c_str(), &files, &attributes, arguments.data(), environ);
+        const int failure = ::posix_spawn(&process, words.front().c_str(), &files, &attributes,
+                                          pointersTo(words).data(), pointersTo(environment).data());
         posix_spawnattr_destroy(&attributes);
         posix_spawn_file_actions_destroy(&files);
         if (failure != 0)
             return failure;
-        return HelperProcess(process, std::move(output.reading), std::move(errors));
+        return RunningProgram(process, std::move(output.reading), std::move(errors));
     }
 
-    HelperProcess(HelperProcess&& other) noexcept
+    RunningProgram(RunningProgram&& other) noexcept
         : process_(std::exchange(other.process_, -1)), output_(std::move(other.output_)),
           errors_(std::move(other.errors_))
     {
     }
-    HelperProcess& operator=(HelperProcess&&) = delete;
-    ~HelperProcess()
+    RunningProgram& operator=(RunningProgram&&) = delete;
+    ~RunningProgram()
     {
         if (process_ < 0)
             return;
@@ -197,7 +208,7 @@ public:
     }
 
 private:
-    HelperProcess(pid_t process, Descriptor output, Descriptor errors)
+    RunningProgram(pid_t process, Descriptor output, Descriptor errors)
         : process_(process), output_(std::move(output)), errors_(std::move(errors))
     {
     }
@@ -207,10 +218,10 @@ private:
     Descriptor errors_;
 };
 
-/// Reads what the helper writes, until it ends, is idle for too long, or the user cancels.
-class HelperOutput {
+/// Reads what the program writes, until it ends, is idle for too long, or the user cancels.
+class ProgramOutput {
 public:
-    HelperOutput(const HelperProcess& process, const Progress& progress, std::chrono::milliseconds idle)
+    ProgramOutput(const RunningProgram& process, const Progress& progress, std::chrono::milliseconds idle)
         : process_(process), progress_(progress), patience_(idle)
     {
     }
@@ -253,7 +264,7 @@ private:
         return false;
     }
 
-    const HelperProcess& process_;
+    const RunningProgram& process_;
     const Progress& progress_;
     std::chrono::milliseconds patience_;
     bool wasIdle_ = false;
@@ -275,7 +286,7 @@ bool isLoadersLack(std::string_view reason)
 }
 
 /// What the system's loader says of libraries that it could not load; nothing if it said nothing.
-std::optional<Error> loaderError(std::string_view said)
+std::optional<Error> loaderError(const ReadingProgram& program, std::string_view said)
 {
     constexpr std::string_view start = "error while loading shared libraries: ";
     const auto place = said.find(start);
@@ -283,102 +294,101 @@ std::optional<Error> loaderError(std::string_view said)
         return std::nullopt;
     const std::string reason = firstLine(said.substr(place + start.size()));
     if (isLoadersLack(reason))
-        return notEnoughToStart(reason);
+        return notEnoughToStart(program, reason);
     const bool missing = reason.find("cannot open shared object") != std::string::npos;
-    return Error{ErrorKind::BadInput,
-                 missing ? Message::say("The VTK readers are not installed: %1. %2", reason, install)
-                         : Message::say("The VTK readers are installed badly: %1. %2", reason, install)};
+    return Error{
+        ErrorKind::BadInput,
+        missing ? Message::say("The %1 readers are not installed: %2. %3", program.library, reason, program.install)
+                : Message::say("The %1 readers are installed badly: %2. %3", program.library, reason, program.install)};
 }
 
-/// Why the helper gave no answer.
-Error explainEnd(HelperProcess& process, const std::string& file)
+/// Why the program gave no answer.
+Error explainEnd(const ReadingProgram& program, RunningProgram& process, const std::string& file)
 {
     const auto status = process.waitForEnd(std::chrono::seconds(2));
     const std::string said = process.errors();
     if (const auto place = said.rfind(limitNote); place != std::string::npos)
-        return cannotRead(file, ErrorKind::OutOfResource,
-                          limitMessage(firstLine(std::string_view(said).substr(place + limitNote.size()))));
-    if (const auto error = loaderError(said))
+        return cannotRead(
+            file, ErrorKind::OutOfResource,
+            limitMessage(firstLine(std::string_view(said).substr(place + limitNote.size())), program.library));
+    if (const auto error = loaderError(program, said))
         return *error;
     const int signal = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
         return cancelledError(Message::marked("Reading"));
     if (signal == SIGKILL)
         return cannotRead(file, ErrorKind::OutOfResource,
-                          Message::say("the system ended VTK, which it does when memory runs out. Close other "
-                                       "programs, or take a part of the file."));
+                          Message::say("the system ended %1, which it does when memory runs out. Close other "
+                                       "programs, or take a part of the file.",
+                                       program.library));
     return cannotRead(file, ErrorKind::BadInput,
-                      Message::say("VTK's reader crashed. The file is damaged, larger than memory, or of a kind that "
-                                   "VTK reads badly. Export it again, or in another format (.vtu, .vti)."));
+                      Message::say("%1's reader crashed. The file is damaged, larger than memory, or of a kind that "
+                                   "%1 reads badly. %2",
+                                   program.library, program.otherwise));
 }
 
 /// Reads messages up to the answer.
-Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const Progress& progress,
-                          std::chrono::milliseconds idle)
+Result<ReadAnswer> receive(const ReadingProgram& program, RunningProgram& process, const std::string& file,
+                           const Progress& progress, std::chrono::milliseconds idle)
 {
-    HelperOutput output(process, progress, idle);
+    ProgramOutput output(process, progress, idle);
     ExchangeInput input([&](void* to, std::size_t bytes) { return output.read(to, bytes); });
-    std::optional<Result<VtkAnswer>> answer; // there once the last message came
+    std::optional<Result<ReadAnswer>> answer; // there once the last message came
     for (bool last = false; !last && input.good();) {
-        VtkMessage message{};
+        ProcessMessage message{};
         exchange(input, message);
-        last = message != VtkMessage::Progress;
-        if (message == VtkMessage::Progress) {
+        last = message != ProcessMessage::Progress;
+        if (message == ProcessMessage::Progress) {
             double fraction = 0;
             exchange(input, fraction);
             if (input.good())
                 progress.report(fraction, Message::marked("Reading"));
-        } else if (message == VtkMessage::Findings) {
-            VtkFindings findings;
+        } else if (message == ProcessMessage::Findings) {
+            FileFindings findings;
             exchange(input, findings);
-            answer.emplace(VtkAnswer(std::move(findings)));
-        } else if (message == VtkMessage::Contents) {
+            answer.emplace(ReadAnswer(std::move(findings)));
+        } else if (message == ProcessMessage::Contents) {
             FileContents contents;
             exchange(input, contents);
-            answer.emplace(VtkAnswer(std::move(contents)));
-        } else if (message == VtkMessage::Error) {
+            answer.emplace(ReadAnswer(std::move(contents)));
+        } else if (message == ProcessMessage::Error) {
             Error error;
             exchange(input, error);
             answer.emplace(std::move(error));
         } else if (!progress.cancelled() && !output.wasIdle()) {
-            return explainEnd(process, file); // the end, or no message
+            return explainEnd(program, process, file); // the end, or no message
         }
     }
     if (progress.cancelled())
         return cancelledError(Message::marked("Reading"));
     if (output.wasIdle())
         return cannotRead(file, ErrorKind::OutOfResource,
-                          Message::say("VTK has waited for its disk for minutes. See whether the disk answers, or copy "
-                                       "the file to another one."));
+                          Message::say("%1 has waited for its disk for minutes. See whether the disk answers, or copy "
+                                       "the file to another one.",
+                                       program.library));
     if (!input.good() || !answer)
-        return explainEnd(process, file);
+        return explainEnd(program, process, file);
     return *std::move(answer);
 }
 
 } // namespace
 
-fs::path vtkHelperBesidePlugin()
+fs::path programBesidePlugin(const void* symbol, const std::string& name)
 {
     Dl_info info{};
-    if (dladdr(reinterpret_cast<const void*>(&vtkHelperBesidePlugin), &info) == 0 || info.dli_fname == nullptr)
-        return "tan-read-vtk";
-    return fs::absolute(info.dli_fname).parent_path() / "tan-read-vtk";
+    if (dladdr(symbol, &info) == 0 || info.dli_fname == nullptr)
+        return name;
+    return fs::absolute(info.dli_fname).parent_path() / name;
 }
 
-Result<VtkAnswer> askVtkHelper(const fs::path& helper, VtkRequest request, const Progress& progress,
-                               std::chrono::milliseconds idle)
+Result<ReadAnswer> askReadingProgram(const ReadingProgram& program, const std::string& request, const std::string& file,
+                                     const Progress& progress, std::chrono::milliseconds idle)
 {
-    std::string input;
-    ExchangeOutput output([&](const void* data, std::size_t bytes) {
-        input.append(static_cast<const char*>(data), bytes);
-        return true;
-    });
-    exchange(output, request);
-    auto started = HelperProcess::start(helper, input);
+    auto started = RunningProgram::start(program, request);
     if (const int* failure = std::get_if<int>(&started))
-        return notStarted(helper, *failure);
-    // The answer is whole when it came: nothing that the helper still has to tidy up is worth waiting for.
-    return receive(std::get<HelperProcess>(started), request.path, progress, idle);
+        return notStarted(program, *failure);
+    // The answer is whole when it came: nothing that the program still has to tidy up is worth waiting for.
+    return receive(program, std::get<RunningProgram>(started), file, progress, idle);
 }
 
 } // namespace tetra

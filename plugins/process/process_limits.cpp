@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/readers/vtk/process_limits.h"
+#include "plugins/process/process_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -86,26 +86,26 @@ std::uint64_t addressSpace()
 
 } // namespace
 
-Message limitMessage(std::string_view words)
+Message limitMessage(std::string_view words, std::string_view library)
 {
     const auto numberBehind = [&](std::string_view word) {
         return words.starts_with(word) ? parseNumber<std::uint64_t>(words.substr(word.size())) : std::nullopt;
     };
     if (const auto space = numberBehind(addressSpaceWord))
-        return Message::say("VTK needs more memory for it than the %1 that programs may take here. Raise the limit "
+        return Message::say("%1 needs more memory for it than the %2 that programs may take here. Raise the limit "
                             "(ulimit -v).",
-                            neededBytesText(*space));
+                            library, neededBytesText(*space));
     if (const auto half = numberBehind(machineWord))
-        return Message::say("VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or "
+        return Message::say("%1 needs more than %2 of memory for it, half of what this machine has. It is damaged, or "
                             "too large for this machine: take a part of it.",
-                            neededBytesText(*half));
+                            library, neededBytesText(*half));
     if (const auto memory = numberBehind(memoryWord))
-        return Message::say("VTK needs more than %1 of memory for it, which files of its size do not need. It is "
-                            "damaged; if not, write it in another format (.vtu, .vti).",
-                            neededBytesText(*memory));
-    return Message::say("VTK needs more than %1 seconds of the processor for it, which files of its size do not need. "
-                        "It is damaged; if not, write it in another format (.vtu, .vti).",
-                        numberBehind(timeWord).value_or(0));
+        return Message::say("%1 needs more than %2 of memory for it, which files of its size do not need. It is "
+                            "damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
+                            library, neededBytesText(*memory));
+    return Message::say("%1 needs more than %2 seconds of the processor for it, which files of its size do not need. "
+                        "It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
+                        library, numberBehind(timeWord).value_or(0));
 }
 
 WorkLimits limitsFor(std::uint64_t bytes, std::uint64_t unpackedBytes, std::uint64_t machineBytes)
@@ -151,9 +151,9 @@ void limitWork(const WorkLimits& limits)
 #endif
 }
 
-Error memoryLimitMet()
+Error memoryLimitMet(std::string_view library)
 {
-    return {ErrorKind::OutOfResource, limitMessage(lastWords().memory.data() + limitNote.size())};
+    return {ErrorKind::OutOfResource, limitMessage(lastWords().memory.data() + limitNote.size(), library)};
 }
 
 int takeStandardOutput()
