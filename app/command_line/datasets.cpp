@@ -244,8 +244,103 @@ std::string datasetText(const DatasetSummary& summary)
     return text + ", values " + rangeText(summary.range.minimum, summary.range.maximum);
 }
 
+void addProvenance(std::span<const Taken> taken, std::span<const Message> leftOut, Outcome& outcome)
+{
+    QJsonObject parts;
+    QJsonArray guesses, unused;
+    std::string line;
+    for (const Taken& one : taken) {
+        const QString name = QString::fromStdString(std::string(takenPartName(one.part)));
+        parts[name] = QString::fromStdString(one.what.text());
+        if (one.guessed)
+            guesses.append(name);
+        line += (line.empty() ? "taken: " : "; ") + visibleText(takenText(one).text());
+    }
+    if (!line.empty())
+        outcome.text += line + "\n";
+    for (const Message& one : leftOut) {
+        unused.append(QString::fromStdString(one.text()));
+        outcome.text += "not used: " + visibleText(one.text()) + "\n";
+    }
+    outcome.figures["taken"] = parts;
+    outcome.figures["guesses"] = guesses;
+    outcome.figures["unused"] = unused;
+}
+
+namespace {
+
+QJsonArray toJson(std::span<const std::string> names)
+{
+    QJsonArray list;
+    for (const std::string& name : names)
+        list.append(QString::fromStdString(name));
+    return list;
+}
+
+/// "blocks: a, b, c", the first of them; nothing where there is no choice.
+std::string choiceText(std::string_view what, std::span<const std::string> names)
+{
+    constexpr std::size_t mostShown = 20;
+    if (names.size() < 2)
+        return {};
+    std::string text = std::string(what) + ": ";
+    for (std::size_t number = 0; number < std::min(names.size(), mostShown); ++number)
+        text += (number == 0 ? "" : ", ") + visibleText(names[number]);
+    if (names.size() > mostShown)
+        text += " ... (" + std::to_string(names.size()) + " in all)";
+    return text + "\n";
+}
+
+std::string arrayText(const FileArray& array)
+{
+    std::string text = visibleText(array.name);
+    if (array.components > 1)
+        text += ", " + std::to_string(array.components) + " components";
+    if (array.perCell)
+        text += ", on cells";
+    if (array.range)
+        text += ", " + rangeText(array.range->minimum, array.range->maximum);
+    return array.unit.empty() ? text : text + " " + visibleText(array.unit);
+}
+
+} // namespace
+
+void addContents(const FileContents& contents, Outcome& outcome)
+{
+    QJsonArray arrays, steps;
+    std::vector<std::string> lines, times;
+    for (const FileArray& array : contents.arrays) {
+        QJsonObject figures{{"name", QString::fromStdString(array.name)},
+                            {"components", array.components},
+                            {"on", array.perCell ? "cells" : "points"}};
+        if (array.range)
+            figures["range"] = QJsonArray{array.range->minimum, array.range->maximum};
+        if (!array.unit.empty())
+            figures["unit"] = QString::fromStdString(array.unit);
+        arrays.append(figures);
+        lines.push_back(arrayText(array));
+    }
+    for (const double time : contents.timeSteps) {
+        steps.append(time);
+        times.push_back(rounded(time));
+    }
+    outcome.figures["arrays"] = arrays;
+    outcome.figures["steps"] = steps;
+    outcome.figures["blocks"] = toJson(contents.blocks);
+    outcome.figures["series"] = toJson(contents.series);
+    outcome.figures["channels"] = toJson(contents.channels);
+    if (lines.size() > 1) {
+        outcome.text += "arrays:\n";
+        for (const std::string& line : lines)
+            outcome.text += "  " + line + "\n";
+    }
+    outcome.text += choiceText("time steps", times) + choiceText("blocks", contents.blocks) +
+                    choiceText("series", contents.series) + choiceText("channels", contents.channels);
+}
+
 void addRemarks(const Dataset& dataset, Outcome& outcome)
 {
+    addProvenance(dataset.source.taken, dataset.source.leftOut, outcome);
     outcome.figures["remarks"] = QJsonArray();
     addRemarks(dataset.remarks, outcome);
     addFaultyCells(dataset, outcome);

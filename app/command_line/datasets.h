@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/command_line/subcommand.h"
+#include "plugins/api/reader.h"
 #include "plugins/host/import_options.h"
 
 #include <tan/data.h>
@@ -55,6 +56,13 @@ void addFaultyCells(std::span<const FaultyCell> cells, std::string_view where, O
 void addFaultyCells(const Dataset& dataset, Outcome& outcome);
 /// Those that a model lists. Errors: a damaged file.
 Status addFaultyCells(const Model& model, Outcome& outcome);
+/// What was taken of a file and what it said and was not used: "taken", an object by takenPartName(), "guesses", those
+/// of its names that the file does not confirm, "unused", sentences, and lines of the text; without them the objects
+/// are empty and the text says nothing.
+void addProvenance(std::span<const Taken> taken, std::span<const Message> leftOut, Outcome& outcome);
+/// What a file offers: "arrays", "steps", "blocks", "series", "channels", and lines of the text where there is a
+/// choice.
+void addContents(const FileContents& contents, Outcome& outcome);
 /// What reading the dataset changed: "remarks", and a line of the text each; and addFaultyCells().
 void addRemarks(const Dataset& dataset, Outcome& outcome);
 

@@ -61,6 +61,15 @@ std::string provenanceText(const ModelDescription& description)
     return text + "\n";
 }
 
+/// What the file of the dataset offered, as the model keeps it.
+void addSource(const ModelDescription& description, Outcome& outcome)
+{
+    for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
+        outcome.figures[key] = QJsonValue::fromVariant(value);
+    outcome.text += provenanceText(description);
+    addProvenance(description.taken, description.leftOut, outcome);
+}
+
 /// The table of the levels, as rows for people and as a list for programs.
 struct LevelTable {
     std::vector<std::vector<std::string>> rows;
@@ -181,16 +190,15 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
 
     Outcome outcome;
     outcome.figures = datasetFigures(summary);
-    for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
-        outcome.figures[key] = QJsonValue::fromVariant(value);
+    outcome.text = shownInput(path) + ": model of a " + datasetText(summary) + "\n";
+    addSource(description, outcome);
     outcome.figures["sites"] = static_cast<qint64>(model.siteCount());
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
     outcome.figures["levels"] = found->list;
-    outcome.text = shownInput(path) + ": model of a " + datasetText(summary) + "\n" + provenanceText(description) +
-                   std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
-                   " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows) +
-                   guaranteeText(description);
+    outcome.text += std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
+                    " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows) +
+                    guaranteeText(description);
     if (found->anyInverted)
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
     if (const Status listed = addFaultyCells(model, outcome); !listed)
@@ -242,31 +250,43 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
         rows.push_back(std::move(row));
     }
     Outcome outcome{.figures = datasetFigures(summary), .text = {}};
-    for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
-        outcome.figures[key] = QJsonValue::fromVariant(value);
+    outcome.text = shownInput(path) + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) + "\n";
+    addSource(description, outcome);
     outcome.figures["form"] = isPacked ? "packed" : "explicit";
     outcome.figures["sites"] = static_cast<qint64>(facts->sites);
     outcome.figures["tetrahedra"] = static_cast<qint64>(facts->tetrahedra);
     outcome.figures["bytes"] = static_cast<qint64>(facts->fileBytes);
     outcome.figures["unpacked_bytes"] = static_cast<qint64>(facts->unpackedBytes);
     outcome.figures["levels"] = list;
-    outcome.text = shownInput(path) + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) + "\n" +
-                   provenanceText(description) + std::to_string(facts->sites) + " sites, " +
-                   std::to_string(facts->tetrahedra) + " tetrahedra in the history, " + byteText(facts->fileBytes) +
-                   (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows);
+    outcome.text += std::to_string(facts->sites) + " sites, " + std::to_string(facts->tetrahedra) +
+                    " tetrahedra in the history, " + byteText(facts->fileBytes) +
+                    (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows);
     return outcome;
 }
 
-/// What a model of it takes, by whom.
-void addEstimates(PluginHost& host, const Dataset& dataset, Outcome& outcome)
+/// Of builders that have an error, that of '--error'; each has its own default where it is not said.
+Result<ParameterValues> errorAsked(const Arguments& arguments, const Builder& builder)
 {
-    const BuildSize size = buildSizeOf(dataset);
+    ParameterValues values;
+    const auto parameters = builder.parameters();
+    const auto error = std::ranges::find(parameters, "error", &Parameter::id);
+    if (!arguments.has("error") || error == parameters.end())
+        return values;
+    return pluginValues(arguments, std::vector{*error});
+}
+
+/// What a model of it takes, by whom.
+Status addEstimates(const Invocation& invocation, const BuildSize& size, const Dataset* dataset, Outcome& outcome)
+{
     const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     QJsonArray list;
-    for (const auto& builder : host.builders()) {
-        if (!(builder.plugin->accepts(dataset).score > 0))
+    for (const auto& builder : invocation.host.builders()) {
+        if (dataset != nullptr && !(builder.plugin->accepts(*dataset).score > 0))
             continue;
-        const auto estimate = builder.plugin->estimate(size, {}, threads);
+        const auto values = errorAsked(invocation.arguments, *builder.plugin);
+        if (!values)
+            return values.error();
+        const auto estimate = builder.plugin->estimate(size, *values, threads);
         if (!estimate)
             continue;
         list.append(QJsonObject{{"builder", toQString(builder.id)},
@@ -279,6 +299,39 @@ void addEstimates(PluginHost& host, const Dataset& dataset, Outcome& outcome)
                         " of disk and " + durationText(estimate->seconds) + "\n";
     }
     outcome.figures["estimates"] = list;
+    return {};
+}
+
+/// Files up to so many bytes are read, which takes no longer than a second; larger ones if the user asks for it.
+constexpr std::uint64_t readAtOnce = 64ULL << 20U;
+
+/// What the headers of a file tell, where its samples are not read.
+Status describeHeaders(const Invocation& invocation, const std::string& path, const FileContents& contents,
+                       Outcome& outcome)
+{
+    const Lattice& lattice = contents.lattice;
+    const std::uint64_t points = contents.points != 0 ? contents.points : lattice.pointCount();
+    outcome.figures["kind"] = toQString(std::string(domainClassName(*contents.domain)));
+    outcome.figures["points"] = static_cast<qint64>(points);
+    if (contents.type)
+        outcome.figures["type"] = toQString(std::string(sampleTypeName(*contents.type)));
+    outcome.text = visibleText(path) + ": " + std::string(domainClassName(*contents.domain)) + ", " +
+                   std::to_string(points) + " points";
+    if (isOnLattice(*contents.domain)) {
+        outcome.figures["size"] = QJsonArray{qint64(lattice.size[0]), qint64(lattice.size[1]), qint64(lattice.size[2])};
+        outcome.text += ", " + std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
+                        std::to_string(lattice.size[2]);
+    }
+    outcome.text += contents.type ? " (" + std::string(sampleTypeName(*contents.type)) + ")\n" : "\n";
+    outcome.text += "The values were not read: '--ranges' does, and tells their range.\n";
+    addContents(contents, outcome);
+    addProvenance(contents.taken, contents.leftOut, outcome);
+    return addEstimates(invocation,
+                        {.domain = *contents.domain,
+                         .points = points,
+                         .tetrahedra = contents.cells,
+                         .type = contents.type.value_or(SampleType::Float32)},
+                        nullptr, outcome);
 }
 
 Result<Outcome> describeDataset(const Invocation& invocation, const std::string& path)
@@ -291,11 +344,20 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
         if (invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage, "'--" + std::string(option) + "' is of the levels of a model, and '" +
                                                     path + "' is none. Build a model of it first."};
-    const auto dataset = openDataset(invocation.host, path, *options, invocation.progress);
-    if (!dataset)
-        return dataset.error();
     std::error_code problem;
     const auto bytes = std::filesystem::file_size(path, problem);
+    const auto contents = probeDataset(invocation.host, path, *options, invocation.progress.part(0, 0.2));
+    const bool isKnown = contents && contents->domain && (contents->points > 0 || isOnLattice(*contents->domain));
+    if (!problem && bytes > readAtOnce && isKnown && options->part.isWhole() && !invocation.arguments.has("ranges")) {
+        Outcome outcome;
+        if (const Status described = describeHeaders(invocation, path, *contents, outcome); !described)
+            return described.error();
+        outcome.figures["bytes"] = static_cast<qint64>(bytes);
+        return outcome;
+    }
+    const auto dataset = openDataset(invocation.host, path, *options, invocation.progress.part(0.2, 1));
+    if (!dataset)
+        return dataset.error();
     const DatasetSummary summary = summaryOf(*dataset);
     Outcome outcome{.figures = datasetFigures(summary),
                     .text = visibleText(path) + ": " + visibleText(dataset->source.name) + ", " + datasetText(summary) +
@@ -303,7 +365,9 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     outcome.figures["source"] = toQString(dataset->source.name);
     addArrayName(dataset->source.valueName, outcome.figures);
     outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
-    addEstimates(invocation.host, *dataset, outcome);
+    addContents(contents ? *contents : FileContents(), outcome);
+    if (const Status estimated = addEstimates(invocation, buildSizeOf(*dataset), &*dataset, outcome); !estimated)
+        return estimated.error();
     addRemarks(*dataset, outcome);
     return outcome;
 }
@@ -323,8 +387,9 @@ Syntax infoSyntax(PluginHost& host)
             "grids the inverted tetrahedra are counted, some ten million a second. Of a packed model and of one on a "
             "server "
             "the sizes of a few levels, and how much of the file is read for each; nothing is unpacked or fetched. "
-            "Of a dataset: its size, its type, its range of values, and what each builder would take for a model of "
-            "it.\n\nDatasets that can be read, also compressed "
+            "Of a dataset: its size, its type, its range of values, what there is to choose from, what is taken of it, "
+            "what it says and is not used, and what each builder would take for a model of it.\n\nDatasets that can be "
+            "read, also compressed "
             "with gzip (*.gz): " +
             readable + ".",
         .positionals =
@@ -338,6 +403,15 @@ Syntax infoSyntax(PluginHost& host)
                      .explanation = "Of a model: the dataset that it was built from. Also says how large error and "
                                     "warping are on the whole at each level, and the error in space; takes as long as "
                                     "'tan verify'."},
+                    {.name = "ranges",
+                     .placeholder = "",
+                     .explanation = "Of a dataset of more than 64 MB: read its values, too, and tell their range. "
+                                    "Without it such a file is told by its headers alone, at once."},
+                    {.name = "error",
+                     .placeholder = "P",
+                     .explanation = "Of a dataset: the error, in percent of the range of the values, down to which a "
+                                    "model would be built, for what that takes.",
+                     .byDefault = "that of each builder"},
                     outputOption("FILE.csv|.json", "Of a model: also write the levels to this file.", false),
                     tokenFileOption()},
         .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
@@ -365,6 +439,10 @@ Result<Outcome> runInfo(const Invocation& invocation)
         return describeDataset(invocation, path);
     }
     const bool against = invocation.arguments.has("against");
+    for (const char* option : {"ranges", "error"})
+        if (invocation.arguments.has(option))
+            return Error{ErrorKind::WrongUsage,
+                         "The model '" + path + "' has no option '--" + option + "': it is of datasets."};
     for (const char* option : {"reader", "region", "stride"})
         if (!against && invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage,

@@ -197,7 +197,8 @@ Result<std::vector<std::filesystem::path>> writeDrawing(const std::filesystem::p
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!buffer.open(QIODevice::WriteOnly) || !drawing.image(2).save(&buffer, "PNG"))
-        return Error{ErrorKind::OutOfResource, "Not enough memory to draw '" + png.string() + "'."};
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory to draw '" + png.string() + "'. Close other programs."};
     for (const Status& written : {writeWholeFile(png, contentOf(bytes)), writeWholeFile(svg, contentOf(drawing.svg()))})
         if (!written)
             return written.error();

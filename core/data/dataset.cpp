@@ -20,8 +20,8 @@ MarkedText takenPartText(TakenPart part) noexcept
 
 std::string_view takenPartName(TakenPart part) noexcept
 {
-    constexpr std::string_view names[] = {"array",   "component", "places", "block", "series",
-                                          "channel", "step",      "frame",  "unit",  "fill"};
+    constexpr std::string_view names[] = {"array",   "component", "columns", "block", "series",
+                                          "channel", "step",      "frame",   "unit",  "fill"};
     return names[static_cast<std::size_t>(part)];
 }
 

@@ -265,7 +265,8 @@ try {
     return saveWith(to, writingMesh, progress,
                     [&](OutputFile& file) { return writer->plugin->writeMesh(shown, file, values); });
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", to.path.string())};
+    return Error{ErrorKind::OutOfResource,
+                 Message::say("Not enough memory to write '%1'. Close other programs.", to.path.string())};
 }
 
 Result<FileRemarks> saveSurface(PluginHost& host, const SurfaceContent& surface, const Destination& to,

@@ -218,7 +218,8 @@ public:
 private:
     static Error tooLittleMemory(const OutputFile& file)
     {
-        return {ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", file.target().string())};
+        return {ErrorKind::OutOfResource,
+                Message::say("Not enough memory to write '%1'. Close other programs.", file.target().string())};
     }
 
     const Writer& plugin_;

@@ -371,6 +371,7 @@ void BuildPanel::showDataset()
     const Dataset& dataset = *workbench_.opening().dataset();
     name_->setText(shownText(dataset.source.name));
     QStringList facts = {factsOf(dataset)};
+    facts << provenanceLines(dataset.source.taken, dataset.source.leftOut);
     for (const Message& remark : dataset.remarks)
         facts << translatedMessage(remark);
     facts_->setText(facts.join('\n'));

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace tetra {
 namespace {
@@ -101,6 +102,15 @@ std::vector<ParameterChoice> blockChoices(const Parameter& parameter, const File
     return choices;
 }
 
+/// By name; the first way is the reader's own.
+std::vector<ParameterChoice> nameChoices(const Parameter& parameter, std::span<const std::string> names)
+{
+    std::vector<ParameterChoice> choices = {{parameter.defaultValue, ImportForms::tr("Automatic")}};
+    for (const std::string& name : names)
+        choices.push_back({name, shownText(name)});
+    return choices;
+}
+
 /// Nothing: the reader's own way to choose. One: nothing to choose.
 std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileContents& contents,
                                        const ParameterValues& values)
@@ -115,6 +125,11 @@ std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileCon
         return contents.timeSteps.size() > 1 ? timeChoices(contents) : std::vector<ParameterChoice>(1);
     if (parameter.id == "solution" && contents.domain && contents.domain != DomainClass::Curvilinear)
         return std::vector<ParameterChoice>(1);
+    if (parameter.id == "series" && isText(parameter))
+        return contents.series.size() > 1 ? nameChoices(parameter, contents.series) : std::vector<ParameterChoice>(1);
+    if (parameter.id == "channel" && isText(parameter))
+        return contents.channels.size() > 1 ? nameChoices(parameter, contents.channels)
+                                            : std::vector<ParameterChoice>(1);
     if (isOneOf(blockIds, parameter.id))
         return contents.blocks.size() > 1 ? blockChoices(parameter, contents) : std::vector<ParameterChoice>(1);
     return {};

@@ -95,6 +95,11 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
     }
     if (const std::uint64_t faulty = faultyCellCount(model); faulty > 0)
         facts.push_back({Statistics::tr("Faulty cells"), countText(faulty)});
+    const ModelDescription& description = model.description();
+    if (const QStringList lines = provenanceLines(description.taken, {}); !lines.isEmpty())
+        facts.push_back({Statistics::tr("Taken of the file"), lines.join('\n')});
+    if (const QStringList lines = provenanceLines({}, description.leftOut); !lines.isEmpty())
+        facts.push_back({Statistics::tr("Not used of it"), lines.join('\n')});
     return facts;
 }
 

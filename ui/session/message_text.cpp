@@ -61,4 +61,16 @@ QString inUsersLanguage(const std::string& english, const std::map<std::string, 
     return shownText(found == others.end() || found->second.empty() ? english : found->second);
 }
 
+QStringList provenanceLines(std::span<const Taken> taken, std::span<const Message> leftOut)
+{
+    QStringList lines;
+    for (const Taken& one : taken) {
+        const QString line = translatedMessage(takenText(one));
+        lines << line.left(1).toUpper() + line.mid(1);
+    }
+    for (const Message& one : leftOut)
+        lines << translatedMessage(one);
+    return lines;
+}
+
 } // namespace tetra

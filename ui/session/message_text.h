@@ -2,10 +2,13 @@
 #pragma once
 
 #include <tan/base.h>
+#include <tan/data.h>
 
 #include <QString>
+#include <QStringList>
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,5 +26,9 @@ QString translatedText(std::string_view text);
 
 /// Of a plugin's name or description, the one in the user's language; `others` are its translations by their codes.
 QString inUsersLanguage(const std::string& english, const std::map<std::string, std::string>& others);
+
+/// A line for each thing that was taken of a file, "Array: temperature (a guess)", and a sentence for each that the
+/// file says and that was not used, in the user's language.
+QStringList provenanceLines(std::span<const Taken> taken, std::span<const Message> leftOut);
 
 } // namespace tetra

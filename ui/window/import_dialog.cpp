@@ -45,7 +45,7 @@ ImportDialog::ImportDialog(Workbench& workbench, QWidget* parent)
       file_(wrapped("import.file")), reason_(new CheckLabel("import.reason")), reader_(new QComboBox),
       form_(new ParameterForm("import.option")), fields_(new QWidget), layoutHelp_(new QGroupBox(tr("Size check"))),
       suggestions_(new QComboBox), sizeCheck_(new CheckLabel("import.sizeCheck")), preview_(new SlicePreview),
-      region_(new ImportRegion), estimate_(wrapped("import.estimate")), bar_(new QProgressBar),
+      region_(new ImportRegion), provenance_(new QLabel), estimate_(wrapped("import.estimate")), bar_(new QProgressBar),
       read_(new QPushButton(tr("&Read"))), cancel_(new QPushButton(tr("Cancel")))
 {
     setObjectName("importDialog");
@@ -79,6 +79,11 @@ void ImportDialog::fillFields()
     auto* valueLayout = new QVBoxLayout(values);
     valueLayout->addLayout(readerRow);
     valueLayout->addWidget(form_);
+    provenance_->setObjectName("import.provenance");
+    provenance_->setWordWrap(true);
+    provenance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    provenance_->setToolTip(tr("What would be taken of the file with these options, and what it says and is not used"));
+    valueLayout->addWidget(provenance_);
     auto* part = new QGroupBox(tr("Subset"));
     auto* partLayout = new QVBoxLayout(part);
     partLayout->addWidget(region_);
@@ -170,6 +175,7 @@ void ImportDialog::ask(const ImportQuestion& question)
     file_->setToolTip(shownText(question.path.string()));
     showReading(false);
     showReaders();
+    showProvenance();
     showReason(true, {});
     if (withLayout_ && question_.options.values.empty() && !contents_.suggestions.empty())
         question_.options.values = contents_.suggestions.front();
@@ -278,6 +284,7 @@ void ImportDialog::showContents(const Result<FileContents>& contents)
         withLayout_ = needsLayout(question_.reader.plugin->parameters(), *contents);
         layoutHelp_->setVisible(withLayout_);
         contents_ = *contents;
+        showProvenance();
         showSuggestions();
         showForm();
         return valuesEdited();
@@ -289,6 +296,7 @@ void ImportDialog::showContents(const Result<FileContents>& contents)
     contents_ = *contents;
     if (!withLayout_)
         showForm();
+    showProvenance();
     showGrid();
 }
 
@@ -309,6 +317,13 @@ void ImportDialog::showLayout()
         showGrid();
     }
     showPart();
+}
+
+void ImportDialog::showProvenance()
+{
+    const QStringList lines = provenanceLines(contents_.taken, contents_.leftOut);
+    provenance_->setText(lines.join('\n'));
+    provenance_->setVisible(!lines.isEmpty());
 }
 
 /// The region's fields, of the kind of data that the file holds.

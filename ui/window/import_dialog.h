@@ -47,6 +47,7 @@ private:
     void showSuggestions();
     void showContents(const Result<FileContents>& contents);
     void showLayout();
+    void showProvenance();
     void showGrid();
     void showPart();
     void showReason(bool fits, const QString& reason);
@@ -82,6 +83,7 @@ private:
     CheckLabel* sizeCheck_;
     SlicePreview* preview_;
     ImportRegion* region_;
+    QLabel* provenance_;
     QLabel* estimate_;
     QProgressBar* bar_;
     QPushButton* read_;
