@@ -140,6 +140,74 @@ private slots:
         QVERIFY(!info.contains("sites"));
     }
 
+    /// D3: what was taken of a file, what it offers and what is not used, by the dataset and by its model; a guess is
+    /// called one.
+    void whatWasTakenIsTold()
+    {
+        QFile table(path("two.csv"));
+        QVERIFY(table.open(QIODevice::WriteOnly));
+        table.write("x,y,z,heat,load\n0,0,0,1,7\n1,0,0,2,5\n0,1,0,3,9\n0,0,1,4,6\n1,1,1,4,1\n");
+        table.close();
+        const QJsonObject info = tan({"info", "two.csv", "--json"}).json();
+        QCOMPARE(info["taken"]["array"].toString(), QString("heat"));
+        QVERIFY(info["guesses"].toArray().contains("array"));
+        QCOMPARE(info["arrays"].toArray().size(), 2);
+        QCOMPARE(info["arrays"][1]["name"].toString(), QString("load"));
+        QCOMPARE(info["arrays"][1]["on"].toString(), QString("points"));
+        for (const QString list : {"steps", "blocks", "series", "channels", "unused"})
+            QVERIFY2(info[list].isArray() && info[list].toArray().isEmpty(), qPrintable(list));
+        const Run text = tan({"info", "two.csv"});
+        QVERIFY2(text.output.contains("array: heat (a guess)") && text.output.contains("  load\n"), text.output);
+
+        const Run build = tan({"build", "two.csv", "--array", "load", "-o", "two.tan", "--json"});
+        QCOMPARE(build.json()["taken"]["array"].toString(), QString("load"));
+        for (const QStringList& words :
+             {QStringList{"info", "two.tan", "--json"}, {"info", "two.packed.tan", "--json"}}) {
+            if (words[1] == "two.packed.tan")
+                QCOMPARE(tan({"pack", "two.tan", "-o", words[1]}).exitCode, 0);
+            const QJsonObject model = tan(words).json();
+            QCOMPARE(model["taken"]["array"].toString(), QString("load"));
+            QVERIFY(!model["guesses"].toArray().contains("array"));
+        }
+        QCOMPARE(tan({"info", "two.tan", "--ranges"}).exitCode, 2);
+        QCOMPARE(tan({"info", "two.tan", "--error", "1"}).exitCode, 2);
+    }
+
+    /// Files that take a while are told by their headers, unless their values are asked for.
+    void aLargeFileIsToldByItsHeader()
+    {
+        QFile header(path("large.nhdr"));
+        QVERIFY(header.open(QIODevice::WriteOnly));
+        header.write("NRRD0004\ndimension: 3\nsizes: 512 512 300\ntype: uint8\nencoding: raw\ndata file: large.raw\n");
+        header.close();
+        QFile samples(path("large.raw"));
+        QVERIFY(samples.open(QIODevice::WriteOnly) && samples.resize(512 * 512 * 300));
+        const QJsonObject read = tan({"info", "large.nhdr", "--json"}).json(); // the header itself is small
+        QVERIFY(read.contains("range"));
+        const QStringList words = {"info", "large.raw", "--size", "512x512x300", "--json"};
+        const QJsonObject info = tan(words).json();
+        QVERIFY(!info.contains("range"));
+        QCOMPARE(info["points"].toInt(), 512 * 512 * 300);
+        QCOMPARE(info["type"].toString(), QString("uint8"));
+        QVERIFY(!info["estimates"].toArray().isEmpty());
+        QVERIFY(tan(words + QStringList{"--ranges"}).json().contains("range"));
+        QFile::remove(path("large.raw"));
+    }
+
+    /// What a coarser model takes is less.
+    void theEstimateIsForAnError()
+    {
+        const auto bytes = [this](const QString& error) {
+            for (const QJsonValue& one :
+                 tan({"info", "c60.nrrd", "--error", error, "--json"}).json()["estimates"].toArray())
+                if (one["builder"].toString() == "refinement")
+                    return one["disk_bytes"].toDouble();
+            return 0.;
+        };
+        QVERIFY(bytes("10") > 0);
+        QVERIFY(bytes("10") < bytes("0"));
+    }
+
     void verifyProves()
     {
         const Run run = tan({"verify", "c60.tan", "--against", "c60.nrrd", "--lod", "2,0", "--json"});

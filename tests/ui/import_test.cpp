@@ -2,6 +2,7 @@
 #include "tests/ui/sample_files.h"
 #include "ui/panels/import_form.h"
 #include "ui/panels/slice_preview.h"
+#include "ui/session/message_text.h"
 #include "ui/workbench/import_question.h"
 #include "ui/workbench/import_texts.h"
 
@@ -119,6 +120,30 @@ private slots:
         const ImportForm pictures = importForm(
             parametersOf("vtk"), {.domain = DomainClass::RegularLattice, .untold = {"spacing", "unit"}}, {}, false);
         QVERIFY(asks(pictures, "spacing") && !asks(pictures, "origin") && asks(pictures, "unit"));
+    }
+
+    /// D3: a line each, and a guess is called one.
+    void whatWouldBeTakenIsTold()
+    {
+        const std::vector<Taken> taken = {{TakenPart::Array, std::string("heat"), true},
+                                          {TakenPart::TimeStep, Message::say("%1 of %2", 2, 5)}};
+        const std::vector<Message> leftOut = {Message("It holds 20 volumes.")};
+        QCOMPARE(provenanceLines(taken, leftOut),
+                 QStringList({"Array: heat (a guess)", "Time step: 2 of 5", "It holds 20 volumes."}));
+    }
+
+    void seriesAndChannelsAreChosenByName()
+    {
+        Parameter series, channel;
+        series.id = "series";
+        channel.id = "channel";
+        series.defaultValue = channel.defaultValue = std::string();
+        FileContents pictures{.domain = DomainClass::RegularLattice};
+        pictures.channels = {"DAPI", "GFP"};
+        const ImportForm form = importForm({series, channel}, pictures, {}, false);
+        QCOMPARE(form.parameters.size(), std::size_t(1));
+        QCOMPARE(form.choices.at("channel").size(), std::size_t(3));
+        QCOMPARE(form.choices.at("channel")[2].value, ParameterValue(std::string("GFP")));
     }
 
     void theReadersOwnChoiceHasAName()

@@ -101,13 +101,17 @@ void StatisticsTest::choosingALineChoosesItsAccuracy()
 /// C12: of a curvilinear grid, whether the model keeps the error in space or that in the grid alone.
 void StatisticsTest::whichErrorIsSaid()
 {
-    const auto grid = makeSample({.name = "bent-duct", .size = 6, .type = std::nullopt, .seed = 1});
+    auto grid = makeSample({.name = "bent-duct", .size = 6, .type = std::nullopt, .seed = 1});
     QVERIFY(grid);
+    grid->source.taken = {{TakenPart::TimeStep, std::string("2 of 5"), true}}; // D3
     const auto said = [&](bool inSpace) {
         const std::filesystem::path path = window_->folderPath() + "/grid.tan";
         if (!tetra::buildModel(*grid, path, Refinement{.inSpace = inSpace}))
             return QString("no model");
         const auto facts = modelFacts(*Model::open(path).value());
+        const auto taken = std::ranges::find(facts, QString("Taken of the file"), &StatisticsFact::name);
+        if (taken == facts.end() || taken->value != "Time step: 2 of 5 (a guess)")
+            return QString("taken of nothing");
         const auto fact = std::ranges::find(facts, QString("Error"), &StatisticsFact::name);
         return fact == facts.end() ? QString() : fact->value;
     };

@@ -49,6 +49,9 @@ private slots:
         QFETCH(SampleType, type);
         Dataset dataset = bumps(type, {4, 3, 5});
         dataset.source.valueName = isInteger(type) ? "" : "p = rho\n\\ R T";
+        dataset.source.taken = {{TakenPart::Array, std::string("a = b\n"), true},
+                                {TakenPart::Fill, std::string("-32767")}};
+        dataset.source.leftOut = {Message::say("It holds %1 volumes.", 20), Message("The others\nare not read.")};
         const RecordedHistory& history = historyOf(dataset);
         writeModel(path(), dataset);
         const auto opened = Model::open(path());
@@ -65,6 +68,8 @@ private slots:
         QCOMPARE(description.sourceName, dataset.source.name);
         QCOMPARE(description.sourceHash, dataset.source.hash);
         QCOMPARE(description.valueName, dataset.source.valueName);
+        QVERIFY(description.taken == dataset.source.taken);
+        QVERIFY(description.leftOut == dataset.source.leftOut);
         QCOMPARE(description.builder, std::string("slow"));
         QCOMPARE(description.parameters.size(), std::size_t(2));
         QCOMPARE(description.parameters[0], std::pair(std::string("stop=error"), std::string("0")));
