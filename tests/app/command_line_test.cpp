@@ -159,8 +159,8 @@ private slots:
         const Run text = tan({"info", "two.csv"});
         QVERIFY2(text.output.contains("array: heat (a guess)") && text.output.contains("  load\n"), text.output);
 
-        const Run build = tan({"build", "two.csv", "--array", "load", "-o", "two.tan", "--json"});
-        QCOMPARE(build.json()["taken"]["array"].toString(), QString("load"));
+        const QJsonObject build = tan({"build", "two.csv", "--array", "load", "-o", "two.tan", "--json"}).json();
+        QCOMPARE(build["taken"]["array"].toString(), QString("load"));
         for (const QStringList& words :
              {QStringList{"info", "two.tan", "--json"}, {"info", "two.packed.tan", "--json"}}) {
             if (words[1] == "two.packed.tan")
