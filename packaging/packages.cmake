@@ -41,8 +41,8 @@ from them, and draws these. Needs no Qt.")
 # The command line, for machines without a screen, too.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tan)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${core_of_same_version}")
-# Until 0.1 the window was in this package: who has it keeps the window.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "tan-desktop")
+# Until 0.1 the window was in this package: who has it keeps the window. meshio reads Gmsh, MED, XDMF ... by a script.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "tan-desktop, python3-meshio")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "tan-vtk-readers")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}
 This is the command line, which needs no screen.")

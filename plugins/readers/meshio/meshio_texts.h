@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tan/base.h>
+
+#include <array>
+
+namespace tetra {
+
+/// The sentences of tan-read-meshio.py, which translators' tools do not read: each stands there as it does here.
+inline constexpr std::array meshioTexts = {
+    Message::marked("it names the file '%1', which does not lie in its folder. Move the files together."),
+    Message::marked("it holds a mesh, and no values at its points or cells. Export the results with the mesh, as .vtu "
+                    "if the program can."),
+    Message::marked("it has no array '%1'; there are %2."),
+    Message::marked("its array '%1' has the components 0 to %2, and no component %3."),
+    Message::marked("one of its cells has a corner that is not one of its %1 points. It is damaged."),
+    Message::marked("its points lie in a plane. A mesh of three dimensions is wanted."),
+    Message::marked("%1 of %2, time %3"),
+    Message::marked("%1 cells of the kind '%2' were left out: TAn knows none like them."),
+    Message::marked("it has %1 time steps, and no step %2."),
+    Message::marked("meshio, which reads such files, is not installed. Install it by 'apt install python3-meshio' "
+                    "(other systems: 'pip install meshio'), or write the mesh as .vtu."),
+    Message::marked("meshio needs the Python module '%1' for it. Install it by 'apt install python3-%1', or write the "
+                    "mesh as .vtu."),
+    Message::marked("the system says: %1. See that the file and those that it names can be read."),
+    Message::marked("meshio does not understand it (%1). Open it in the program that wrote it, and export it again, as "
+                    ".vtu if the program can."),
+};
+
+} // namespace tetra
