@@ -94,6 +94,14 @@ Provided<Reader> bestReader(PluginHost& host, const std::filesystem::path& path,
     return best;
 }
 
+/// Whether an empty file is one of the reader's all the same, which then is certain of it: its name stands for files
+/// beside it.
+bool takesEmptyFile(const Reader& reader, const std::filesystem::path& path)
+{
+    constexpr double certain = 1;
+    return reader.score(path, {}) >= certain;
+}
+
 /// What a reader is given: the file and its parameters, or others where it or its companion had to be unpacked.
 struct ReadableFile {
     std::filesystem::path path;
@@ -242,6 +250,8 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
                          path.string()),
             path};
     Provided<Reader> best = bestReader(host, path, *bytes);
+    if (bytes->empty() && (best.plugin == nullptr || !takesEmptyFile(*best.plugin, path)))
+        return emptyFile(path);
     if (best.plugin == nullptr && isPackedByGzip(*bytes)) {
         const auto inside = firstUnpackedBytes(path);
         if (!inside)
@@ -258,9 +268,13 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
 {
     if (!id)
         return chooseReader(host, path);
-    if (const auto bytes = firstBytesOf(path); !bytes)
+    const auto bytes = firstBytesOf(path);
+    if (!bytes)
         return bytes.error();
-    return host.reader(*id);
+    auto reader = host.reader(*id);
+    if (reader && bytes->empty() && !takesEmptyFile(*reader->plugin, path))
+        return emptyFile(path);
+    return reader;
 }
 
 Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options,

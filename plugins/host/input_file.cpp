@@ -31,10 +31,14 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     if (!file)
         return file.error();
     const std::span<const std::byte> bytes = (*file)->bytes();
-    if (bytes.empty())
-        return bad(Message::say("'%1' is empty. The copy may be incomplete: copy the file again.", path.string()));
     const auto front = bytes.first(std::min(bytes.size(), shownToReaders));
     return Buffer<std::byte>(front.begin(), front.end());
+}
+
+Error emptyFile(const std::filesystem::path& path)
+{
+    return {ErrorKind::BadInput,
+            Message::say("'%1' is empty. The copy may be incomplete: copy the file again.", path.string()), path};
 }
 
 bool isModelFile(const std::filesystem::path& path)

@@ -22,10 +22,10 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     if (!file)
         return file.error();
     const auto bytes = (*file)->bytes();
-    if (bytes.empty())
-        return Error{ErrorKind::BadInput, Message::say("it is empty. Get or make the file again.")};
     VtkRequest request = vtkRequest(values);
     request.format = guessVtkFormat(path, bytes.first(std::min(looked, bytes.size()))).format;
+    if (bytes.empty() && request.format != VtkFormat::OpenFoam) // which is told by the name alone
+        return Error{ErrorKind::BadInput, Message::say("it is empty. Get or make the file again.")};
     request.path = fs::absolute(path).string();
     if (request.format == VtkFormat::None)
         return Error{ErrorKind::BadInput,
@@ -100,6 +100,8 @@ double VtkReader::score(const fs::path& path, std::span<const std::byte> firstBy
 {
     constexpr double withoutVtk = 0.5; // to say what to install, unless another reader reads the file
     const VtkGuess guess = guessVtkFormat(path, firstBytes);
+    if (firstBytes.empty() && guess.format == VtkFormat::OpenFoam)
+        return 1; // no other format has empty files
     std::error_code ignored;
     if (guess.score > 0 && !fs::exists(helper_, ignored))
         return guess.score * withoutVtk;

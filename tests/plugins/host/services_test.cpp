@@ -55,6 +55,26 @@ private slots:
         QCOMPARE(chooseReader(*host_, path("noise.nrrd"))->id, std::string("lattice"));
     }
 
+    /// Whoever reads files of that name, and whoever is asked for; a name that alone says what it is may be empty.
+    void emptyFilesAreToldAsThat()
+    {
+        for (const char* name : {"a.nrrd", "a.raw", "a.csv", "a.vtu", "a.inp", "a.q", "a.vti", "a.mha", "a.tif",
+                                 "a.case", "a.nothing", "noending"}) {
+            std::ofstream(path(name)) << "";
+            for (const ImportOptions& options : {ImportOptions{}, ImportOptions{.reader = std::string("points")}}) {
+                const auto dataset = openDataset(*host_, path(name), options);
+                QVERIFY(!dataset.ok());
+                QVERIFY2(dataset.error().text().ends_with("is empty. The copy may be incomplete: copy the file again."),
+                         dataset.error().text().c_str());
+                QVERIFY(!probeDataset(*host_, path(name), options).ok());
+            }
+        }
+        std::ofstream(path("case.foam")) << "";
+        const auto noCase = openDataset(*host_, path("case.foam"));
+        QVERIFY(!noCase.ok());
+        QVERIFY2(noCase.error().text().find("is empty") == std::string::npos, noCase.error().text().c_str());
+    }
+
     void noReaderSaysThatTheFormatIsUnknown()
     {
         std::ofstream(path("letter.txt")) << "Dear reader";
