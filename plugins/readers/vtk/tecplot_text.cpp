@@ -248,6 +248,8 @@ private:
         header.passive.assign(count, false);
         if (const Status read = zoneHeader(header); !read)
             return read;
+        if (const Status placed = strandAndTime(header); !placed)
+            return placed;
         if (const Status shaped = shape(header); !shaped)
             return shaped;
         if (const Status read = zoneValues(header); !read)
@@ -318,20 +320,31 @@ private:
         return variables;
     }
 
-    /// "[4-6]=CELLCENTERED, 7=NODAL" as pairs; entries without '=' have an empty list.
+    /// "[4-6] = CELLCENTERED, 7=NODAL" as pairs; entries without '=' have an empty list.
     static std::vector<std::pair<std::string_view, std::string_view>> assignments(std::string_view text)
     {
+        constexpr std::string_view blanks = " \t\r\n";
+        const auto skip = [&](std::string_view passed) {
+            text.remove_prefix(std::min(text.find_first_not_of(passed), text.size()));
+        };
+        const auto take = [&] { // a list in brackets, or a word
+            const auto closing = text.starts_with('[') ? text.find(']') : std::string_view::npos;
+            const auto end = closing != std::string_view::npos ? closing + 1 : text.find_first_of(" \t\r\n,=");
+            const std::string_view taken = text.substr(0, end);
+            text.remove_prefix(taken.size());
+            return taken;
+        };
         std::vector<std::pair<std::string_view, std::string_view>> pairs;
-        while (!text.empty()) {
-            std::size_t end = 0;
-            for (int depth = 0; end < text.size() && (depth > 0 || (text[end] != ',' && text[end] != ' ')); ++end)
-                depth += text[end] == '[' ? 1 : text[end] == ']' ? -1 : 0;
-            const std::string_view entry = text.substr(0, end);
-            const auto equals = entry.find('=');
-            if (!entry.empty())
-                pairs.emplace_back(equals == std::string_view::npos ? std::string_view() : entry.substr(0, equals),
-                                   entry.substr(equals == std::string_view::npos ? 0 : equals + 1));
-            text.remove_prefix(std::min(end + 1, text.size()));
+        for (skip(" \t\r\n,"); !text.empty(); skip(" \t\r\n,")) {
+            const std::string_view first = take();
+            skip(blanks);
+            if (!text.starts_with('=')) {
+                pairs.emplace_back(std::string_view(), first);
+                continue;
+            }
+            text.remove_prefix(1);
+            skip(blanks);
+            pairs.emplace_back(first, take());
         }
         return pairs;
     }
@@ -373,6 +386,24 @@ private:
             for (const std::size_t variable : variablesIn(list.empty() ? word : list))
                 header.sharedFrom[variable] = *from - 1;
         }
+        return {};
+    }
+
+    Status strandAndTime(ZoneHeader& header) const
+    {
+        const auto wrong = [&](const auto& entry) {
+            return bad(Message::say("%1 has '%2'. It is damaged or cut short.", zoneName(header.zone),
+                                    entry->first + " = " + printable(entry->second)));
+        };
+        if (const auto entry = header.words.find("STRANDID"); entry != header.words.end()) {
+            const auto strand = parseNumber<std::int64_t>(entry->second);
+            if (!strand)
+                return wrong(entry);
+            header.zone.strand = *strand;
+        }
+        if (const auto entry = header.words.find("SOLUTIONTIME"); entry != header.words.end())
+            if (!parse(entry->second, header.zone.time) || !std::isfinite(header.zone.time))
+                return wrong(entry);
         return {};
     }
 
@@ -653,6 +684,23 @@ std::size_t cornersOf(TecplotElement element) noexcept
 Result<TecplotFile> readTecplot(std::string_view text)
 {
     return TecplotReading(text).run();
+}
+
+std::vector<double> tecplotTimes(const TecplotFile& file)
+{
+    std::vector<double> times;
+    for (const TecplotZone& zone : file.zones)
+        if (zone.strand > 0)
+            times.push_back(zone.time);
+    std::ranges::sort(times);
+    const auto repeated = std::ranges::unique(times);
+    times.erase(repeated.begin(), repeated.end());
+    return times;
+}
+
+bool isThereAt(const TecplotZone& zone, double time)
+{
+    return zone.strand <= 0 || zone.time == time;
 }
 
 bool looksLikeTecplot(std::string_view firstBytes)

@@ -35,6 +35,8 @@ struct TecplotZone {
     std::vector<std::shared_ptr<const TecplotValues>> values;      ///< one a variable; null if it has none here
     std::vector<bool> perElement;                                  ///< one a variable
     std::shared_ptr<const std::vector<std::int64_t>> connectivity; ///< nodes, from 0
+    std::int64_t strand = 0; ///< zones of one strand are the same at several times; below 1: of none
+    double time = 0;         ///< of a zone of a strand
 };
 
 struct TecplotFile {
@@ -48,6 +50,12 @@ struct TecplotFile {
 /// points if they say ZONETYPE, rounds all to single precision, and makes zeros of what is missing.
 /// Errors: anything that is missing or too much, with the zone; polyhedral zones, which have no simple cells. Linear.
 Result<TecplotFile> readTecplot(std::string_view text);
+
+/// The times at which zones of strands stand, ascending, each once: the file's steps.
+std::vector<double> tecplotTimes(const TecplotFile& file);
+
+/// Whether a zone is there at a time: those that belong to no strand always are.
+bool isThereAt(const TecplotZone& zone, double time);
 
 /// Whether a text begins as such files do: "TITLE =", "FILETYPE =" or "VARIABLES =", with VARIABLES in its first bytes.
 bool looksLikeTecplot(std::string_view firstBytes);

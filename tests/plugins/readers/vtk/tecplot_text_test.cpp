@@ -76,6 +76,47 @@ private slots:
         }
     }
 
+    void blanksInListsDoNotMatter_data()
+    {
+        QTest::addColumn<QByteArray>("list");
+        for (const char* list : {"VARLOCATION = ([5] = CELLCENTERED)", "VARLOCATION=([1-4] =NODAL,[5]= CELLCENTERED )",
+                                 "VARLOCATION = ( [1,2,3,4]\n=\nNODAL , 5 = cellcentered)",
+                                 "VARLOCATION=(NODAL, NODAL NODAL,NODAL ,CELLCENTERED)"})
+            QTest::newRow(list) << QByteArray(list);
+    }
+    void blanksInListsDoNotMatter()
+    {
+        QFETCH(QByteArray, list);
+        const auto file =
+            readTecplot(cubeHead + "ZONE NODES = 8, ELEMENTS = 1, ZONETYPE = FEBRICK, DATAPACKING = BLOCK, " +
+                        list.toStdString() + "\n" + cubeBlocks + "1 2 3 4 5 6 7 8\n9.5\n1 2 4 3 5 6 8 7\n");
+        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
+        QCOMPARE(file->zones[0].perElement, (std::vector<bool>{false, false, false, false, true}));
+        QCOMPARE(valuesOf(file->zones[0], 4), std::vector<double>{9.5});
+    }
+
+    /// Zones of a strand are steps; those of none are there at every time.
+    void strandsAreTimes()
+    {
+        const std::string values = cubeBlocks + "1 2 3 4 5 6 7 8\n8*0.5\n";
+        const auto zone = [&](const std::string& words) {
+            return "ZONE I=2, J=2, K=2, F=BLOCK" + words + "\n" + values;
+        };
+        const auto file = readTecplot(
+            cubeHead + zone(", STRANDID=1, SOLUTIONTIME=2.5D+00") + zone(", SOLUTIONTIME = -1, STRANDID = 1") +
+            zone(", STRANDID=2, SOLUTIONTIME=2.5") + zone(", STRANDID=0, SOLUTIONTIME=7") + zone(""));
+        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
+        QCOMPARE(tecplotTimes(*file), (std::vector<double>{-1, 2.5}));
+        std::vector<bool> first, second;
+        for (const TecplotZone& one : file->zones) {
+            first.push_back(isThereAt(one, -1));
+            second.push_back(isThereAt(one, 2.5));
+        }
+        QCOMPARE(first, (std::vector<bool>{false, true, false, true, true}));
+        QCOMPARE(second, (std::vector<bool>{true, false, true, true, true}));
+        QVERIFY(tecplotTimes(*readTecplot(cubeHead + zone(", SOLUTIONTIME=1") + zone(", SOLUTIONTIME=2"))).empty());
+    }
+
     void zonesShareVariables()
     {
         const auto file = readTecplot(
@@ -156,6 +197,12 @@ private slots:
         row("a size that is not there", cubeHead + "ZONE I=1000000, J=1000, K=1000, F=BLOCK\n" + full,
             "ends before the last");
         row("an unknown packing", cubeHead + "ZONE I=2, J=2, K=2, F=PILE\n" + full, "packed as 'PILE'");
+        row("a strand without a number", cubeHead + "ZONE I=2, J=2, K=2, F=BLOCK, STRANDID=first\n" + full,
+            "'STRANDID = FIRST'");
+        row("a time without a number", cubeHead + "ZONE I=2, J=2, K=2, F=BLOCK, SOLUTIONTIME=noon\n" + full,
+            "'SOLUTIONTIME = NOON'");
+        row("a location that is none", cubeHead + "ZONE I=2, J=2, K=2, F=BLOCK, VARLOCATION=([4]=EDGES)\n" + full,
+            "VARLOCATION '[4]=EDGES'");
         row("polyhedra", cubeHead + "ZONE NODES=8, ELEMENTS=1, FACES=6, ZONETYPE=FEPOLYHEDRON\n" + full,
             "'FEPOLYHEDRON'");
         row("values of elements by points",
