@@ -19,9 +19,9 @@ struct VtkRequest {
     bool contentsOnly = false; ///< probe() instead of read()
     VtkFormat format = VtkFormat::None;
     std::string path;
-    std::string array; ///< a name, or a number from 1; "automatic"
-    std::string component;
-    std::int64_t timeStep = 1;        ///< from 1
+    std::string array;                ///< a name, or a number from 1; "automatic"
+    std::string component;            ///< a number from 0, or "magnitude"; empty: the user did not choose
+    std::int64_t timeStep = 0;        ///< from 1; 0: the user did not choose, which takes the first
     std::string part;                 ///< a name, or a number from 1; empty: what fits together
     std::vector<std::string> given{}; ///< givenPlacement(), which the helper refuses for what the file tells
 };

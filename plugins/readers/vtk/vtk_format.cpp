@@ -17,11 +17,12 @@ struct FormatEntry {
 };
 
 /// Names that other readers claim too have a score that leaves those the first choice.
-constexpr std::array<FormatEntry, 16> formats = {{
+constexpr std::array<FormatEntry, 17> formats = {{
     {VtkFormat::Xml,
      Message::marked("VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
     {VtkFormat::Legacy, Message::marked("VTK legacy (*.vtk)"), 0.6},
     {VtkFormat::Hdf, Message::marked("VTK HDF (*.vtkhdf *.hdf)"), 0.6},
+    {VtkFormat::Series, Message::marked("Lists of VTK files (*.pvd *.series)"), 0.8},
     {VtkFormat::Exodus, Message::marked("Exodus II (*.ex2 *.exo *.exii *.e *.g)"), 0.6},
     {VtkFormat::EnSight, Message::marked("EnSight (*.case *.encas)"), 0.8},
     {VtkFormat::NetCdf, Message::marked("NetCDF, CF conventions (*.nc *.cdf)"), 0.6},
@@ -72,12 +73,22 @@ bool isTiff(std::string_view bytes)
            hasAt(bytes, 0, "MM\0+"sv);
 }
 
-/// Whether the element VTKFile that `text` begins with is of the type whose files the reader of meshes reads.
-bool isUnstructuredGrid(std::string_view text)
+/// The format of a text that begins with the element VTKFile, by its type; meshes are left to the reader of these.
+VtkFormat ofXml(std::string_view text)
 {
     text = text.substr(0, text.find('>'));
-    return text.find("type=\"UnstructuredGrid\"") != std::string_view::npos ||
-           text.find("type='UnstructuredGrid'") != std::string_view::npos;
+    const auto isOfType = [&](const std::string& type) {
+        return text.find("type=\"" + type + "\"") != std::string_view::npos ||
+               text.find("type='" + type + "'") != std::string_view::npos;
+    };
+    return isOfType("UnstructuredGrid") ? VtkFormat::None : isOfType("Collection") ? VtkFormat::Series : VtkFormat::Xml;
+}
+
+bool isSeriesJson(std::string_view bytes)
+{
+    const auto first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '{' &&
+           bytes.find("\"file-series-version\"") != std::string_view::npos;
 }
 
 /// The format whose signature a file begins with; None for those without.
@@ -86,7 +97,9 @@ VtkFormat bySignature(std::string_view bytes)
     if (hasAt(bytes, 0, "# vtk DataFile"))
         return VtkFormat::Legacy;
     if (const auto element = bytes.find("<VTKFile"); element != std::string_view::npos)
-        return isUnstructuredGrid(bytes.substr(element)) ? VtkFormat::None : VtkFormat::Xml;
+        return ofXml(bytes.substr(element));
+    if (isSeriesJson(bytes))
+        return VtkFormat::Series;
     if (hasAt(bytes, 128, "DICM"))
         return VtkFormat::Dicom;
     if (hasAt(bytes, 208, "MAP "))

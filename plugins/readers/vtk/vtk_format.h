@@ -28,7 +28,8 @@ enum class VtkFormat : std::uint8_t {
     Gambit,
     Fluent,
     OpenFoam,
-    Tecplot
+    Tecplot,
+    Series ///< pvd, vtu.series ...: lists of files of the formats of VTK above
 };
 
 /// What a file is taken for, and how surely (0 to 1): from its name, and for formats with a signature from its first

@@ -61,8 +61,10 @@ VtkRequest vtkRequest(const ParameterValues& values)
     const auto all = vtkParameters();
     VtkRequest request;
     request.array = parameterValue<std::string>(all, values, "array");
-    request.component = parameterValue<std::string>(all, values, "component");
-    request.timeStep = parameterValue<std::int64_t>(all, values, "time");
+    if (values.contains("component"))
+        request.component = parameterValue<std::string>(all, values, "component");
+    if (values.contains("time"))
+        request.timeStep = parameterValue<std::int64_t>(all, values, "time");
     request.part = parameterValue<std::string>(all, values, "part");
     return request;
 }

@@ -47,7 +47,7 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     case VtkFormat::Legacy: return checkLegacy(path);
     case VtkFormat::Exodus:
     case VtkFormat::NetCdf: return checkNetCdf(path);
-    case VtkFormat::EnSight: return checkEnSight(path, request.timeStep);
+    case VtkFormat::EnSight: return checkEnSight(path, std::max<std::int64_t>(1, request.timeStep));
     case VtkFormat::MetaImage: return checkMetaImage(path);
     case VtkFormat::Mrc: return checkMrc(path);
     case VtkFormat::Tiff: return checkTiff(numberedBeside(path));

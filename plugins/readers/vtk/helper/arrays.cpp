@@ -27,15 +27,40 @@ void addArrays(vtkDataSetAttributes& attributes, vtkIdType elements, bool perCel
             elements == 0)
             continue;
         const char* name = array->GetName();
-        VtkArray entry{name == nullptr || *name == 0 ? "array " + std::to_string(arrays.size() + 1) : name, array,
-                       perCell, array == attributes.GetScalars()};
-        entry.isHelping = std::ranges::find(helpingNames, entry.name) != helpingNames.end();
+        const bool isUnnamed = name == nullptr || *name == 0;
+        VtkArray entry{.name = isUnnamed ? "array " + std::to_string(arrays.size() + 1) : name,
+                       .array = array,
+                       .perCell = perCell,
+                       .active = array == attributes.GetScalars(),
+                       .isHelping = !isUnnamed && isHelpingArray(name),
+                       .isUnnamed = isUnnamed,
+                       .components = array->GetNumberOfComponents()};
+        for (const int role : helpingRoles)
+            entry.isHelping = entry.isHelping || array == attributes.GetAbstractAttribute(role);
         arrays.push_back(std::move(entry));
+    }
+}
+
+void addOtherLengths(vtkDataSetAttributes& attributes, vtkIdType elements, bool perCell, std::vector<Message>& told)
+{
+    for (int number = 0; number < attributes.GetNumberOfArrays(); ++number) {
+        vtkDataArray* array = attributes.GetArray(number);
+        if (array == nullptr || array->GetNumberOfTuples() == elements || array->GetNumberOfTuples() == 0 ||
+            elements == 0)
+            continue;
+        const std::string name = printable(array->GetName() == nullptr ? "" : array->GetName());
+        const auto values = array->GetNumberOfTuples();
+        told.push_back(
+            perCell
+                ? Message::say("Its array '%1' has %2 values for %3 cells and is not read.", name, values, elements)
+                : Message::say("Its array '%1' has %2 values for %3 points and is not read.", name, values, elements));
     }
 }
 
 bool isConstant(const VtkArray& entry)
 {
+    if (entry.array == nullptr)
+        return entry.range && !(entry.range->minimum < entry.range->maximum);
     std::array<double, 2> range{};
     entry.array->GetRange(range.data(), entry.array->GetNumberOfComponents() > 1 ? -1 : 0);
     return !(range[0] < range[1]);
@@ -132,6 +157,19 @@ std::vector<VtkArray> arraysOf(vtkDataSet& data)
     return arrays;
 }
 
+bool isHelpingArray(std::string_view name)
+{
+    return std::ranges::find(helpingNames, name) != helpingNames.end();
+}
+
+std::vector<Message> arraysOfOtherLength(vtkDataSet& data)
+{
+    std::vector<Message> told;
+    addOtherLengths(*data.GetPointData(), data.GetNumberOfPoints(), false, told);
+    addOtherLengths(*data.GetCellData(), data.GetNumberOfCells(), true, told);
+    return told;
+}
+
 Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::string& wanted)
 {
     if (arrays.empty())
@@ -146,8 +184,7 @@ Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::str
                      Message::say("it has no array '%1'. Choose one of these: %2.", wanted, namesText(arrays))};
     }
     const auto rank = [](const VtkArray& entry) { // the smallest is taken, of equals the first
-        return std::array{entry.isHelping, isConstant(entry), entry.perCell, !entry.active,
-                          entry.array->GetNumberOfComponents() > 1};
+        return std::array{entry.isHelping, isConstant(entry), entry.perCell, !entry.active, entry.components > 1};
     };
     return *std::ranges::min_element(arrays, {}, rank);
 }

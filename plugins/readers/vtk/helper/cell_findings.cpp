@@ -2,60 +2,19 @@
 #include "plugins/readers/vtk/helper/cell_findings.h"
 
 #include "plugins/readers/vtk/helper/blanking.h"
+#include "plugins/readers/vtk/helper/cell_shapes.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkCellTypes.h>
+#include <vtkDataArray.h>
+#include <vtkIdTypeArray.h>
 
-#include <optional>
+#include <array>
 #include <span>
 
 namespace tetra {
 namespace {
-
-std::optional<CellShape> shapeOf(int vtkType)
-{
-    switch (vtkType) {
-    case VTK_TETRA: return CellShape::Tetrahedron;
-    case VTK_PYRAMID: return CellShape::Pyramid;
-    case VTK_WEDGE: return CellShape::Prism;
-    case VTK_HEXAHEDRON: return CellShape::Hexahedron;
-    case VTK_VOXEL: return CellShape::Voxel;
-    case VTK_QUADRATIC_TETRA: return CellShape::QuadraticTetrahedron;
-    case VTK_QUADRATIC_PYRAMID: return CellShape::QuadraticPyramid;
-    case VTK_QUADRATIC_WEDGE: return CellShape::QuadraticPrism;
-    case VTK_QUADRATIC_HEXAHEDRON: return CellShape::QuadraticHexahedron;
-    case VTK_TRIQUADRATIC_HEXAHEDRON: return CellShape::TriquadraticHexahedron;
-    case VTK_POLYHEDRON: return CellShape::Polyhedron;
-    case VTK_QUADRATIC_EDGE:
-    case VTK_QUADRATIC_TRIANGLE:
-    case VTK_QUADRATIC_QUAD:
-    case VTK_QUADRATIC_POLYGON:
-    case VTK_BIQUADRATIC_QUAD:
-    case VTK_QUADRATIC_LINEAR_QUAD:
-    case VTK_BIQUADRATIC_TRIANGLE:
-    case VTK_CUBIC_LINE:
-    case VTK_LAGRANGE_CURVE:
-    case VTK_LAGRANGE_TRIANGLE:
-    case VTK_LAGRANGE_QUADRILATERAL:
-    case VTK_BEZIER_CURVE:
-    case VTK_BEZIER_TRIANGLE:
-    case VTK_BEZIER_QUADRILATERAL: return CellShape::Flat;
-    default: return vtkType >= VTK_EMPTY_CELL && vtkType <= VTK_QUAD ? std::optional(CellShape::Flat) : std::nullopt;
-    }
-}
-
-/// The quadratic shape of so many corners, for cells that are called linear; nothing else has as many.
-std::optional<CellShape> quadraticShape(CellShape shape, vtkIdType corners)
-{
-    switch (shape) {
-    case CellShape::Tetrahedron: return corners == 10 ? std::optional(CellShape::QuadraticTetrahedron) : std::nullopt;
-    case CellShape::Pyramid: return corners == 13 ? std::optional(CellShape::QuadraticPyramid) : std::nullopt;
-    case CellShape::Prism: return corners == 15 ? std::optional(CellShape::QuadraticPrism) : std::nullopt;
-    case CellShape::Hexahedron: return corners == 20 ? std::optional(CellShape::QuadraticHexahedron) : std::nullopt;
-    default: return std::nullopt;
-    }
-}
 
 void appendDoubles(const VtkSamples& samples, VtkFindings& found)
 {
@@ -74,11 +33,122 @@ void appendPositions(vtkDataSet& data, VtkFindings& found)
 
 Error unknownShape(int vtkType)
 {
-    const char* name = vtkCellTypes::GetClassNameFromTypeId(vtkType);
     return {ErrorKind::BadInput,
-            Message::say("it has cells of a shape that TAn does not know: %1. Divide them into simpler ones.",
-                         name == nullptr ? Message::say("number %1", vtkType) : Message(name))};
+            Message::say("it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in "
+                         "ParaView by the filter Tetrahedralize or Tessellate.",
+                         cellTypeName(vtkType))};
 }
+
+Error noSuchPoint(vtkIdType cell, vtkIdType corner, vtkIdType points)
+{
+    return {ErrorKind::BadInput,
+            Message::say("cell %1 (from 0) has the corner %2, and there are %3 points. It is damaged.", cell, corner,
+                         points)};
+}
+
+/// Reads the cells of one mesh behind those that were found before.
+class MeshCells {
+public:
+    MeshCells(vtkUnstructuredGrid& mesh, VtkFindings& found)
+        : mesh_(mesh), found_(found), firstPoint_(found.positions.size()),
+          degrees_(mesh.GetCellData()->GetHigherOrderDegrees())
+    {
+    }
+
+    Status run()
+    {
+        if (found_.offsets.empty())
+            found_.offsets.push_back(0);
+        for (vtkIdType cell = 0; cell < mesh_.GetNumberOfCells(); ++cell)
+            if (const Status added = add(cell); !added)
+                return added;
+        for (std::size_t change = 1; change < changed_.size(); ++change)
+            if (changed_[change] > 0)
+                found_.remarks.push_back(shapeChangeText(static_cast<ShapeChange>(change), changed_[change]));
+        return {};
+    }
+
+private:
+    Status add(vtkIdType cell)
+    {
+        vtkIdType count = 0;
+        const vtkIdType* corners = nullptr;
+        mesh_.GetCells()->GetCellAtId(cell, count, corners);
+        const int type = mesh_.GetCellType(cell);
+        const auto reading = cellReading(type, count, degreesOf(cell));
+        if (!reading)
+            return unknownShape(type);
+        ++changed_[static_cast<std::size_t>(reading->change)];
+        found_.shapes.push_back(reading->shape);
+        const Status added = reading->shape == CellShape::Polyhedron
+                                 ? addFaces(cell, type, corners, count)
+                                 : addCorners(cell, {corners, corners + reading->nodes});
+        found_.offsets.push_back(found_.corners.size());
+        return added;
+    }
+
+    /// The orders of a cell along its axes, which files tell of Lagrange and Bezier cells; zeros if this one does not.
+    std::array<int, 3> degreesOf(vtkIdType cell) const
+    {
+        if (degrees_ == nullptr || degrees_->GetNumberOfComponents() != 3 || cell >= degrees_->GetNumberOfTuples())
+            return {};
+        const auto degree = [&](int axis) { return static_cast<int>(degrees_->GetComponent(cell, axis)); };
+        return {degree(0), degree(1), degree(2)};
+    }
+
+    Status addCorners(vtkIdType cell, std::span<const vtkIdType> corners)
+    {
+        for (const vtkIdType corner : corners) {
+            if (corner < 0 || corner >= mesh_.GetNumberOfPoints())
+                return noSuchPoint(cell, corner, mesh_.GetNumberOfPoints());
+            found_.corners.push_back(firstPoint_ + static_cast<std::uint64_t>(corner));
+        }
+        return {};
+    }
+
+    /// A polyhedron is told by its faces, of each the number of its points before them.
+    Status addFaces(vtkIdType cell, int type, const vtkIdType* corners, vtkIdType count)
+    {
+        if (type != VTK_POLYHEDRON) {
+            const std::vector<vtkIdType> faces = prismFaces(corners, count);
+            return addFaces(cell, faces, count / 2 + 2);
+        }
+        vtkIdTypeArray* all = mesh_.GetFaces();
+        vtkIdTypeArray* places = mesh_.GetFaceLocations();
+        const vtkIdType length = all == nullptr ? 0 : all->GetNumberOfValues();
+        const vtkIdType place = places == nullptr || cell >= places->GetNumberOfValues() ? -1 : places->GetValue(cell);
+        if (place < 0 || place >= length)
+            return Error{ErrorKind::BadInput,
+                         Message::say("cell %1 (from 0) is a polyhedron whose faces are not there.", cell)};
+        const std::span<const vtkIdType> faces(all->GetPointer(0), static_cast<std::size_t>(length));
+        const auto start = static_cast<std::size_t>(place);
+        return addFaces(cell, faces.subspan(start + 1), faces[start]);
+    }
+
+    Status addFaces(vtkIdType cell, std::span<const vtkIdType> stream, vtkIdType faceCount)
+    {
+        for (; faceCount > 0; --faceCount) {
+            const vtkIdType points = stream.empty() ? 0 : stream.front();
+            if (points < 3 || points >= static_cast<vtkIdType>(stream.size()))
+                return Error{ErrorKind::BadInput,
+                             Message::say("a face of cell %1 (from 0) has %2 points, more than are listed, or fewer "
+                                          "than three. It is damaged.",
+                                          cell, points)};
+            found_.corners.push_back(static_cast<std::uint64_t>(points));
+            const auto length = static_cast<std::size_t>(points);
+            if (const Status added = addCorners(cell, stream.subspan(1, length)); !added)
+                return added;
+            stream = stream.subspan(length + 1);
+        }
+        return {};
+    }
+
+    vtkUnstructuredGrid& mesh_;
+    VtkFindings& found_;
+    std::uint64_t firstPoint_;
+    vtkDataArray* degrees_;
+    std::array<std::uint64_t, 4> changed_{}; ///< how many cells, by ShapeChange
+};
 
 void appendBlanked(vtkDataSet& data, std::size_t cellsBefore, VtkFindings& found)
 {
@@ -94,41 +164,13 @@ void appendBlanked(vtkDataSet& data, std::size_t cellsBefore, VtkFindings& found
 
 Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSamples& samples, VtkFindings& found)
 {
-    const std::uint64_t firstPoint = found.positions.size();
     const std::size_t cellsBefore = found.shapes.size();
     vtkCellArray* cells = mesh.GetCells();
     if (cells != nullptr && !cells->IsValid())
         return Error{ErrorKind::BadInput,
                      Message::say("the lists of its cells' corners contradict each other. It is damaged.")};
-    if (found.offsets.empty())
-        found.offsets.push_back(0);
-    std::uint64_t wronglyLinear = 0;
-    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell) {
-        const auto shape = shapeOf(mesh.GetCellType(cell));
-        if (!shape)
-            return unknownShape(mesh.GetCellType(cell));
-        vtkIdType count = 0;
-        const vtkIdType* corners = nullptr;
-        cells->GetCellAtId(cell, count, corners);
-        const auto quadratic = quadraticShape(*shape, count);
-        wronglyLinear += quadratic ? 1 : 0;
-        found.shapes.push_back(quadratic.value_or(*shape));
-        for (vtkIdType corner = 0; corner < count; ++corner)
-            if (corners[corner] < 0 || corners[corner] >= mesh.GetNumberOfPoints())
-                return Error{ErrorKind::BadInput,
-                             Message::say("cell %1 (from 0) has the corner %2, and there are %3 points. It is damaged.",
-                                          cell, corners[corner], mesh.GetNumberOfPoints())};
-            else
-                found.corners.push_back(firstPoint + static_cast<std::uint64_t>(corners[corner]));
-        found.offsets.push_back(found.corners.size());
-    }
-    if (wronglyLinear == 1)
-        found.remarks.push_back(
-            Message::say("1 cell is called linear and has the corners of a quadratic one: it was taken as such."));
-    else if (wronglyLinear > 1)
-        found.remarks.push_back(
-            Message::say("%1 cells are called linear and have the corners of quadratic ones: they were taken as such.",
-                         wronglyLinear));
+    if (const Status added = MeshCells(mesh, found).run(); !added)
+        return added;
     appendPositions(mesh, found);
     appendDoubles(samples, found);
     appendBlanked(mesh, cellsBefore, found);

@@ -4,9 +4,11 @@
 #include "plugins/api/lattice_steps.h"
 #include "plugins/readers/vtk/helper/arrays.h"
 #include "plugins/readers/vtk/helper/grid_findings.h"
+#include "plugins/readers/vtk/helper/provenance.h"
 
 #include <vtkDataObject.h>
 #include <vtkDataObjectTypes.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -38,21 +40,28 @@ void addGrid(vtkDataSet& data, FileContents& contents)
         contents.lattice = grid->lattice;
 }
 
-/// The fields of points or cells that the information names; false if one has no name.
+/// Adds the fields of points or cells that the information names; false if one has no name.
 bool addFields(vtkInformation& information, vtkInformationInformationVectorKey* key, bool perCell,
-               FileContents& contents)
+               std::vector<VtkArray>& arrays)
 {
     vtkInformationVector* fields = information.Get(key);
     for (int field = 0; fields != nullptr && field < fields->GetNumberOfInformationObjects(); ++field) {
         vtkInformation& entry = *fields->GetInformationObject(field);
         if (entry.Has(vtkDataObject::FIELD_NAME()) == 0)
             return false;
-        FileArray array{.name = entry.Get(vtkDataObject::FIELD_NAME()), .perCell = perCell};
+        VtkArray array{.name = entry.Get(vtkDataObject::FIELD_NAME()), .perCell = perCell};
+        array.isHelping = isHelpingArray(array.name);
+        const int roles = entry.Has(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE()) != 0
+                              ? entry.Get(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE())
+                              : 0;
+        array.active = (roles >> vtkDataSetAttributes::SCALARS & 1) != 0;
+        for (const int role : helpingRoles)
+            array.isHelping = array.isHelping || (roles >> role & 1) != 0;
         if (entry.Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) != 0)
             array.components = entry.Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
         if (const double* range = entry.Get(vtkDataObject::FIELD_RANGE()); range != nullptr && array.components == 1)
             array.range = ValueRange{range[0], range[1]};
-        contents.arrays.push_back(std::move(array));
+        arrays.push_back(std::move(array));
     }
     return true;
 }
@@ -96,16 +105,24 @@ void addCounts(vtkAlgorithm& reader, FileContents& contents)
 
 } // namespace
 
-std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader)
+std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader, const VtkRequest& request)
 {
     vtkInformation* information = reader.GetOutputInformation(0);
     vtkDataObject* output = reader.GetOutputDataObject(0);
     if (information == nullptr || output == nullptr)
         return std::nullopt;
-    FileContents contents;
-    if (!addFields(*information, vtkDataObject::POINT_DATA_VECTOR(), false, contents) ||
-        !addFields(*information, vtkDataObject::CELL_DATA_VECTOR(), true, contents) || contents.arrays.empty())
+    std::vector<VtkArray> arrays;
+    if (!addFields(*information, vtkDataObject::POINT_DATA_VECTOR(), false, arrays) ||
+        !addFields(*information, vtkDataObject::CELL_DATA_VECTOR(), true, arrays) || arrays.empty())
         return std::nullopt;
+    FileContents contents;
+    for (const VtkArray& array : arrays)
+        contents.arrays.push_back({array.name, array.components, array.perCell, array.range});
+    if (const auto chosen = chooseArray(arrays, request.array)) {
+        Provenance provenance;
+        tellArray(arrays, *chosen, request, provenance);
+        contents.taken = std::move(provenance.taken);
+    }
     const int type = output->GetDataObjectType();
     if (type == VTK_IMAGE_DATA || type == VTK_STRUCTURED_GRID) {
         contents.domain = type == VTK_IMAGE_DATA ? DomainClass::RegularLattice : DomainClass::Curvilinear;
@@ -120,15 +137,15 @@ std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader)
     return contents;
 }
 
-FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const std::string& part)
+FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& request)
 {
     FileContents contents;
     for (const VtkLeaf& leaf : leaves)
         if (!leaf.name.empty())
             contents.blocks.push_back(leaf.name);
-    const auto chosen = part.empty() ? Result<VtkLeaf>(Error{}) : chooseLeaf(leaves, part);
+    const auto part = request.part.empty() ? Result<std::size_t>(Error{}) : chooseLeaf(leaves, request.part);
     for (const VtkLeaf& leaf : leaves) {
-        if (chosen && chosen->data != leaf.data)
+        if (part && leaves[*part].data != leaf.data)
             continue;
         if (!contents.domain) {
             contents.domain = domainOf(*leaf.data);
@@ -138,8 +155,12 @@ FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const std::string& p
         contents.cells += static_cast<std::uint64_t>(leaf.data->GetNumberOfCells());
         for (const VtkArray& array : arraysOf(*leaf.data))
             if (std::ranges::find(contents.arrays, array.name, &FileArray::name) == contents.arrays.end())
-                contents.arrays.push_back(
-                    {array.name, array.array->GetNumberOfComponents(), array.perCell, rangeOf(array)});
+                contents.arrays.push_back({array.name, array.components, array.perCell, rangeOf(array)});
+    }
+    if (const auto selection = selectParts(leaves, request)) {
+        Provenance provenance = provenanceOf(leaves, *selection, request);
+        contents.taken = std::move(provenance.taken);
+        contents.leftOut = std::move(provenance.leftOut);
     }
     return contents;
 }

@@ -3,6 +3,7 @@
 
 #include "plugins/api/reader.h"
 #include "plugins/readers/vtk/helper/leaves.h"
+#include "plugins/readers/vtk/vtk_findings.h"
 
 #include <vtkAlgorithm.h>
 
@@ -10,10 +11,11 @@
 
 namespace tetra {
 
-/// What UpdateInformation() of a reader told: nothing if that is not all arrays.
-std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader);
+/// What UpdateInformation() of a reader told: nothing if that is not all arrays. Taken as far as it shows: which arrays
+/// are the same everywhere need not.
+std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader, const VtkRequest& request);
 
-/// What data are that were read.
-FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const std::string& part);
+/// What data are that were read; of one part, if the request names one.
+FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& request);
 
 } // namespace tetra

@@ -4,6 +4,7 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,12 +12,41 @@
 namespace tetra {
 namespace {
 
-std::string nameOf(vtkCompositeDataIterator& at, std::size_t number)
+std::string nameIn(vtkInformation* metaData, std::size_t number)
 {
-    if (at.HasCurrentMetaData() != 0)
-        if (const char* name = at.GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()); name != nullptr && *name != 0)
-            return name;
-    return "part " + std::to_string(number);
+    const char* name = metaData == nullptr ? nullptr : metaData->Get(vtkCompositeDataSet::NAME());
+    return name != nullptr && *name != 0 ? name : "part " + std::to_string(number);
+}
+
+/// A leaf with the names of the blocks in which it lies: "solid/internalMesh".
+struct NestedLeaf {
+    VtkLeaf leaf;
+    std::string path;
+};
+
+void addLeaf(const std::string& name, const std::string& path, vtkDataObject* data, std::vector<NestedLeaf>& leaves)
+{
+    if (auto* leaf = vtkDataSet::SafeDownCast(data); leaf != nullptr && leaf->GetNumberOfPoints() > 0)
+        leaves.push_back({{name, leaf}, path + name});
+}
+
+void addLeaves(vtkCompositeDataSet& parts, const std::string& path, std::vector<NestedLeaf>& leaves)
+{
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(&parts)) {
+        for (unsigned block = 0; block < blocks->GetNumberOfBlocks(); ++block) {
+            const std::string name =
+                nameIn(blocks->HasMetaData(block) != 0 ? blocks->GetMetaData(block) : nullptr, leaves.size() + 1);
+            if (auto* inner = vtkCompositeDataSet::SafeDownCast(blocks->GetBlock(block)))
+                addLeaves(*inner, path + name + "/", leaves);
+            else
+                addLeaf(name, path, blocks->GetBlock(block), leaves);
+        }
+        return;
+    }
+    const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(parts.NewIterator());
+    for (at->InitTraversal(); at->IsDoneWithTraversal() == 0; at->GoToNextItem())
+        addLeaf(nameIn(at->HasCurrentMetaData() != 0 ? at->GetCurrentMetaData() : nullptr, leaves.size() + 1), path,
+                at->GetCurrentDataObject(), leaves);
 }
 
 std::string namesText(const std::vector<VtkLeaf>& leaves)
@@ -38,24 +68,25 @@ std::vector<VtkLeaf> leavesOf(vtkDataObject& data)
             leaves.push_back({"", whole});
         return leaves;
     }
-    auto* parts = vtkCompositeDataSet::SafeDownCast(&data);
-    if (parts == nullptr)
-        return leaves;
-    const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(parts->NewIterator());
-    for (at->InitTraversal(); at->IsDoneWithTraversal() == 0; at->GoToNextItem())
-        if (auto* leaf = vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
-            leaf != nullptr && leaf->GetNumberOfPoints() > 0)
-            leaves.push_back({nameOf(*at, leaves.size() + 1), leaf});
+    std::vector<NestedLeaf> nested;
+    if (auto* parts = vtkCompositeDataSet::SafeDownCast(&data))
+        addLeaves(*parts, "", nested);
+    for (const NestedLeaf& one : nested) {
+        const auto sameName = [&](const NestedLeaf& other) { return other.leaf.name == one.leaf.name; };
+        leaves.push_back(one.leaf);
+        if (std::ranges::count_if(nested, sameName) > 1)
+            leaves.back().name = one.path;
+    }
     return leaves;
 }
 
-Result<VtkLeaf> chooseLeaf(const std::vector<VtkLeaf>& leaves, const std::string& wanted)
+Result<std::size_t> chooseLeaf(const std::vector<VtkLeaf>& leaves, const std::string& wanted)
 {
     const auto found = std::ranges::find(leaves, wanted, &VtkLeaf::name);
     if (found != leaves.end())
-        return *found;
+        return static_cast<std::size_t>(found - leaves.begin());
     if (const auto number = parseNumber<std::uint64_t>(wanted); number && *number >= 1 && *number <= leaves.size())
-        return leaves[*number - 1];
+        return static_cast<std::size_t>(*number - 1);
     return Error{ErrorKind::WrongUsage, Message::say("it has no part '%1'. %2", wanted,
                                                      leaves.size() == 1 && leaves[0].name.empty()
                                                          ? Message::say("It is all one: leave 'part' empty.")

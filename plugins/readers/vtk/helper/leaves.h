@@ -12,7 +12,8 @@
 
 namespace tetra {
 
-/// A dataset out of which a file consists, with its name in the file.
+/// A dataset out of which a file consists, with its name in the file; if several have the same, with the blocks in
+/// which it lies, "solid/internalMesh".
 struct VtkLeaf {
     std::string name;
     vtkSmartPointer<vtkDataSet> data;
@@ -21,7 +22,7 @@ struct VtkLeaf {
 /// All datasets with points, in the file's order; one if the data are no blocks.
 std::vector<VtkLeaf> leavesOf(vtkDataObject& data);
 
-/// The leaf called `wanted`, by name or number from 1. The error lists them.
-Result<VtkLeaf> chooseLeaf(const std::vector<VtkLeaf>& leaves, const std::string& wanted);
+/// The number, from 0, of the leaf called `wanted`, by name or number from 1. The error lists them.
+Result<std::size_t> chooseLeaf(const std::vector<VtkLeaf>& leaves, const std::string& wanted);
 
 } // namespace tetra

@@ -8,11 +8,32 @@
 #include "plugins/readers/vtk/helper/contents.h"
 #include "plugins/readers/vtk/helper/findings.h"
 #include "plugins/readers/vtk/helper/running.h"
+#include "plugins/readers/vtk/helper/series_source.h"
 
 #include <unistd.h>
 
 namespace tetra {
 namespace {
+
+/// Provenance as far as it is that of the file as a whole.
+void tellOfFile(const VtkSource& source, const VtkRequest& request, std::vector<Taken>& taken,
+                std::vector<Message>& leftOut)
+{
+    Provenance provenance{std::move(taken), std::move(leftOut)};
+    source.tell(provenance);
+    tellTimeStep(timesOf(source), request, source.stepFile, provenance);
+    taken = std::move(provenance.taken);
+    leftOut = std::move(provenance.leftOut);
+}
+
+FileContents finished(FileContents contents, const VtkSource& source, const VtkRequest& request)
+{
+    contents.timeSteps = timesOf(source);
+    source.finishContents(contents);
+    contents.untold = source.untold;
+    tellOfFile(source, request, contents.taken, contents.leftOut);
+    return contents;
+}
 
 Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
                               const TellProgress& progress)
@@ -21,27 +42,19 @@ Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request
         source.reader->UpdateInformation();
         if (const Status done = statusOf(log); !done)
             return done.error();
-        if (auto contents = contentsFromInformation(*source.reader)) {
-            contents->timeSteps = timesOf(*source.reader);
-            source.finishContents(*contents);
-            contents->untold = source.untold;
-            return *contents;
-        }
+        if (auto contents = contentsFromInformation(*source.reader, request))
+            return finished(*std::move(contents), source, request);
     }
-    const auto data = runSource(source, request.timeStep, log, progress);
+    const auto data = runSource(source, request, log, progress);
     if (!data)
         return data.error();
-    FileContents contents = contentsOf(leavesOf(**data), request.part);
-    contents.timeSteps = timesOf(*source.reader);
-    source.finishContents(contents);
-    contents.untold = source.untold;
-    return contents;
+    return finished(contentsOf(leavesOf(**data), request), source, request);
 }
 
 Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
                          const TellProgress& progress)
 {
-    const auto data = runSource(source, request.timeStep, log, progress);
+    const auto data = runSource(source, request, log, progress);
     if (!data)
         return data.error();
     auto found = findingsOf(leavesOf(**data), request);
@@ -51,17 +64,15 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
         return done.error();
     source.finish(*found);
     found->untold = source.untold;
+    tellOfFile(source, request, found->taken, found->leftOut);
     for (std::size_t warning = 0; warning < std::min<std::size_t>(2, log.warnings.size()); ++warning)
         found->remarks.push_back(Message::say("VTK says: %1", log.warnings[warning]));
-    if (const std::size_t steps = timesOf(*source.reader).size(); steps > 1)
-        found->remarks.push_back(
-            Message::say("Time step %1 of %2. Choose another one with 'time'.", request.timeStep, steps));
     return found;
 }
 
 Result<ReadAnswer> answer(const VtkRequest& request, const VtkLog& log, const TellProgress& progress)
 {
-    const auto checked = checkBeforeVtk(request);
+    const auto checked = request.format == VtkFormat::Series ? checkSeries(request) : checkBeforeVtk(request);
     if (!checked)
         return checked.error();
     limitWork(limitsFor(checked->bytes, checked->unpackedBytes, physicalBytes()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 
+#include "plugins/readers/vtk/helper/openfoam_source.h"
 #include "plugins/readers/vtk/helper/tecplot_source.h"
 
 #include <vtkCGNSReader.h>
@@ -9,7 +10,6 @@
 #include <vtkGAMBITReader.h>
 #include <vtkGenericEnSightReader.h>
 #include <vtkNetCDFCFReader.h>
-#include <vtkOpenFOAMReader.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
@@ -80,17 +80,6 @@ VtkSource cgnsSource(const std::string& path)
             }};
 }
 
-VtkSource openFoamSource(const std::string& path)
-{
-    const auto reader = vtkSmartPointer<vtkOpenFOAMReader>::New();
-    reader->SetFileName(path.c_str());
-    reader->SkipZeroTimeOff();
-    return {.reader = reader, .selectArrays = [reader] {
-                reader->EnableAllCellArrays();
-                reader->EnableAllPointArrays();
-            }};
-}
-
 template <class Reader> VtkSource plainSource(const std::string& path)
 {
     const auto reader = vtkSmartPointer<Reader>::New();
@@ -109,8 +98,8 @@ Result<VtkSource> makeMeshSource(const VtkRequest& request)
     case VtkFormat::Cgns: return cgnsSource(request.path);
     case VtkFormat::Gambit: return plainSource<vtkGAMBITReader>(request.path);
     case VtkFormat::Fluent: return plainSource<vtkFLUENTReader>(request.path);
-    case VtkFormat::OpenFoam: return openFoamSource(request.path);
-    default: return makeTecplotSource(request.path);
+    case VtkFormat::OpenFoam: return makeOpenFoamSource(request.path);
+    default: return makeTecplotSource(request);
     }
 }
 

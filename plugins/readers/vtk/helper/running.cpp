@@ -22,24 +22,24 @@ Status checkDone(vtkAlgorithm& reader, const VtkLog& log)
     if (const Status done = statusOf(log); !done)
         return done;
     if (const unsigned long code = reader.GetErrorCode(); code != vtkErrorCode::NoError)
-        return Error{ErrorKind::BadInput, Message::say("VTK says: %1. The file is damaged, incomplete, or of a kind "
-                                                       "that VTK does not know: copy or export it again.",
-                                                       vtkErrorCode::GetStringFromErrorCode(code))};
+        return vtkError(std::string(vtkErrorCode::GetStringFromErrorCode(code)) + ".");
     return {};
 }
 
 } // namespace
 
-std::vector<double> timesOf(vtkAlgorithm& reader)
+std::vector<double> timesOf(const VtkSource& source)
 {
-    vtkInformation* information = reader.GetOutputInformation(0);
+    if (!source.times.empty())
+        return source.times;
+    vtkInformation* information = source.reader->GetOutputInformation(0);
     if (information == nullptr || information->Has(Pipeline::TIME_STEPS()) == 0)
         return {};
     const double* times = information->Get(Pipeline::TIME_STEPS());
     return {times, times + information->Length(Pipeline::TIME_STEPS())};
 }
 
-Result<vtkSmartPointer<vtkDataObject>> runSource(const VtkSource& source, std::int64_t timeStep, const VtkLog& log,
+Result<vtkSmartPointer<vtkDataObject>> runSource(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
                                                  const std::function<void(double)>& progress)
 {
     vtkAlgorithm& reader = *source.reader;
@@ -53,23 +53,21 @@ Result<vtkSmartPointer<vtkDataObject>> runSource(const VtkSource& source, std::i
         return done.error();
     source.selectArrays();
     reader.UpdateInformation();
-    const std::vector<double> times = timesOf(reader);
-    const auto steps = static_cast<std::int64_t>(std::max<std::size_t>(1, times.size()));
-    if (timeStep < 1 || timeStep > steps)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
-                         steps, timeStep, steps)};
-    if (times.empty())
+    const std::vector<double> times = timesOf(source);
+    const auto step = stepAsked(request, times.size());
+    if (!step)
+        return step.error();
+    if (times.empty() || !source.times.empty())
         reader.Update();
     else
-        reader.UpdateTimeStep(times[static_cast<std::size_t>(timeStep - 1)]);
+        reader.UpdateTimeStep(times[*step]);
     if (const Status done = checkDone(reader, log); !done)
         return done.error();
     vtkSmartPointer<vtkDataObject> data = reader.GetOutputDataObject(0);
     if (data == nullptr)
-        return Error{ErrorKind::BadInput,
-                     Message::say("VTK finds nothing in it. It is damaged, or of another format.")};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("VTK finds nothing in it that it can read. Export it in another format (.vtu, .vti).")};
     return data;
 }
 

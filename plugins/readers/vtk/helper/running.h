@@ -11,11 +11,11 @@
 
 namespace tetra {
 
-/// The times of a reader that was asked for information; empty if it has none.
-std::vector<double> timesOf(vtkAlgorithm& reader);
+/// The times of a source whose reader was asked for information; empty if it has none.
+std::vector<double> timesOf(const VtkSource& source);
 
-/// Reads the wanted time step (from 1). The error is VTK's first, or says that there is no such step.
-Result<vtkSmartPointer<vtkDataObject>> runSource(const VtkSource& source, std::int64_t timeStep, const VtkLog& log,
+/// Reads the time step that the request asks for. The error is VTK's first, or says that there is no such step.
+Result<vtkSmartPointer<vtkDataObject>> runSource(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
                                                  const std::function<void(double)>& progress);
 
 } // namespace tetra

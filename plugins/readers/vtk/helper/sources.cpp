@@ -3,10 +3,13 @@
 
 #include "plugins/readers/vtk/helper/image_sources.h"
 #include "plugins/readers/vtk/helper/mesh_sources.h"
+#include "plugins/readers/vtk/helper/series_source.h"
 #include "plugins/readers/vtk/helper/xml_sources.h"
 
 #include <vtkGenericDataObjectReader.h>
 #include <vtkHDFReader.h>
+
+#include <algorithm>
 
 namespace tetra {
 namespace {
@@ -19,19 +22,33 @@ VtkSource legacySource(const std::string& path)
     reader->ReadAllVectorsOn();
     reader->ReadAllTensorsOn();
     reader->ReadAllFieldsOn();
-    reader->ReadAllNormalsOff();
-    reader->ReadAllTCoordsOff();
+    reader->ReadAllNormalsOn();
+    reader->ReadAllTCoordsOn();
     reader->ReadAllColorScalarsOn();
     return {.reader = reader};
 }
 
 } // namespace
 
+Result<std::size_t> stepAsked(const VtkRequest& request, std::size_t steps)
+{
+    const auto number = static_cast<std::size_t>(std::max<std::int64_t>(1, request.timeStep));
+    if (number <= std::max<std::size_t>(1, steps))
+        return number - 1;
+    if (steps < 2)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", number)};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
+                              steps, number, steps)};
+}
+
 Result<VtkSource> makeSource(const VtkRequest& request)
 {
     switch (request.format) {
     case VtkFormat::Xml: return makeXmlSource(request);
     case VtkFormat::Legacy: return legacySource(request.path);
+    case VtkFormat::Series: return makeSeriesSource(request);
     case VtkFormat::Hdf: {
         const auto reader = vtkSmartPointer<vtkHDFReader>::New();
         reader->SetFileName(request.path.c_str());

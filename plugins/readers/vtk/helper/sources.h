@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/reader.h"
+#include "plugins/readers/vtk/helper/provenance.h"
 #include "plugins/readers/vtk/vtk_findings.h"
 
 #include <tan/base.h>
@@ -20,13 +21,22 @@ struct VtkSource {
     vtkSmartPointer<vtkAlgorithm> reader;
     /// Switches on what the request asks for, as far as the reader has switches; after UpdateInformation().
     std::function<void()> selectArrays = [] {};
+    /// Adds what of the file as a whole is taken or left out; after the data were read.
+    std::function<void(Provenance&)> tell = [](Provenance&) {};
     /// Changes of what was found that the file asks for and VTK leaves out.
     std::function<void(VtkFindings&)> finish = [](VtkFindings&) {};
     /// The same of what it holds.
     std::function<void(FileContents&)> finishContents = [](FileContents&) {};
     std::vector<std::string> untold{"unit"}; ///< FileContents::untold of such files
     bool knowsContents = false;              ///< UpdateInformation() alone tells arrays and sizes
+    /// The times of a source that has already taken the request's step by itself; else empty.
+    std::vector<double> times{};
+    std::string stepFile{}; ///< in which file that step lies, if each has its own
 };
+
+/// The number, from 0, of the step that the request asks for (from 1; 0: the first) among so many. The error says which
+/// there are.
+Result<std::size_t> stepAsked(const VtkRequest& request, std::size_t steps);
 
 /// The reader for the request's format. The error says what is wrong with the file, for files that no VTK reader should
 /// be given.

@@ -87,36 +87,47 @@ vtkSmartPointer<vtkPointSet> tecplotGrid(const TecplotZone& zone)
     return grid;
 }
 
+vtkSmartPointer<vtkPointSet> tecplotBlock(const TecplotFile& file, const TecplotZone& zone)
+{
+    const vtkSmartPointer<vtkPointSet> grid = tecplotGrid(zone);
+    grid->SetPoints(tecplotPoints(file, zone));
+    for (std::size_t i = 0; i < file.variables.size(); ++i)
+        if (zone.values[i] && std::ranges::find(file.axes, i) == file.axes.end()) {
+            vtkDataSetAttributes& attributes =
+                zone.perElement[i] ? static_cast<vtkDataSetAttributes&>(*grid->GetCellData()) : *grid->GetPointData();
+            attributes.AddArray(tecplotArray(*zone.values[i], file.variables[i]));
+        }
+    return grid;
+}
+
 } // namespace
 
-Result<VtkSource> makeTecplotSource(const std::string& path)
+Result<VtkSource> makeTecplotSource(const VtkRequest& request)
 {
     static_assert(sizeof(vtkIdType) == sizeof(std::int64_t));
-    const auto mapped = MappedFile::open(path);
+    const auto mapped = MappedFile::open(request.path);
     if (!mapped)
         return mapped.error();
     auto read = readTecplot({reinterpret_cast<const char*>((*mapped)->bytes().data()), (*mapped)->bytes().size()});
     if (!read)
         return read.error();
     const auto file = std::make_shared<const TecplotFile>(*std::move(read));
+    std::vector<double> times = tecplotTimes(*file);
+    const auto step = stepAsked(request, times.size());
+    if (!step)
+        return step.error();
     const auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    for (unsigned number = 0; number < file->zones.size(); ++number) {
-        const TecplotZone& zone = file->zones[number];
-        const vtkSmartPointer<vtkPointSet> grid = tecplotGrid(zone);
-        grid->SetPoints(tecplotPoints(*file, zone));
-        for (std::size_t i = 0; i < file->variables.size(); ++i)
-            if (zone.values[i] && std::ranges::find(file->axes, i) == file->axes.end()) {
-                vtkDataSetAttributes& attributes = zone.perElement[i]
-                                                       ? static_cast<vtkDataSetAttributes&>(*grid->GetCellData())
-                                                       : *grid->GetPointData();
-                attributes.AddArray(tecplotArray(*zone.values[i], file->variables[i]));
-            }
-        blocks->SetBlock(number, grid);
-        blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone.name.c_str());
-    }
+    for (const TecplotZone& zone : file->zones)
+        if (times.empty() || isThereAt(zone, times[*step])) {
+            const unsigned number = blocks->GetNumberOfBlocks();
+            blocks->SetBlock(number, tecplotBlock(*file, zone));
+            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone.name.c_str());
+        }
     const auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
     producer->SetOutput(blocks);
-    return VtkSource{.reader = producer, .finish = [file](VtkFindings&) {}}; // the arrays look into it
+    return VtkSource{.reader = producer,
+                     .finish = [file](VtkFindings&) {}, // the arrays look into it
+                     .times = std::move(times)};
 }
 
 } // namespace tetra

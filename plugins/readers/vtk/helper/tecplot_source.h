@@ -5,7 +5,8 @@
 
 namespace tetra {
 
-/// The zones of a Tecplot text (tecplot_text.h) as blocks of VTK. The errors are those of readTecplot().
-Result<VtkSource> makeTecplotSource(const std::string& path);
+/// The zones of a Tecplot text (tecplot_text.h) as blocks of VTK, of the time step that the request asks for. The
+/// errors are those of readTecplot(), or say that there is no such step.
+Result<VtkSource> makeTecplotSource(const VtkRequest& request);
 
 } // namespace tetra

@@ -136,9 +136,15 @@ Status statusOf(const VtkLog& log)
     const auto reason = std::ranges::find_if(log.errors, [](const std::string& e) { return e != failure; });
     const std::string& said = reason == log.errors.end() ? log.errors.front() : *reason;
     const Message message = said == failure ? Message::of(said, {}) : Message(said.ends_with('.') ? said : said + ".");
-    return Error{ErrorKind::BadInput, Message::say("VTK says: %1 The file is damaged, incomplete, or of a kind that "
-                                                   "VTK does not know: copy or export it again.",
-                                                   message)};
+    return vtkError(message);
+}
+
+Error vtkError(const Message& said)
+{
+    return {ErrorKind::BadInput, Message::say("VTK says: %1 TAn cannot tell whether the file is damaged or of a kind "
+                                              "that VTK does not read. Compare it with its original, or export it in "
+                                              "another format (.vtu, .vti).",
+                                              said)};
 }
 
 } // namespace tetra

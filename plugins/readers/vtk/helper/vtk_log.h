@@ -21,4 +21,7 @@ void sendVtkMessagesTo(VtkLog& log);
 /// Success if there were no errors; else an Error with the first of them that says something, or that memory ran out.
 Status statusOf(const VtkLog& log);
 
+/// What is said of a file that VTK did not read; `said` is VTK's sentence.
+Error vtkError(const Message& said);
+
 } // namespace tetra

@@ -14,6 +14,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <map>
 #include <string_view>
@@ -32,6 +33,8 @@ const std::map<std::string_view, Make> readers = {{"ImageData", make<vtkXMLImage
                                                   {"RectilinearGrid", make<vtkXMLRectilinearGridReader>},
                                                   {"StructuredGrid", make<vtkXMLStructuredGridReader>},
                                                   {"PolyData", make<vtkXMLPolyDataReader>},
+                                                  // Only of lists: others are read without VTK.
+                                                  {"UnstructuredGrid", make<vtkXMLUnstructuredGridReader>},
                                                   {"PImageData", make<vtkXMLPImageDataReader>},
                                                   {"PRectilinearGrid", make<vtkXMLPRectilinearGridReader>},
                                                   {"PStructuredGrid", make<vtkXMLPStructuredGridReader>},

@@ -41,6 +41,10 @@ private slots:
         QVERIFY(guess("a.vti", "whatever").format == VtkFormat::Xml);
         QVERIFY(guess("a.pvtu", "<VTKFile type=\"PUnstructuredGrid\">").format == VtkFormat::Xml);
         QVERIFY(guess("a.vtu", "<VTKFile type=\"ImageData\">").format == VtkFormat::Xml);
+        QVERIFY(guess("a.xml", "<VTKFile type='Collection' version='0.1'>").format == VtkFormat::Series);
+        QVERIFY(guess("a.vtu.series", "\n{ \"file-series-version\" : \"1.0\"").format == VtkFormat::Series);
+        QVERIFY(guess("a.vtk.series", "{}").format == VtkFormat::Series);
+        QVERIFY(guess("a.json", "{\"x\": 1}").format == VtkFormat::None);
         QVERIFY(guess("a.nrrd", "NRRD0004").format == VtkFormat::None);
         QVERIFY(guess("a.csv", "x,y,z,v").format == VtkFormat::None);
         QVERIFY(guess("vtk", "x").format == VtkFormat::None);
@@ -59,17 +63,38 @@ private slots:
         QCOMPARE(guess("a.nrrd", "NRRD0004").score, 0.);
     }
 
+    /// A name alone is no reason to take an empty file, but by OpenFOAM's convention: the program says that it is
+    /// empty.
+    void onlyOpenFoamIsCertainOfEmptyFiles()
+    {
+        const VtkFolder folder;
+        const VtkReader withoutHelper(folder.path() / "tan-read-vtk");
+        for (const Reader* reader : {static_cast<const Reader*>(&withoutHelper), &builtVtkReader()}) {
+            QCOMPARE(reader->score("case.foam", {}), 1.);
+            for (const char* name : {"a.vti", "a.vtk", "a.case", "a.tec", "a.pvd", "a.e", "empty"})
+                QVERIFY2(reader->score(name, {}) < 1, name);
+        }
+    }
+
     void filtersNameTheFormats()
     {
-        const std::map<QString, VtkFormat> expected{
-            {"VTK XML", VtkFormat::Xml},       {"VTK legacy", VtkFormat::Legacy},
-            {"VTK HDF", VtkFormat::Hdf},       {"Exodus II", VtkFormat::Exodus},
-            {"EnSight", VtkFormat::EnSight},   {"NetCDF, CF conventions", VtkFormat::NetCdf},
-            {"CGNS", VtkFormat::Cgns},         {"MetaImage", VtkFormat::MetaImage},
-            {"NIfTI", VtkFormat::Nifti},       {"MRC electron microscopy", VtkFormat::Mrc},
-            {"TIFF stack", VtkFormat::Tiff},   {"DICOM series", VtkFormat::Dicom},
-            {"GAMBIT", VtkFormat::Gambit},     {"Fluent", VtkFormat::Fluent},
-            {"OpenFOAM", VtkFormat::OpenFoam}, {"Tecplot text", VtkFormat::Tecplot}};
+        const std::map<QString, VtkFormat> expected{{"VTK XML", VtkFormat::Xml},
+                                                    {"VTK legacy", VtkFormat::Legacy},
+                                                    {"VTK HDF", VtkFormat::Hdf},
+                                                    {"Exodus II", VtkFormat::Exodus},
+                                                    {"EnSight", VtkFormat::EnSight},
+                                                    {"NetCDF, CF conventions", VtkFormat::NetCdf},
+                                                    {"CGNS", VtkFormat::Cgns},
+                                                    {"MetaImage", VtkFormat::MetaImage},
+                                                    {"NIfTI", VtkFormat::Nifti},
+                                                    {"MRC electron microscopy", VtkFormat::Mrc},
+                                                    {"TIFF stack", VtkFormat::Tiff},
+                                                    {"DICOM series", VtkFormat::Dicom},
+                                                    {"GAMBIT", VtkFormat::Gambit},
+                                                    {"Fluent", VtkFormat::Fluent},
+                                                    {"OpenFOAM", VtkFormat::OpenFoam},
+                                                    {"Tecplot text", VtkFormat::Tecplot},
+                                                    {"Lists of VTK files", VtkFormat::Series}};
         std::set<QString> found, patterns;
         for (const std::string& text : VtkReader().nameFilters()) {
             const QString filter = QString::fromStdString(text), name = filter.section(" (", 0, 0);

@@ -2,8 +2,10 @@
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
 #include "plugins/host/plugin_guards.h"
+#include "plugins/process/reading_process.h"
 #include "plugins/readers/cells/cells_reader.h"
 #include "plugins/readers/plot3d/plot3d_reader.h"
+#include "plugins/readers/vtk/vtk_findings.h"
 #include "tests/plugins/as_loaded.h"
 
 #include <QFile>
@@ -54,11 +56,41 @@ QByteArray pointData(int count)
 
 } // namespace
 
+std::filesystem::path builtVtkHelper()
+{
+    return std::filesystem::path(TAN_BINARY_DIR) / "lib/tan/plugins/tan-read-vtk";
+}
+
+Result<FileFindings> foundByHelper(VtkFormat format, const std::filesystem::path& path)
+{
+    VtkRequest request;
+    request.format = format;
+    request.path = path.string();
+    auto answer = askReadingProgram(vtkReadingProgram(builtVtkHelper()), requestText(request), request.path, {});
+    return answer ? Result<FileFindings>(std::get<FileFindings>(*std::move(answer))) : answer.error();
+}
+
 const Reader& builtVtkReader()
 {
-    static const VtkReader reader(std::filesystem::path(TAN_BINARY_DIR) / "lib/tan/plugins/tan-read-vtk");
+    static const VtkReader reader(builtVtkHelper());
     static const auto guard = guarded(reader, {"vtk", [](const Error&) {}});
     return *guard;
+}
+
+QString takenOf(const std::vector<Taken>& taken)
+{
+    QString text;
+    for (const Taken& one : taken)
+        text += (text.isEmpty() ? "" : "; ") + QString::fromStdString(takenText(one).text());
+    return text;
+}
+
+QString leftOutOf(const std::vector<Message>& leftOut)
+{
+    QString text;
+    for (const Message& one : leftOut)
+        text += (text.isEmpty() ? "" : " ") + QString::fromStdString(one.text());
+    return text;
 }
 
 const Reader& readerOf(const std::filesystem::path& path)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/process/findings.h"
+#include "plugins/readers/vtk/vtk_format.h"
 #include "plugins/readers/vtk/vtk_reader.h"
 
 #include <tan/data.h>
 
 #include <QByteArray>
+#include <QString>
 #include <QTemporaryDir>
 
 #include <filesystem>
@@ -13,12 +16,24 @@
 
 namespace tetra {
 
-/// The reader with the helper program of this build, as the program has it.
+/// The helper program of this build.
+std::filesystem::path builtVtkHelper();
+
+/// What it finds, before that becomes a dataset.
+Result<FileFindings> foundByHelper(VtkFormat format, const std::filesystem::path& path);
+
+/// The reader with that, as the program has it.
 const Reader& builtVtkReader();
 
 /// The reader that the program takes for a file of VTK's: builtVtkReader(), or for .vtu and PLOT3D files one of our
 /// own.
 const Reader& readerOf(const std::filesystem::path& path);
+
+/// "array: a (a guess); time step: 1 of 2, time 0": Source::taken in one text.
+QString takenOf(const std::vector<Taken>& taken);
+
+/// Source::leftOut in one text.
+QString leftOutOf(const std::vector<Message>& leftOut);
 
 /// Small VTK files in text, 3 x 3 x 3 points with the scalar "value" (n at point n), and for vtu and vtk of tetrahedra
 /// two tetrahedra over five points.

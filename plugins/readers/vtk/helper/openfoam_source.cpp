@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/vtk/helper/openfoam_source.h"
+
+#include <vtkDummyController.h>
+#include <vtkMultiProcessController.h>
+#include <vtkOpenFOAMReader.h>
+#include <vtkPOpenFOAMReader.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the folder of a case holds.
+struct FoamCase {
+    bool hasMesh = false;
+    double lastTime = -1; ///< before all, if there is no folder of a time
+    std::vector<fs::path> processors{};
+    bool isCollated = false; ///< several processors share a folder
+};
+
+bool isFolder(const fs::path& path)
+{
+    std::error_code ignored;
+    return fs::is_directory(path, ignored);
+}
+
+/// Of the case itself, or of one of its regions.
+bool hasFoamMesh(const fs::path& folder)
+{
+    if (isFolder(folder / "constant/polyMesh"))
+        return true;
+    std::error_code ignored;
+    return std::ranges::any_of(pathsIn(folder / "constant", ignored),
+                               [](const fs::path& region) { return isFolder(region / "polyMesh"); });
+}
+
+FoamCase lookAtCase(const fs::path& folder)
+{
+    FoamCase found{.hasMesh = hasFoamMesh(folder)};
+    std::error_code ignored;
+    for (const fs::path& path : pathsIn(folder, ignored)) {
+        const std::string name = path.filename().string();
+        if (const auto time = parseNumber<double>(name); time && isFolder(path))
+            found.lastTime = std::max(found.lastTime, *time);
+        if (name.starts_with("processors"))
+            found.isCollated = true;
+        else if (name.starts_with("processor") && parseNumber<std::uint32_t>(name.substr(9)) && isFolder(path))
+            found.processors.push_back(path);
+    }
+    return found;
+}
+
+/// The names of the zones of cells: in their file, each stands before a '{' and "type".
+std::vector<std::string> cellZones(const fs::path& folder)
+{
+    constexpr std::string_view blanks = " \t\r\n";
+    std::vector<std::string> names;
+    const auto file = MappedFile::open(folder / "constant/polyMesh/cellZones");
+    if (!file)
+        return names;
+    const std::string_view text(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
+    for (auto brace = text.find('{'); brace != std::string_view::npos; brace = text.find('{', brace + 1)) {
+        const auto inside = text.find_first_not_of(blanks, brace + 1);
+        const auto end = text.substr(0, brace).find_last_not_of(blanks);
+        if (inside == std::string_view::npos || end == std::string_view::npos ||
+            !text.substr(inside).starts_with("type"))
+            continue;
+        const auto start = text.substr(0, end).find_last_of(" \t\r\n(;}");
+        names.emplace_back(text.substr(start + 1, end - start));
+    }
+    return names;
+}
+
+/// "patch/walls" as "walls", "/solid/patch/walls" as "solid/walls"; empty for what is no patch.
+std::string patchName(std::string name)
+{
+    constexpr std::string_view word = "patch/";
+    const auto place = name.find(word);
+    if (place == std::string::npos)
+        return {};
+    name.erase(place, word.size());
+    return name.starts_with('/') ? name.substr(1) : name;
+}
+
+void tellLeftOut(vtkOpenFOAMReader& reader, const fs::path& folder, std::vector<Message>& leftOut)
+{
+    std::vector<std::string> patches;
+    for (int number = 0; number < reader.GetNumberOfPatchArrays(); ++number)
+        if (const std::string name = patchName(reader.GetPatchArrayName(number)); !name.empty())
+            patches.push_back(name);
+    if (!patches.empty())
+        leftOut.push_back(Message::say("The patches of its boundary are not read: %1.", namesToldOf(patches)));
+    if (const auto zones = cellZones(folder); !zones.empty())
+        leftOut.push_back(Message::say("Its zones of cells are not told apart: %1.", namesToldOf(zones)));
+    if (reader.GetNumberOfLagrangianArrays() > 0)
+        leftOut.push_back(Message::say("Its clouds of particles are not read."));
+}
+
+Error lacksMesh(const FoamCase& found, const fs::path& folder)
+{
+    if (found.isCollated)
+        return {ErrorKind::BadInput,
+                Message::say("its case is decomposed into folders that several processors share (processors2 ...), "
+                             "which VTK 9.1 does not read. Run reconstructPar, and open it again.")};
+    return {ErrorKind::BadInput,
+            Message::say("its case has no mesh: there is no 'constant/polyMesh' in '%1', and no folder of a processor. "
+                         "The file must lie in the folder of the case, beside 'constant' and 'system'.",
+                         folder.string())};
+}
+
+} // namespace
+
+Result<VtkSource> makeOpenFoamSource(const std::string& path)
+{
+    const fs::path opened = path;
+    const bool isControl = opened.filename() == "controlDict";
+    const fs::path folder = isControl ? opened.parent_path().parent_path() : opened.parent_path();
+    const FoamCase found = lookAtCase(folder);
+    if (!found.hasMesh && found.processors.empty())
+        return lacksMesh(found, folder);
+    bool isDecomposed = !found.hasMesh;
+    for (const fs::path& processor : found.processors)
+        isDecomposed |= lookAtCase(processor).lastTime > found.lastTime;
+
+    vtkSmartPointer<vtkOpenFOAMReader> reader;
+    if (isDecomposed) {
+        vtkMultiProcessController::SetGlobalController(vtkSmartPointer<vtkDummyController>::New());
+        const auto parallel = vtkSmartPointer<vtkPOpenFOAMReader>::New();
+        parallel->SetCaseType(vtkPOpenFOAMReader::DECOMPOSED_CASE);
+        reader = parallel;
+    } else {
+        reader = vtkSmartPointer<vtkOpenFOAMReader>::New();
+    }
+    reader->SetFileName(path.c_str());
+    reader->SkipZeroTimeOff();
+    reader->DecomposePolyhedraOff();
+    reader->CreateCellToPointOff();
+    VtkSource source{.reader = reader};
+    source.selectArrays = [reader] {
+        reader->EnableAllCellArrays();
+        reader->EnableAllPointArrays();
+    };
+    source.tell = [reader, folder, isDecomposed, hasMesh = found.hasMesh,
+                   processors = found.processors.size()](Provenance& provenance) {
+        if (isDecomposed)
+            addTaken({TakenPart::Block, Message::say("the folders of %1 processors", processors), false}, provenance);
+        if (isDecomposed && hasMesh)
+            provenance.leftOut.push_back(Message::say("Its case as a whole is not read: the folders of its processors "
+                                                      "go on to later times."));
+        else if (processors > 0 && !isDecomposed)
+            provenance.leftOut.push_back(
+                Message::say("The folders of its %1 processors are not read: the case as a whole is.", processors));
+        tellLeftOut(*reader, folder, provenance.leftOut);
+    };
+    return source;
+}
+
+} // namespace tetra
