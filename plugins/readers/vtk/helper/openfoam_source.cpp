@@ -2,7 +2,6 @@
 #include "plugins/readers/vtk/helper/openfoam_source.h"
 
 #include <vtkDummyController.h>
-#include <vtkMultiProcessController.h>
 #include <vtkOpenFOAMReader.h>
 #include <vtkPOpenFOAMReader.h>
 
@@ -129,8 +128,8 @@ Result<VtkSource> makeOpenFoamSource(const std::string& path)
 
     vtkSmartPointer<vtkOpenFOAMReader> reader;
     if (isDecomposed) {
-        vtkMultiProcessController::SetGlobalController(vtkSmartPointer<vtkDummyController>::New());
         const auto parallel = vtkSmartPointer<vtkPOpenFOAMReader>::New();
+        parallel->SetController(vtkSmartPointer<vtkDummyController>::New()); // it reads all parts in this process
         parallel->SetCaseType(vtkPOpenFOAMReader::DECOMPOSED_CASE);
         reader = parallel;
     } else {
