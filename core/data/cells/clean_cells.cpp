@@ -3,6 +3,7 @@
 
 #include "core/base/flat_index.h"
 #include "core/data/cells/cell_complex.h"
+#include "core/data/cells/polyhedron.h"
 #include "core/mesh/topology.h"
 
 #include <tan/data.h>
@@ -27,6 +28,35 @@ MarkedText cellFaultText(CellFault fault) noexcept
     }
     return Message::marked("it overlaps others");
 }
+
+namespace {
+
+void addPolyhedra(const Repairs& repairs, std::vector<Message>& remarks)
+{
+    if (repairs.polyhedra == 1)
+        remarks.push_back(repairs.centres == 0
+                              ? Message::say("1 polyhedron was cut into tetrahedra.")
+                              : Message::say("1 polyhedron was cut into tetrahedra around a point in its middle."));
+    else if (repairs.polyhedra > 1)
+        remarks.push_back(
+            repairs.centres == 0
+                ? Message::say("%1 polyhedra were cut into tetrahedra.", repairs.polyhedra)
+                : Message::say("%1 polyhedra were cut into tetrahedra; %2 of them got a point in the middle.",
+                               repairs.polyhedra, repairs.centres));
+    if (repairs.uncut > 0)
+        remarks.push_back(
+            repairs.centresTried
+                ? Message::say("Polyhedra left out because no point in them sees all of their faces: %1.",
+                               repairs.uncut)
+                : Message::say("Polyhedra left out because no tetrahedra between their own points fill them: %1. With "
+                               "'--polyhedra centre' they get a point in the middle.",
+                               repairs.uncut));
+    if (repairs.open > 0)
+        remarks.push_back(
+            Message::say("Polyhedra left out because their faces do not enclose a volume: %1.", repairs.open));
+}
+
+} // namespace
 
 std::vector<Message> repairRemarks(const Repairs& repairs)
 {
@@ -69,6 +99,7 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
     add(repairs.warped, Message::say("1 cell was left out: too warped to be cut into tetrahedra without a new point."),
         Message::say("%1 cells were left out: too warped to be cut into tetrahedra without a new point.",
                      repairs.warped));
+    addPolyhedra(repairs, remarks);
     add(repairs.duplicates, Message::say("1 tetrahedron was there twice."),
         Message::say("%1 tetrahedra were there twice.", repairs.duplicates));
     const auto countOf = [&repairs](CellFault fault) {
@@ -138,6 +169,10 @@ Status checkArrays(const CellComplex& complex, const ComplexValues& values)
     const std::size_t cells = complex.shapes.size();
     if (cells == 0 || complex.positions.empty())
         return badCells(Message::say("The mesh has no cells or no points."));
+    if (!(complex.mostFaulty >= 0 && complex.mostFaulty <= 1))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The share of cells that may be faulty is %1; it has to be from 0 to 1.",
+                                  formatNumber(complex.mostFaulty))};
     if (complex.positions.size() >= std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource,
                      Message::say("The mesh has %1 points; at most 4294967294 can be numbered. Take a part of it.",
@@ -173,12 +208,11 @@ private:
     std::size_t first_ = 0;
 };
 
-bool hasValue(const CellComplex& complex, const ComplexValues& values, std::size_t cell)
+bool hasValue(const ComplexValues& values, std::size_t cell, std::span<const std::uint64_t> points)
 {
     if (values.perCell)
         return std::isfinite(values.values[cell]);
-    return std::ranges::all_of(cornersOf(complex, cell),
-                               [&](std::uint64_t point) { return std::isfinite(values.values[point]); });
+    return std::ranges::all_of(points, [&](std::uint64_t point) { return std::isfinite(values.values[point]); });
 }
 
 /// The eight corners of the parts of a triquadratic hexahedron among its nodes on a grid of 3 x 3 x 3, x fastest.
@@ -210,24 +244,24 @@ public:
 private:
     Status choose()
     {
-        Refusals polyhedra, counts, range, places;
+        Refusals faces, counts, range, places;
         for (std::size_t cell = 0; cell < complex_.shapes.size(); ++cell) {
             const CellShape shape = complex_.shapes[cell];
-            const auto corners = cornersOf(complex_, cell);
+            const auto points = pointsOf(complex_, cell, points_);
             if (!complex_.blanked.empty() && complex_.blanked[cell] != 0)
                 ++repairs_.blanked;
             else if (shape == CellShape::Flat)
                 ++repairs_.flatShapes;
-            else if (shape == CellShape::Polyhedron)
-                polyhedra.add(cell);
-            else if (corners.size() != nodeCount(shape))
+            else if (!points)
+                faces.add(cell);
+            else if (shape != CellShape::Polyhedron && points->size() != nodeCount(shape))
                 counts.add(cell);
-            else if (std::ranges::any_of(corners, [&](std::uint64_t p) { return p >= complex_.positions.size(); }))
+            else if (std::ranges::any_of(*points, [&](std::uint64_t p) { return p >= complex_.positions.size(); }))
                 range.add(cell);
-            else if (!hasValue(complex_, values_, cell)) {
+            else if (!hasValue(values_, cell, *points)) {
                 ++repairs_.notFinite;
                 repairs_.faulty.push_back({cell, CellFault::NotFinite});
-            } else if (!std::ranges::all_of(corners,
+            } else if (!std::ranges::all_of(*points,
                                             [&](std::uint64_t p) { return complex_.positions[p].allFinite(); }))
                 places.add(cell);
             else
@@ -241,11 +275,10 @@ private:
             return badCells(Message::say("Cells have another number of corners than their shape (%1 in all, the first "
                                          "is cell %2). The file is damaged.",
                                          counts.count(), counts.first()));
-        if (polyhedra.count() > 0)
-            return badCells(Message::say("Cells are polyhedra with any number of faces (%1 in all, the first is cell "
-                                         "%2). Cut them into tetrahedra first (in ParaView the filter "
-                                         "Tetrahedralize).",
-                                         polyhedra.count(), polyhedra.first()));
+        if (faces.count() > 0)
+            return badCells(Message::say("Faces of polyhedra have more points than are named (%1 in all, the first is "
+                                         "of cell %2). The file is damaged.",
+                                         faces.count(), faces.first()));
         if (places.count() > 0)
             return badCells(Message::say("Cells have a corner whose place is not finite (%1 in all, the first is cell "
                                          "%2). Correct the points, or blank the cells.",
@@ -258,9 +291,11 @@ private:
     std::vector<std::uint32_t> weld()
     {
         std::vector<bool> used(complex_.positions.size());
-        for (const std::size_t cell : chosen_)
-            for (const std::uint64_t point : cornersOf(complex_, cell))
+        for (const std::size_t cell : chosen_) {
+            const auto points = pointsOf(complex_, cell, points_);
+            for (const std::uint64_t point : *points)
                 used[point] = true;
+        }
         std::vector<std::uint32_t> first = firstOnPlace(complex_.positions, used);
         for (std::size_t point = 0; point < first.size(); ++point)
             repairs_.welded += first[point] != point;
@@ -271,6 +306,10 @@ private:
     {
         const CellShape shape = complex_.shapes[cell];
         const auto corners = cornersOf(complex_, cell);
+        if (shape == CellShape::Polyhedron) {
+            addPolyhedron(cell, corners, first);
+            return;
+        }
         if (shape == CellShape::TriquadraticHexahedron) {
             if (allTriquadratic_)
                 addParts(cell, corners, first);
@@ -281,6 +320,30 @@ private:
         cells_.shapes.push_back(shape == CellShape::Voxel ? CellShape::Hexahedron : shape);
         for (std::uint32_t i = 0; i < corners.size(); ++i)
             cells_.nodes.push_back(first[corners[shape == CellShape::Voxel ? hexahedronCorner(i) : i]]);
+        close(cell);
+    }
+
+    /// Edges whose ends lie on one place are none, and faces without three points either.
+    void addPolyhedron(std::size_t cell, std::span<const std::uint64_t> faces, const std::vector<std::uint32_t>& first)
+    {
+        std::vector<std::uint32_t> face;
+        (void)forFaces(faces, [&](std::span<const std::uint64_t> points) {
+            face.clear();
+            for (const std::uint64_t point : points)
+                if (face.empty() || face.back() != first[point])
+                    face.push_back(first[point]);
+            while (face.size() > 1 && face.front() == face.back())
+                face.pop_back();
+            if (face.size() < 3)
+                return;
+            cells_.faces.push_back(static_cast<std::uint32_t>(face.size()));
+            cells_.faces.insert(cells_.faces.end(), face.begin(), face.end());
+            cells_.nodes.insert(cells_.nodes.end(), face.begin(), face.end());
+        });
+        const auto begin = cells_.nodes.begin() + static_cast<std::ptrdiff_t>(cells_.offsets.back());
+        std::sort(begin, cells_.nodes.end());
+        cells_.nodes.erase(std::unique(begin, cells_.nodes.end()), cells_.nodes.end());
+        cells_.shapes.push_back(CellShape::Polyhedron);
         close(cell);
     }
 
@@ -313,6 +376,7 @@ private:
     void close(std::size_t cell)
     {
         cells_.offsets.push_back(cells_.nodes.size());
+        cells_.faceOffsets.push_back(cells_.faces.size());
         cells_.origins.push_back(cell);
     }
 
@@ -320,6 +384,7 @@ private:
     const ComplexValues& values_;
     Repairs& repairs_;
     std::vector<std::size_t> chosen_;
+    std::vector<std::uint64_t> points_; ///< of one polyhedron
     bool allTriquadratic_ = false;
     CleanCells cells_;
 };
@@ -340,6 +405,18 @@ CellShape withoutMiddles(CellShape shape)
 
 } // namespace
 
+std::optional<std::span<const std::uint64_t>> pointsOf(const CellComplex& complex, std::size_t cell,
+                                                       std::vector<std::uint64_t>& memory)
+{
+    const auto corners = cornersOf(complex, cell);
+    if (complex.shapes[cell] != CellShape::Polyhedron)
+        return corners;
+    memory.clear();
+    const bool whole = forFaces(
+        corners, [&](std::span<const std::uint64_t> face) { memory.insert(memory.end(), face.begin(), face.end()); });
+    return whole ? std::optional<std::span<const std::uint64_t>>(memory) : std::nullopt;
+}
+
 Result<CleanCells> cleanCells(const CellComplex& complex, const ComplexValues& values, Repairs& repairs)
 {
     if (const Status fits = checkArrays(complex, values); !fits)
@@ -353,13 +430,16 @@ void dropMiddles(CleanCells& cells, Repairs& repairs)
     linear.shapes.reserve(cells.count());
     std::vector<std::uint32_t> dropped;
     for (std::size_t cell = 0; cell < cells.count(); ++cell) {
-        const CellTopology& topology = cellTopology(cells.shapes[cell]);
+        const CellShape shape = cells.shapes[cell];
         const auto nodes = cells.nodesOf(cell);
-        linear.shapes.push_back(withoutMiddles(cells.shapes[cell]));
-        linear.nodes.insert(linear.nodes.end(), nodes.begin(), nodes.begin() + topology.cornerCount);
-        dropped.insert(dropped.end(), nodes.begin() + topology.cornerCount, nodes.end());
+        const std::size_t kept = shape == CellShape::Polyhedron ? nodes.size() : cellTopology(shape).cornerCount;
+        linear.shapes.push_back(withoutMiddles(shape));
+        linear.nodes.insert(linear.nodes.end(), nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(kept));
+        dropped.insert(dropped.end(), nodes.begin() + static_cast<std::ptrdiff_t>(kept), nodes.end());
         linear.offsets.push_back(linear.nodes.size());
     }
+    linear.faceOffsets = std::move(cells.faceOffsets);
+    linear.faces = std::move(cells.faces);
     std::ranges::sort(dropped);
     repairs.middles += static_cast<std::uint64_t>(std::ranges::unique(dropped).begin() - dropped.begin());
     linear.origins = std::move(cells.origins);
@@ -370,6 +450,10 @@ bool dropMiddlesIfMixed(CleanCells& cells, Repairs& repairs)
 {
     if (std::ranges::none_of(cells.shapes, isQuadratic))
         return false;
+    if (std::ranges::find(cells.shapes, CellShape::Polyhedron) != cells.shapes.end()) { // they have no such nodes
+        dropMiddles(cells, repairs);
+        return true;
+    }
     constexpr std::uint32_t noMiddle = 0xffffffff;
     FlatIndex<EdgeKey> edges;
     std::vector<std::uint32_t> middles; // of each edge

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct Repairs {
     std::uint64_t middles = 0;      ///< nodes in the middle of edges and faces that were not used
     std::uint64_t resplit = 0;      ///< cells with other diagonals than the rule's
     std::uint64_t warped = 0;       ///< cells that have no cut, left out
+    std::uint64_t polyhedra = 0;    ///< that were cut
+    std::uint64_t centres = 0;      ///< polyhedra that got a point in the middle
+    std::uint64_t uncut = 0;        ///< polyhedra that have no cut, left out
+    bool centresTried = false;      ///< also with a point in the middle
+    std::uint64_t open = 0;         ///< polyhedra whose faces do not close, left out
     std::uint64_t duplicates = 0;   ///< tetrahedra that were there twice
     bool cellValues = false;        ///< brought to the points
     std::vector<FaultyCell> faulty; ///< of the complex, in any order
@@ -47,7 +53,11 @@ std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positio
 struct CleanCells {
     std::vector<CellShape> shapes;
     std::vector<std::uint64_t> offsets{0}; ///< the nodes of cell c are nodes[offsets[c]] up to nodes[offsets[c + 1]]
-    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint32_t> nodes;      ///< of a polyhedron its points, each once, ascending
+    /// The faces of cell c, if it is a polyhedron, are faces[faceOffsets[c]] up to faces[faceOffsets[c + 1]]: of each
+    /// the number of its points, three at least, then these.
+    std::vector<std::uint64_t> faceOffsets{0};
+    std::vector<std::uint32_t> faces;
     std::vector<std::uint64_t> origins; ///< the cell of the complex that each comes from
 
     std::size_t count() const { return shapes.size(); }
@@ -55,11 +65,20 @@ struct CleanCells {
     {
         return std::span(nodes).subspan(offsets[cell], offsets[cell + 1] - offsets[cell]);
     }
+    std::span<const std::uint32_t> facesOf(std::size_t cell) const
+    {
+        return std::span(faces).subspan(faceOffsets[cell], faceOffsets[cell + 1] - faceOffsets[cell]);
+    }
 };
 
+/// The points of a cell of the complex, in its order; those of a polyhedron as often as its faces have them, for which
+/// `memory` is. Nothing if such faces are not whole.
+std::optional<std::span<const std::uint64_t>> pointsOf(const CellComplex& complex, std::size_t cell,
+                                                       std::vector<std::uint64_t>& memory);
+
 /// Sorts out what irregularDataset() cannot use and joins points on one place. `repairs` is told. Errors: BadInput for
-/// arrays that do not fit together, numbers of points out of range, polyhedra, points of cells at places that are not
-/// finite; OutOfResource for more points than 32 bits number.
+/// arrays that do not fit together, numbers of points out of range, points of cells at places that are not finite;
+/// OutOfResource for more points than 32 bits number.
 Result<CleanCells> cleanCells(const CellComplex& complex, const ComplexValues& values, Repairs& repairs);
 
 /// Leaves out the nodes in the middle of edges where cells do not agree on them: all of them, so that the mesh

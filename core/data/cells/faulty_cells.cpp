@@ -17,10 +17,22 @@
 
 namespace tetra {
 
-namespace {
+std::string shareText(double share)
+{
+    constexpr double percent = 100;
+    return formatNumber(percent * share) + "%";
+}
 
-/// A mesh of which more than one in so many cells, and more of the volume, is faulty is refused.
-constexpr std::uint64_t cellsPerFaultyOne = 1000;
+std::string largerShareText(double mostFaulty, std::uint64_t faultyCount, std::uint64_t cellCount)
+{
+    constexpr double whole = 1;
+    for (const double share : {0.05, 0.1, 0.2, 0.5})
+        if (share > mostFaulty && static_cast<double>(faultyCount) <= share * static_cast<double>(cellCount))
+            return shareText(share);
+    return shareText(whole);
+}
+
+namespace {
 
 void keepOnly(CutCells& cut, const std::vector<bool>& removed)
 {
@@ -65,8 +77,8 @@ void removeDuplicates(const CleanCells& cells, CutCells& cut, MeshFaces& faces, 
 class Overlapping {
 public:
     Overlapping(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, std::uint64_t cellCount,
-                const CutCells& cut)
-        : positions_(positions), cells_(cells), cellCount_(cellCount), cut_(cut)
+                double mostFaulty, const CutCells& cut)
+        : positions_(positions), cells_(cells), cellCount_(cellCount), mostFaulty_(mostFaulty), cut_(cut)
     {
         for (const Tetrahedron& tetrahedron : cut.tetrahedra)
             volume_ += volumeOf(positions, tetrahedron);
@@ -107,8 +119,8 @@ private:
     std::uint64_t cellOf(std::uint32_t tetrahedron) const { return cells_.origins[cut_.cells[tetrahedron]]; }
     bool tooMuch(const Amount& amount) const
     {
-        return amount.cells * cellsPerFaultyOne > cellCount_ &&
-               amount.volume * static_cast<double>(cellsPerFaultyOne) > volume_;
+        return static_cast<double>(amount.cells) > mostFaulty_ * static_cast<double>(cellCount_) &&
+               amount.volume > mostFaulty_ * volume_;
     }
     double volumeOfCell(std::uint64_t cell)
     {
@@ -194,16 +206,20 @@ private:
         const auto origin = std::ranges::find(cells_.origins, first.cell);
         const auto nodes = cells_.nodesOf(static_cast<std::size_t>(origin - cells_.origins.begin()));
         const Eigen::Vector3d& place = positions_[nodes.front()];
+        const std::uint64_t faulty = std::max(gone_.cells, least_.cells);
         return {ErrorKind::BadInput,
-                Message::say("At least %1 of the mesh's %2 cells are faulty, more than a thousandth. The first is cell "
-                             "%3 at (%4, %5, %6): %7. Repair the mesh in the program that made it.",
-                             std::max(gone_.cells, least_.cells), cellCount_, first.cell, formatNumber(place[0]),
-                             formatNumber(place[1]), formatNumber(place[2]), cellFaultText(first.fault))};
+                Message::say("At least %1 of the mesh's %2 cells are faulty, more than %3. The first is cell %4 at "
+                             "(%5, %6, %7): %8. Repair the mesh in the program that made it, or let more cells be left "
+                             "out, as with '--faulty %9'.",
+                             faulty, cellCount_, shareText(mostFaulty_), first.cell, formatNumber(place[0]),
+                             formatNumber(place[1]), formatNumber(place[2]), cellFaultText(first.fault),
+                             largerShareText(mostFaulty_, faulty, cellCount_))};
     }
 
     std::span<const Eigen::Vector3d> positions_;
     const CleanCells& cells_;
     std::uint64_t cellCount_;
+    double mostFaulty_;
     const CutCells& cut_;
     double volume_ = 0;
     std::vector<double> volumes_; ///< of the file's cells
@@ -216,11 +232,11 @@ private:
 } // namespace
 
 Status takeOutFaulty(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, std::uint64_t cellCount,
-                     CutCells& cut, Repairs& repairs, const Progress& progress)
+                     double mostFaulty, CutCells& cut, Repairs& repairs, const Progress& progress)
 {
     MeshFaces faces = findMeshFaces(cut.tetrahedra);
     removeDuplicates(cells, cut, faces, repairs);
-    return Overlapping(positions, cells, cellCount, cut).run(cut, faces, repairs, progress);
+    return Overlapping(positions, cells, cellCount, mostFaulty, cut).run(cut, faces, repairs, progress);
 }
 
 } // namespace tetra

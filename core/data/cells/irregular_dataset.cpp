@@ -5,12 +5,14 @@
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/cut_cells.h"
 #include "core/data/cells/faulty_cells.h"
+#include "core/data/cells/polyhedron.h"
 #include "core/mesh/topology.h"
 
 #include <tan/data.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -65,9 +67,12 @@ std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValu
     if (repairs.welded == 0)
         return values.values;
     std::vector<bool> used(complex.positions.size());
-    for (const std::uint64_t origin : cells.origins)
-        for (std::uint64_t i = complex.offsets[origin]; i < complex.offsets[origin + 1]; ++i)
-            used[complex.corners[i]] = true;
+    std::vector<std::uint64_t> memory;
+    for (const std::uint64_t origin : cells.origins) {
+        const auto points = pointsOf(complex, origin, memory);
+        for (const std::uint64_t point : *points)
+            used[point] = true;
+    }
     const std::vector<std::uint32_t> first = firstOnPlace(complex.positions, used);
     Means means(complex.positions.size());
     std::vector<bool> conflict(complex.positions.size());
@@ -86,13 +91,20 @@ std::vector<double> valuesOfPoints(const CellComplex& complex, const ComplexValu
 }
 
 /// A value for each point of the complex that a tetrahedron uses, others hold anything: its own, the mean of those on
-/// its place, or the mean of the cells around it. `repairs` is told.
+/// its place, or the mean of the cells around it; then for those in the middle of cells, the value of the cell, or the
+/// one that its corners have there. `repairs` is told.
 std::vector<double> pointValues(const CellComplex& complex, const ComplexValues& values, const CleanCells& cells,
                                 const CutCells& cut, Repairs& repairs)
 {
     repairs.cellValues = values.perCell;
-    return values.perCell ? valuesOfCells(complex, values, cells, cut)
-                          : valuesOfPoints(complex, values, cells, repairs);
+    std::vector<double> all =
+        values.perCell ? valuesOfCells(complex, values, cells, cut) : valuesOfPoints(complex, values, cells, repairs);
+    for (std::size_t i = 0; i < cut.centres.size(); ++i) {
+        const std::uint32_t cell = cut.centreCells[i];
+        all.push_back(values.perCell ? values.values[cells.origins[cell]]
+                                     : valueAmong(complex.positions, cells.nodesOf(cell), all, cut.centres[i]));
+    }
+    return all;
 }
 
 /// The type that holds such values: means of whole numbers are none, and a float cannot hold every double.
@@ -109,7 +121,7 @@ SampleType typeOfPointValues(const ComplexValues& values, const Repairs& repairs
                        value <= static_cast<double>(std::numeric_limits<T>::max());
             });
         });
-        if (fits && !values.perCell && repairs.conflicting == 0)
+        if (fits && !values.perCell && repairs.conflicting == 0 && repairs.centres == 0)
             return type;
         type = sampleSize(type) > sizeof(std::uint16_t) ? SampleType::Float64 : SampleType::Float32;
     }
@@ -119,12 +131,13 @@ SampleType typeOfPointValues(const ComplexValues& values, const Repairs& repairs
 
 using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 
+using Positions = std::span<const Eigen::Vector3d>;
+
 /// Whether points lie in the part of a complex that has to be sound.
-bool isJudged(const CellComplex& complex, std::span<const std::uint32_t> points)
+bool isJudged(const CellComplex& complex, Positions positions, std::span<const std::uint32_t> points)
 {
-    return !complex.region || std::ranges::all_of(points, [&](std::uint32_t point) {
-        return complex.region->contains(complex.positions[point]);
-    });
+    return !complex.region ||
+           std::ranges::all_of(points, [&](std::uint32_t point) { return complex.region->contains(positions[point]); });
 }
 
 /// Of how many cells the tetrahedra are.
@@ -142,56 +155,139 @@ void append(CutCells& cut, const CutCells& more)
 }
 
 /// takeOutFaulty() where it is judged.
-Status takeOutFaultyWithin(const CellComplex& complex, const CleanCells& cells, CutCells& cut, Repairs& repairs,
-                           const Progress& progress)
+Status takeOutFaultyWithin(const CellComplex& complex, Positions positions, const CleanCells& cells, CutCells& cut,
+                           Repairs& repairs, const Progress& progress)
 {
     if (!complex.region)
-        return takeOutFaulty(complex.positions, cells, cells.count(), cut, repairs, progress);
+        return takeOutFaulty(positions, cells, cells.count(), complex.mostFaulty, cut, repairs, progress);
     CutCells within, beyond;
     for (std::size_t t = 0; t < cut.tetrahedra.size(); ++t) {
-        CutCells& part = isJudged(complex, cut.tetrahedra[t]) ? within : beyond;
+        CutCells& part = isJudged(complex, positions, cut.tetrahedra[t]) ? within : beyond;
         part.tetrahedra.push_back(cut.tetrahedra[t]);
         part.cells.push_back(cut.cells[t]);
     }
     if (within.tetrahedra.empty())
         return {};
-    const Status sound = takeOutFaulty(complex.positions, cells, cellsOf(within), within, repairs, progress);
+    const Status sound =
+        takeOutFaulty(positions, cells, cellsOf(within), complex.mostFaulty, within, repairs, progress);
     append(within, beyond);
     cut.tetrahedra = std::move(within.tetrahedra);
     cut.cells = std::move(within.cells);
     return sound;
 }
 
-/// Holes that cells too warped to be cut leave are said; with more than one in so many the mesh is another one.
-constexpr std::uint64_t cellsPerWarpedOne = 100;
-
-Status checkWarped(const CellComplex& complex, const CleanCells& cells, const CutCells& cutChecked, Repairs& repairs)
+/// How many of the cells are judged.
+std::uint64_t judgedCount(const CellComplex& complex, const CleanCells& cells)
 {
-    const auto judged = [&](std::uint32_t cell) { return isJudged(complex, cells.nodesOf(cell)); };
-    std::vector<std::uint32_t> warped;
-    std::ranges::copy_if(cutChecked.warped, std::back_inserter(warped), judged);
+    std::uint64_t count = 0;
+    for (std::uint32_t cell = 0; cell < cells.count(); ++cell)
+        count += isJudged(complex, complex.positions, cells.nodesOf(cell)) ? 1 : 0;
+    return count;
+}
+
+/// Those of the cells that are judged and of a shape that `counts`.
+template <class Counts> std::vector<std::uint32_t> judgedOf(const CellComplex& complex, const CleanCells& cells,
+                                                            const std::vector<std::uint32_t>& which,
+                                                            const Counts& counts)
+{
+    std::vector<std::uint32_t> judged;
+    std::ranges::copy_if(which, std::back_inserter(judged), [&](std::uint32_t cell) {
+        return counts(cells.shapes[cell]) && isJudged(complex, complex.positions, cells.nodesOf(cell));
+    });
+    return judged;
+}
+
+bool isPolyhedron(CellShape shape)
+{
+    return shape == CellShape::Polyhedron;
+}
+
+Eigen::Vector3d placeOf(const CellComplex& complex, const CleanCells& cells, std::uint32_t cell)
+{
+    const auto nodes = cells.nodesOf(cell);
+    return nodes.empty() ? Eigen::Vector3d::Zero() : complex.positions[nodes.front()];
+}
+
+/// Holes that cells too warped to be cut leave are said; with a larger share of them the mesh is another one.
+constexpr double mostWarped = 0.01;
+
+Status checkWarped(const CellComplex& complex, const CleanCells& cells, const CutCells& cut, Repairs& repairs)
+{
+    const std::vector<std::uint32_t> warped = judgedOf(complex, cells, cut.warped, std::not_fn(isPolyhedron));
     repairs.warped = warped.size();
     for (const std::uint32_t cell : warped)
         repairs.faulty.push_back({cells.origins[cell], CellFault::Warped});
-    std::uint64_t count = 0;
-    for (std::uint32_t cell = 0; cell < cells.count(); ++cell)
-        count += judged(cell) ? 1 : 0;
-    if (warped.size() * cellsPerWarpedOne <= count)
+    const std::uint64_t count = judgedCount(complex, cells);
+    const double most = std::max(mostWarped, complex.mostFaulty);
+    if (static_cast<double>(warped.size()) <= most * static_cast<double>(count))
         return {};
-    const std::uint64_t origin = cells.origins[warped.front()];
-    const Eigen::Vector3d& place = complex.positions[complex.corners[complex.offsets[origin]]];
+    const Eigen::Vector3d place = placeOf(complex, cells, warped.front());
     return Error{ErrorKind::BadInput,
-                 Message::say("%1 cells are folded or so warped that no tetrahedra fill them; the first is cell %2 at "
-                              "(%3, %4, %5). Repair the mesh in the program that made it.",
-                              warped.size(), origin, formatNumber(place[0]), formatNumber(place[1]),
-                              formatNumber(place[2]))};
+                 Message::say("%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first "
+                              "is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more "
+                              "cells be left out, as with '--faulty %7'.",
+                              warped.size(), shareText(most), cells.origins[warped.front()], formatNumber(place[0]),
+                              formatNumber(place[1]), formatNumber(place[2]),
+                              largerShareText(most, warped.size(), count))};
+}
+
+Error tooManyUncut(const CellComplex& complex, const CleanCells& cells, std::uint32_t first, std::uint64_t faulty,
+                   std::uint64_t count)
+{
+    const Eigen::Vector3d place = placeOf(complex, cells, first);
+    const Message where = Message::say("cell %1 at (%2, %3, %4)", cells.origins[first], formatNumber(place[0]),
+                                       formatNumber(place[1]), formatNumber(place[2]));
+    const std::string share = largerShareText(complex.mostFaulty, faulty, count);
+    if (complex.addsCentres)
+        return {ErrorKind::BadInput,
+                Message::say("%1 of the mesh's %2 cells are polyhedra in which no point sees all of their faces, more "
+                             "than %3; the first is %4. Repair the mesh in the program that made it, or let more cells "
+                             "be left out, as with '--faulty %5'.",
+                             faulty, count, shareText(complex.mostFaulty), where, share)};
+    return {ErrorKind::BadInput,
+            Message::say("%1 of the mesh's %2 cells are polyhedra that no tetrahedra between their own points fill, "
+                         "more than %3; the first is %4. With '--polyhedra centre' they get a point in the middle; "
+                         "with '--faulty %5' they are left out.",
+                         faulty, count, shareText(complex.mostFaulty), where, share)};
+}
+
+/// Of polyhedra, what has no cut.
+Status checkPolyhedra(const CellComplex& complex, const CleanCells& cells, const CutCells& cut, Repairs& repairs)
+{
+    const std::vector<std::uint32_t> uncut = judgedOf(complex, cells, cut.warped, isPolyhedron);
+    const std::vector<std::uint32_t> open = judgedOf(complex, cells, cut.open, isPolyhedron);
+    repairs.centresTried = complex.addsCentres;
+    repairs.uncut = uncut.size();
+    repairs.open = open.size();
+    for (const std::uint32_t cell : uncut)
+        repairs.faulty.push_back({cells.origins[cell], CellFault::Warped});
+    for (const std::uint32_t cell : open)
+        repairs.faulty.push_back({cells.origins[cell], CellFault::NoVolume});
+    const std::uint64_t count = judgedCount(complex, cells);
+    const auto tooMany = [&](std::uint64_t faulty) {
+        return static_cast<double>(faulty) > complex.mostFaulty * static_cast<double>(count);
+    };
+    if (tooMany(open.size())) {
+        const Eigen::Vector3d place = placeOf(complex, cells, open.front());
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("The faces of %1 of the mesh's %2 cells do not enclose a volume; the first is cell %3 "
+                         "at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be "
+                         "left out, as with '--faulty %7'.",
+                         open.size(), count, cells.origins[open.front()], formatNumber(place[0]),
+                         formatNumber(place[1]), formatNumber(place[2]),
+                         largerShareText(complex.mostFaulty, open.size(), count))};
+    }
+    if (tooMany(uncut.size()))
+        return tooManyUncut(complex, cells, uncut.front(), uncut.size(), count);
+    return {};
 }
 
 Result<CutCells> cutChecked(const CellComplex& complex, CleanCells& cells, Repairs& repairs, const Progress& progress)
 {
     const Repairs before = repairs;
     dropMiddlesIfMixed(cells, repairs);
-    auto result = cutCells(complex.positions, cells, repairs, progress);
+    auto result = cutCells(complex.positions, cells, complex.addsCentres, repairs, progress);
     if (!result || result->warped.empty() || repairs.middles > before.middles)
         return result;
     Repairs again = before;
@@ -199,7 +295,7 @@ Result<CutCells> cutChecked(const CellComplex& complex, CleanCells& cells, Repai
     if (again.middles == before.middles)
         return result;
     repairs = again;
-    return cutCells(complex.positions, cells, repairs, progress);
+    return cutCells(complex.positions, cells, complex.addsCentres, repairs, progress);
 }
 
 std::vector<Eigen::Vector3d> placesOfCorners(const CellComplex& complex, std::uint64_t cell)
@@ -238,6 +334,18 @@ Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
     return ScalarField(type, values.size(), *std::move(samples));
 }
 
+/// Those of the complex, and behind them the points in the middle of cells; empty if there are none.
+std::vector<Eigen::Vector3d> positionsWithCentres(const CellComplex& complex, const CutCells& cut)
+{
+    std::vector<Eigen::Vector3d> positions;
+    if (!cut.centres.empty()) {
+        positions.reserve(complex.positions.size() + cut.centres.size());
+        positions = complex.positions;
+        positions.insert(positions.end(), cut.centres.begin(), cut.centres.end());
+    }
+    return positions;
+}
+
 Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                             Repairs repairs, const Progress& progress)
 {
@@ -249,24 +357,30 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
         return cutting.error();
     if (const Status sound = checkWarped(complex, *cells, *cutting, repairs); !sound)
         return sound.error();
+    if (const Status sound = checkPolyhedra(complex, *cells, *cutting, repairs); !sound)
+        return sound.error();
     if (cutting->tetrahedra.empty())
         return Error{ErrorKind::BadInput, Message::say("No cell of the mesh has a volume: nothing is left.")};
-    if (const Status sound = takeOutFaultyWithin(complex, *cells, *cutting, repairs, progress.part(0.5, 0.95)); !sound)
+    const std::vector<Eigen::Vector3d> withCentres = positionsWithCentres(complex, *cutting);
+    const Positions places = withCentres.empty() ? Positions(complex.positions) : withCentres;
+    if (const Status sound = takeOutFaultyWithin(complex, places, *cells, *cutting, repairs, progress.part(0.5, 0.95));
+        !sound)
         return sound.error();
     const std::vector<double> all = pointValues(complex, values, *cells, *cutting, repairs);
     Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
 
-    const std::vector<std::uint32_t> used = renumberUsed(tetrahedra, complex.positions.size());
+    const std::vector<std::uint32_t> used = renumberUsed(tetrahedra, places.size());
     std::vector<double> usedValues(used.size());
     auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(used.size());
     for (std::size_t point = 0; point < used.size(); ++point) {
-        (*positions)[point] = complex.positions[used[point]];
+        (*positions)[point] = places[used[point]];
         usedValues[point] = all[used[point]];
+        repairs.centres += used[point] >= complex.positions.size();
     }
     const auto field = fieldOf(usedValues, typeOfPointValues(values, repairs, usedValues));
     if (!field)
         return field.error();
-    const std::uint64_t explained = used.size() + repairs.welded + repairs.middles;
+    const std::uint64_t explained = used.size() - repairs.centres + repairs.welded + repairs.middles;
     repairs.unused = complex.positions.size() - std::min<std::uint64_t>(explained, complex.positions.size());
 
     Dataset dataset;

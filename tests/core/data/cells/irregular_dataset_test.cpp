@@ -430,7 +430,45 @@ private slots:
         dataset = datasetOf(complex, values);
         QVERIFY(!dataset.ok());
         const QString text = QString::fromStdString(dataset.error().text());
-        QVERIFY2(text.contains("cells are faulty, more than a thousandth. The first is cell"), qPrintable(text));
+        QVERIFY2(text.contains("cells are faulty, more than 0.1%. The first is cell"), qPrintable(text));
+        QVERIFY2(text.endsWith("or let more cells be left out, as with '--faulty 5%'."), qPrintable(text));
+
+        // As many as one says.
+        complex.mostFaulty = 0.05;
+        dataset = datasetOf(complex, values);
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
+        QVERIFY(checkIrregular(*dataset).ok());
+        QVERIFY(dataset->faultyCells && dataset->faultyCells->size() > 4);
+    }
+
+    /// Cells that have no cut are counted against the same share, if that is more than one in a hundred.
+    void asManyWarpedCellsAsOneSays()
+    {
+        CellComplex complex = lattice(3, [](auto, auto, auto) { return true; });
+        CellComplex folded = singleCell(CellShape::Hexahedron);
+        std::swap(folded.positions[0], folded.positions[6]);
+        const std::uint64_t first = complex.positions.size();
+        for (const Eigen::Vector3d& place : folded.positions)
+            complex.positions.push_back(place + Eigen::Vector3d(10, 0, 0));
+        for (const std::uint64_t corner : folded.corners)
+            complex.corners.push_back(first + corner);
+        complex.shapes.push_back(CellShape::Hexahedron);
+        complex.offsets.push_back(complex.corners.size());
+        const auto refused = datasetOf(complex, linearValues(complex));
+        QVERIFY(!refused.ok());
+        QVERIFY2(refused.error().text().find("more than 1%; the first is cell 27") != std::string::npos,
+                 refused.error().text().c_str());
+        complex.mostFaulty = 0.05;
+        const auto dataset = datasetOf(complex, linearValues(complex));
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
+        QCOMPARE(totalVolume6(*dataset), 6.0 * 27);
+        QVERIFY(dataset->faultyCells && dataset->faultyCells->size() == 1);
+        for (const double share : {-0.1, 1.1}) {
+            complex.mostFaulty = share;
+            const auto nonsense = datasetOf(complex, linearValues(complex));
+            QVERIFY(!nonsense.ok());
+            QCOMPARE(nonsense.error().kind, ErrorKind::WrongUsage);
+        }
     }
 
     /// Only what is taken is judged: two cubes that overlap, and a third one far from them.
@@ -508,8 +546,7 @@ private slots:
     {
         QTest::addColumn<CellComplex>("complex");
         QTest::addColumn<QString>("says");
-        const QString faulty =
-            "At least 1 of the mesh's 2 cells are faulty, more than a thousandth. The first is cell 1 at ";
+        const QString faulty = "At least 1 of the mesh's 2 cells are faulty, more than 0.1%. The first is cell 1 at ";
         QTest::newRow("overlap") << twoCubes({1, 1, 1}) << faulty + "(1, 1, 1): it overlaps others.";
         QTest::newRow("inside") << twoCubes({0.5, 0.5, 0.5}, 0.25) << faulty + "(0.5, 0.5, 0.5): it overlaps others.";
         CellComplex complex = complexOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}}, CellShape::Tetrahedron,
@@ -523,7 +560,7 @@ private slots:
         QTest::newRow("range") << complex << "Cells name points that do not exist (1 in all, the first is cell 0)";
         complex = singleCell(CellShape::Hexahedron);
         complex.shapes[0] = CellShape::Polyhedron;
-        QTest::newRow("polyhedron") << complex << "polyhedra";
+        QTest::newRow("polyhedron") << complex << "Faces of polyhedra have more points than are named";
         complex = singleCell(CellShape::Hexahedron);
         complex.shapes[0] = CellShape::Prism;
         QTest::newRow("corner count") << complex << "another number of corners";
