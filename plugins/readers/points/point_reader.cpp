@@ -35,7 +35,13 @@ Result<Dataset> datasetOf(PointTable table, const std::filesystem::path& path)
     if (!dataset)
         return dataset;
     dataset->source.path = path;
-    dataset->source.valueName = table.valueName;
+    dataset->source.valueName = table.head.valueName;
+    dataset->source.taken = std::move(table.head.taken);
+    dataset->source.leftOut = std::move(table.head.leftOut);
+    dataset->lengthUnit = table.head.lengthUnit;
+    if (table.parts > 1)
+        dataset->remarks.insert(dataset->remarks.begin(),
+                                Message::say("The points of its %1 parts were put together.", table.parts));
     if (table.skippedRows > 0)
         dataset->remarks.insert(dataset->remarks.begin(),
                                 table.skippedRows == 1
@@ -49,6 +55,12 @@ PointTableRequest requestOf(const std::vector<Parameter>& parameters, const Para
     return {parameterValue<std::string>(parameters, values, "positions"),
             parameterValue<std::string>(parameters, values, "array"),
             parameterValue<bool>(parameters, values, "skip-incomplete")};
+}
+
+/// Whether a column may be taken for the values: texts are not offered.
+bool mayHold(const PointTableHead& head, std::size_t column)
+{
+    return head.columns[column].numbers > 0 || head.chosen.value == column;
 }
 
 } // namespace
@@ -77,14 +89,15 @@ std::vector<Parameter> PointReader::parameters() const
     positions.id = "positions";
     positions.label = Message::marked("Positions");
     positions.explanation =
-        Message::marked("Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or "
-                        "1,2,3; 'automatic' takes those called x, y and z, else the first three.");
+        Message::marked("Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; "
+                        "'automatic' finds them by their names; if there are no names, it takes the first three.");
     positions.defaultValue = std::string(automaticColumns);
     Parameter array;
     array.id = "array";
     array.label = Message::marked("Values");
     array.explanation =
-        Message::marked("The values to take, by name or number; 'automatic' takes the first there are.");
+        Message::marked("The values to take, by name or number; 'automatic' takes the first that are measured, not "
+                        "counters or constants.");
     array.defaultValue = std::string(automaticColumns);
     Parameter skip;
     skip.id = "skip-incomplete";
@@ -111,8 +124,8 @@ Result<Dataset> PointReader::read(const std::filesystem::path& path, const Param
         return Error{ErrorKind::OutOfResource,
                      Message::say("it has more than 4294967295 points. Take a part of them.")};
     auto dataset = datasetOf(std::move(*table), path);
-    if (dataset)
-        dataset->lengthUnit = placementText(values, "unit");
+    if (const std::string unit = placementText(values, "unit"); dataset && !unit.empty())
+        dataset->lengthUnit = unit;
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }
@@ -123,13 +136,20 @@ Result<FileContents> PointReader::probe(const std::filesystem::path& path, const
     const auto file = MappedFile::open(path);
     if (!file)
         return file.error();
-    const auto columns = readPointColumns(asText((*file)->bytes()), requestOf(parameters(), values));
-    if (!columns)
-        return columns.error();
-    FileContents contents{.domain = DomainClass::Scattered, .type = SampleType::Float64, .untold = {"unit"}};
-    for (std::size_t column = 0; column < columns->names.size(); ++column)
-        if (std::ranges::find(columns->position, column) == columns->position.end())
-            contents.arrays.push_back({.name = columns->names[column]});
+    auto head = readPointTableHead(asText((*file)->bytes()), requestOf(parameters(), values));
+    if (!head)
+        return head.error();
+    FileContents contents{.domain = DomainClass::Scattered,
+                          .type = SampleType::Float64,
+                          .taken = std::move(head->taken),
+                          .leftOut = std::move(head->leftOut)};
+    if (head->lengthUnit.empty())
+        contents.untold = {"unit"};
+    const auto& position = head->chosen.position;
+    for (std::size_t column = 0; column < head->columns.size(); ++column)
+        if (std::ranges::find(position, column) == position.end() && mayHold(*head, column))
+            contents.arrays.push_back(
+                {.name = labelOf(head->columns, column), .unit = head->columns[column].name.unit});
     return contents;
 }
 

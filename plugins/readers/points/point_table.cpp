@@ -3,11 +3,15 @@
 
 #include "plugins/readers/points/chemical_structure.h"
 #include "plugins/readers/points/delimited_text.h"
+#include "plugins/readers/points/table_front.h"
+#include "plugins/readers/points/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace tetra {
 
@@ -28,99 +32,115 @@ std::string shown(std::string_view field)
     return "'" + printable(field.substr(0, most)) + (field.size() > most ? "...'" : "'");
 }
 
-/// A line of names has no number at all where data have four.
-bool isNames(const std::vector<std::string_view>& fields)
+/// That sections hold something else; each once.
+void noteSections(const TableRows& rows, std::vector<Message>& leftOut)
 {
-    return std::ranges::none_of(fields, [](std::string_view field) { return parseNumber<double>(field).has_value(); });
-}
-
-std::string withoutDoubledQuotes(std::string_view field)
-{
-    std::string text;
-    for (std::size_t i = 0; i < field.size(); ++i) {
-        text += field[i];
-        if (field[i] == '"' && i + 1 < field.size() && field[i + 1] == '"')
-            ++i;
+    for (const std::string& section : rows.otherSections()) {
+        const Message text = Message::say("Its section '%1' is not read.", printable(section));
+        if (std::ranges::find(leftOut, text) == leftOut.end())
+            leftOut.push_back(text);
     }
-    return text;
 }
 
-/// The names of the columns: those of the file, else their numbers.
-std::vector<std::string> namesFor(const std::vector<std::string_view>& names, std::size_t columns)
+/// The columns of a table as its front and its first rows show them.
+std::vector<TableColumn> columnsOf(const TableFront& front, std::vector<Message>& leftOut)
 {
-    std::vector<std::string> texts;
-    for (std::size_t column = 0; column < columns; ++column)
-        texts.push_back(names.empty() ? "column " + std::to_string(column + 1) : withoutDoubledQuotes(names[column]));
-    return texts;
+    constexpr std::uint64_t mostRows = 10'000, mostFields = 1'000'000;
+    std::vector<TableColumn> columns(front.columns);
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+        columns[column].isNamed = !front.names.empty();
+        columns[column].name = front.names.empty() ? parseColumnName("column " + std::to_string(column + 1))
+                                                   : parseColumnName(front.names[column]);
+        if (!front.units.empty() && columns[column].name.unit.empty())
+            columns[column].name.unit = front.units[column] == "-" ? std::string() : front.units[column];
+    }
+    TableRows rows(front);
+    std::vector<std::string_view> fields;
+    for (std::uint64_t row = 0; row < mostRows && row * columns.size() < mostFields; ++row) {
+        if (const auto more = rows.next(fields); !more.ok() || !*more) // reading says what is wrong
+            break;
+        for (std::size_t column = 0; column < std::min(columns.size(), fields.size()); ++column)
+            if (const auto number = parseNumber<double>(fields[column]))
+                columns[column].add(*number);
+    }
+    noteSections(rows, leftOut);
+    return columns;
+}
+
+/// The length unit of the places, and a word on what differs.
+void noteUnits(const TableFront& front, PointTableHead& head)
+{
+    std::array<std::string, 3> units;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        units[axis] = head.columns[head.chosen.position[axis]].name.unit;
+    if (units[0] == units[1] && units[1] == units[2])
+        head.lengthUnit = isLengthUnit(units[0]) ? units[0] : units[0].empty() ? front.lengthUnit : std::string();
+    else if (std::ranges::none_of(units, [](const std::string& unit) { return unit.empty(); }))
+        head.leftOut.push_back(
+            Message::say("Its coordinates are in different units (%1, %2, %3) and are taken as they stand.",
+                         printable(units[0]), printable(units[1]), printable(units[2])));
+    const ColumnName& height = head.columns[head.chosen.position[2]].name;
+    if (isDepth(height))
+        head.leftOut.push_back(Message::say("Its depths ('%1') are taken for z as they stand: if they are positive, "
+                                            "the data stand on their head.",
+                                            printable(height.whole)));
+}
+
+Result<PointTableHead> headOf(const TableFront& front, const PointTableRequest& request)
+{
+    PointTableHead head{.columns = {}, .chosen = {}};
+    head.columns = columnsOf(front, head.leftOut);
+    auto chosen = choosePointColumns(head.columns, front.namesAreComment, request.positions, request.value);
+    if (!chosen)
+        return chosen.error();
+    head.chosen = *chosen;
+    if (!front.names.empty())
+        head.valueName = labelOf(head.columns, chosen->value);
+    std::string places;
+    for (const std::size_t column : chosen->position)
+        places += (places.empty() ? "" : ", ") + printable(labelOf(head.columns, column));
+    head.taken = {{TakenPart::Array, Message(printable(labelOf(head.columns, chosen->value))), chosen->valueGuessed},
+                  {TakenPart::Places, Message(places), chosen->positionGuessed}};
+    if (const std::string& unit = head.columns[chosen->value].name.unit; !unit.empty())
+        head.taken.push_back({TakenPart::Unit, Message(printable(unit)), false});
+    noteUnits(front, head);
+    return head;
 }
 
 class TableReading {
 public:
-    TableReading(std::string_view text, const PointTableRequest& request) : text_(text), request_(request), lines_(text)
+    TableReading(std::string_view text, const PointTableRequest& request, const TableFront& front, PointTableHead head)
+        : text_(text), request_(request), rows_(front)
     {
+        table_.head = std::move(head);
     }
 
     Result<PointTable> run(const Progress& progress);
-    Result<PointColumns> readColumns();
 
 private:
-    Status readFront();
-    Status split(std::string_view line);
     Status addRow();
     Result<double> number(std::size_t column) const; ///< what is written there, also "nan"
     Error notFinite(std::size_t column) const;
+    std::string nameOf(std::size_t column) const
+    {
+        const std::string& name = table_.head.columns[column].name.whole;
+        return printable(name.empty() ? labelOf(table_.head.columns, column) : name);
+    }
 
     std::string_view text_;
     const PointTableRequest& request_;
-    TextLines lines_;
-    char separator_ = ',';
-    PointColumns columns_;
+    TableRows rows_;
     std::vector<std::string_view> fields_;
-    bool hasRow_ = false; ///< the first row of data is in fields_
     PointTable table_;
 };
-
-Status TableReading::split(std::string_view line)
-{
-    if (!splitFields(line, separator_, fields_))
-        return Error{ErrorKind::BadInput,
-                     Message::say("%1 has a double quote that is not closed.", lineText(lines_.number()))};
-    return {};
-}
-
-/// Names, if there are any, and the columns.
-Status TableReading::readFront()
-{
-    std::string_view line;
-    if (!lines_.next(line))
-        return Error{ErrorKind::BadInput, Message::say("it holds no points.")};
-    separator_ = separatorOf(line);
-    if (const Status done = split(line); !done)
-        return done;
-    std::vector<std::string_view> names;
-    hasRow_ = !isNames(fields_);
-    if (!hasRow_) {
-        names = fields_;
-    } else if (std::vector<std::string_view> commented; splitFields(lines_.comment(), separator_, commented) &&
-                                                        commented.size() == fields_.size() && isNames(commented)) {
-        names = commented;
-    }
-    auto columns = choosePointColumns(namesFor(names, fields_.size()), request_.positions, request_.value);
-    if (!columns)
-        return columns.error();
-    columns_ = std::move(*columns);
-    if (!names.empty())
-        table_.valueName = columns_.names[columns_.value];
-    return {};
-}
 
 Result<double> TableReading::number(std::size_t column) const
 {
     const std::string_view field = fields_[column];
     if (const auto number = parseNumber<double>(field))
         return *number;
-    const Message line = lineText(lines_.number());
-    const std::string name = printable(columns_.names[column]);
+    const Message line = lineText(rows_.number());
+    const std::string name = nameOf(column);
     if (field.empty())
         return Error{ErrorKind::BadInput,
                      Message::say("%1, %2: there is no number. Add it, or have incomplete rows skipped.", line, name)};
@@ -132,19 +152,19 @@ Result<double> TableReading::number(std::size_t column) const
 
 Error TableReading::notFinite(std::size_t column) const
 {
-    return {ErrorKind::BadInput, Message::say("%1, %2: %3 is not a finite number.", lineText(lines_.number()),
-                                              printable(columns_.names[column]), shown(fields_[column]))};
+    return {ErrorKind::BadInput, Message::say("%1, %2: %3 is not a finite number.", lineText(rows_.number()),
+                                              nameOf(column), shown(fields_[column]))};
 }
 
 Status TableReading::addRow()
 {
-    if (fields_.size() != columns_.names.size())
+    if (fields_.size() != table_.head.columns.size())
         return Error{ErrorKind::BadInput,
-                     Message::say("%1 has %2 columns, and those before have %3.", lineText(lines_.number()),
-                                  fields_.size(), columns_.names.size())};
+                     Message::say("%1 has %2 columns, and those before have %3.", lineText(rows_.number()),
+                                  fields_.size(), table_.head.columns.size())};
     Eigen::Vector3d position;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t column = columns_.position[static_cast<std::size_t>(axis)];
+        const std::size_t column = table_.head.chosen.position[static_cast<std::size_t>(axis)];
         const Result<double> coordinate = number(column);
         if (!coordinate)
             return coordinate.error();
@@ -152,11 +172,11 @@ Status TableReading::addRow()
             return notFinite(column);
         if (std::abs(*coordinate) > largestCoordinate)
             return Error{ErrorKind::BadInput,
-                         Message::say("%1, %2: %3 is too large for a position.", lineText(lines_.number()),
-                                      printable(columns_.names[column]), shown(fields_[column]))};
+                         Message::say("%1, %2: %3 is too large for a position.", lineText(rows_.number()),
+                                      nameOf(column), shown(fields_[column]))};
         position[axis] = *coordinate;
     }
-    const Result<double> value = number(columns_.value);
+    const Result<double> value = number(table_.head.chosen.value);
     if (!value)
         return value.error();
     table_.positions.push_back(position);
@@ -164,37 +184,31 @@ Status TableReading::addRow()
     return {};
 }
 
-Result<PointColumns> TableReading::readColumns()
-{
-    if (const Status front = readFront(); !front)
-        return front.error();
-    return std::move(columns_);
-}
-
 Result<PointTable> TableReading::run(const Progress& progress)
 {
-    constexpr std::uint64_t linesBetweenReports = 1 << 14;
-    if (const Status front = readFront(); !front)
-        return front.error();
-    std::string_view line;
-    for (; hasRow_ || lines_.next(line); hasRow_ = false) {
-        if (!hasRow_)
-            if (const Status done = split(line); !done)
-                return done.error();
+    constexpr std::uint64_t rowsBetweenReports = 1 << 14;
+    for (std::uint64_t row = 1;; ++row) {
+        const Result<bool> more = rows_.next(fields_);
+        if (!more.ok())
+            return more.error();
+        if (!*more)
+            break;
         const Status added = addRow();
-        const bool isIncomplete = !added && fields_.size() == columns_.names.size();
+        const bool isIncomplete = !added && fields_.size() == table_.head.columns.size();
         if (!added && !(isIncomplete && request_.skipIncomplete))
             return added.error();
         table_.skippedRows += !added;
-        if (lines_.number() % linesBetweenReports == 0) {
+        if (row % rowsBetweenReports == 0) {
             if (progress.cancelled())
                 return cancelledError(Message::marked("Reading"));
-            progress.report(static_cast<double>(lines_.position()) / static_cast<double>(text_.size()),
+            progress.report(static_cast<double>(rows_.position()) / static_cast<double>(text_.size()),
                             Message::marked("Reading"));
         }
     }
     if (table_.values.empty())
         return Error{ErrorKind::BadInput, Message::say("it holds no points.")};
+    table_.parts = rows_.parts();
+    noteSections(rows_, table_.head.leftOut);
     return std::move(table_);
 }
 
@@ -214,18 +228,25 @@ Status checkTable(std::string_view text)
 
 } // namespace
 
-Result<PointColumns> readPointColumns(std::string_view text, const PointTableRequest& request)
+Result<PointTableHead> readPointTableHead(std::string_view text, const PointTableRequest& request)
 {
     if (const Status usable = checkTable(text); !usable)
         return usable.error();
-    return TableReading(text, request).readColumns();
+    const auto front = readTableFront(text);
+    return front ? headOf(*front, request) : front.error();
 }
 
 Result<PointTable> readPointTable(std::string_view text, const PointTableRequest& request, const Progress& progress)
 {
     if (const Status usable = checkTable(text); !usable)
         return usable.error();
-    return TableReading(text, request).run(progress);
+    const auto front = readTableFront(text);
+    if (!front)
+        return front.error();
+    auto head = headOf(*front, request);
+    if (!head)
+        return head.error();
+    return TableReading(text, request, *front, *std::move(head)).run(progress);
 }
 
 bool looksLikePointTable(std::string_view beginning)
@@ -233,6 +254,8 @@ bool looksLikePointTable(std::string_view beginning)
     constexpr std::uint64_t linesToTry = 3;
     if (beginning.find('\0') != std::string_view::npos)
         return false;
+    if (hasSpecialForm(beginning))
+        return true;
     TextLines lines(beginning);
     std::string_view line;
     std::vector<std::string_view> fields;

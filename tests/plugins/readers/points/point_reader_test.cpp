@@ -67,8 +67,7 @@ private slots:
         QTest::addColumn<QByteArray>("name");
         QTest::newRow("names") << QByteArray("x,y,z,t\n1,2,3,10\n4,5,6,20\n") << QByteArray("t");
         QTest::newRow("no names") << QByteArray("1,2,3,10\n4,5,6,20") << QByteArray("");
-        QTest::newRow("other order, units")
-            << QByteArray("T (K),z_m,X [m],y\n10,3,1,2\n20,6,4,5\n") << QByteArray("T (K)");
+        QTest::newRow("other order, units") << QByteArray("T (K),z_m,X [m],y\n10,3,1,2\n20,6,4,5\n") << QByteArray("T");
         QTest::newRow("ParaView") << QByteArray("\"Temp\",\"Points:0\",\"Points:1\",\"Points:2\"\n10,1,2,3\n20,4,5,6\n")
                                   << QByteArray("Temp");
         QTest::newRow("unknown names") << QByteArray("lon,lat,depth,magnitude\n1,2,3,10\n4,5,6,20\n")
