@@ -25,6 +25,20 @@ std::string takenName(const FileArray& array, int component)
     return array.name + (component < 0 ? " (magnitude)" : " (component " + std::to_string(component) + ")");
 }
 
+std::vector<Taken> takenOf(const CellsRequest& request, const FileArray& array, int component, bool isGuess)
+{
+    std::vector<Taken> taken;
+    if (!array.name.empty())
+        taken.push_back({TakenPart::Array, Message(printable(array.name)), request.array.empty() && isGuess});
+    if (array.components > 1)
+        taken.push_back({TakenPart::Component,
+                         component < 0 ? Message(Message::marked("magnitude")) : Message(std::to_string(component)),
+                         request.component.empty()});
+    if (!array.unit.empty())
+        taken.push_back({TakenPart::Unit, Message(printable(array.unit)), false});
+    return taken;
+}
+
 Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays)
 {
     std::string names;

@@ -3,8 +3,10 @@
 
 #include "plugins/api/placement_parameters.h"
 #include "plugins/readers/cells/cells_file.h"
+#include "plugins/readers/cells/cells_parameters.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tetra {
 
@@ -70,14 +72,15 @@ bool isFlat(const CellsFile& file)
 CellsRequest requestOf(const std::vector<Parameter>& parameters, const ParameterValues& values)
 {
     CellsRequest request{parameterValue<std::string>(parameters, values, "array"),
-                         parameterValue<std::string>(parameters, values, "component")};
+                         values.contains("component") ? parameterValue<std::string>(parameters, values, "component")
+                                                      : std::string()};
     if (request.array == "automatic") // what other readers say
         request.array.clear();
     return request;
 }
 
 /// `region`: CellComplex's.
-Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& request,
+Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& request, const ParameterValues& values,
                          const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
 {
     constexpr double readingShare = 0.4;
@@ -86,9 +89,15 @@ Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& 
         if (!file)
             return file.error();
         file->complex.region = region;
+        if (const Status understood = applyCellsParameters(values, file->complex); !understood)
+            return understood.error();
         const std::string array = file->arrayName.empty() ? "" : ", " + printable(file->arrayName);
-        const Source source{
-            .name = path.filename().string() + array, .path = path, .hash = 0, .valueName = file->arrayName};
+        const Source source{.name = path.filename().string() + array,
+                            .path = path,
+                            .hash = 0,
+                            .valueName = file->arrayName,
+                            .taken = file->taken,
+                            .leftOut = file->leftOut};
         return orPoints && isFlat(*file) ? pointsOf(*std::move(file), source)
                                          : meshOf(*file, source, progress.part(readingShare, 1));
     };
@@ -137,25 +146,31 @@ std::vector<Parameter> CellsReader::parameters() const
     component.explanation =
         Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'.");
     component.defaultValue = std::string("magnitude");
-    return {array, component, unitParameter()};
+    std::vector<Parameter> all = {array, component};
+    std::ranges::copy(cellsParameters(), std::back_inserter(all));
+    all.push_back(unitParameter());
+    return all;
 }
 
 Result<Dataset> CellsReader::read(const std::filesystem::path& path, const ParameterValues& values,
                                   const Progress& progress) const
 {
-    return withUnit(readMesh(path, requestOf(parameters(), values), std::nullopt, progress), values);
+    return withUnit(readMesh(path, requestOf(parameters(), values), values, std::nullopt, progress), values);
 }
 
 Result<Dataset> CellsReader::readAround(const Eigen::AlignedBox3d& region, const std::filesystem::path& path,
                                         const ParameterValues& values, const Progress& progress) const
 {
-    return withUnit(readMesh(path, requestOf(parameters(), values), region, progress), values);
+    return withUnit(readMesh(path, requestOf(parameters(), values), values, region, progress), values);
 }
 
-Result<FileContents> CellsReader::probe(const std::filesystem::path& path, const ParameterValues& /*values*/,
+Result<FileContents> CellsReader::probe(const std::filesystem::path& path, const ParameterValues& values,
                                         const Progress& /*progress*/) const
 {
-    auto contents = withFile<FileContents>(path, probeVtu, probeUcd);
+    const CellsRequest request = requestOf(parameters(), values);
+    auto contents = withFile<FileContents>(
+        path, [&](std::string_view bytes) { return probeVtu(bytes, request); },
+        [&](std::string_view bytes) { return probeUcd(bytes, request); });
     if (contents)
         contents->untold = {"unit"};
     return contents;

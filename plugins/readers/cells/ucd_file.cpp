@@ -171,6 +171,8 @@ public:
                 return wrong(Message::say("the name of a value is missing"));
             const std::string_view name = line.substr(0, line.find_first_of(",\r"));
             array.name = std::string(name.substr(0, name.find_last_not_of(" \t") + 1));
+            line.remove_prefix(std::min(line.find(','), line.size()));
+            array.unit = nextWord(line);
         }
         found.insert(found.end(), arrays.begin(), arrays.end());
         return {};
@@ -262,6 +264,12 @@ private:
     std::unordered_map<std::int64_t, std::uint64_t> cellNumbers_;
 };
 
+/// Without a choice: `arrays` are those of the points, unless there are none.
+bool isGuess(const std::vector<FileArray>& arrays, const UcdCounts& counts)
+{
+    return arrays.size() > 1 || (counts.perPoint > 0 && counts.perCell > 0);
+}
+
 bool isBinaryUcd(std::string_view bytes)
 {
     return bytes.starts_with('\7');
@@ -315,6 +323,7 @@ Result<CellsFile> readUcd(std::string_view bytes, const CellsRequest& request, c
                     !status)
                     return status.error();
                 file.arrayName = takenName(arrays[i], *component);
+                file.taken = takenOf(request, arrays[i], *component, isGuess(arrays, reading.counts()));
                 return file;
             }
             place += static_cast<std::uint64_t>(arrays[i].components);
@@ -327,7 +336,7 @@ Result<CellsFile> readUcd(std::string_view bytes, const CellsRequest& request, c
     return unknownArray(request.array, arrays);
 }
 
-Result<FileContents> probeUcd(std::string_view bytes)
+Result<FileContents> probeUcd(std::string_view bytes, const CellsRequest& request)
 {
     if (isBinaryUcd(bytes))
         return binaryUcd();
@@ -349,6 +358,14 @@ Result<FileContents> probeUcd(std::string_view bytes)
             return status.error();
     if (const Status status = reading.arrays(counts.perCell, true, contents.arrays); !status)
         return status.error();
+    const auto chosen = request.array.empty() ? contents.arrays.begin()
+                                              : std::ranges::find(contents.arrays, request.array, &FileArray::name);
+    if (chosen == contents.arrays.end())
+        return request.array.empty() ? Result<FileContents>(contents) : unknownArray(request.array, contents.arrays);
+    const auto component = componentOf(request, chosen->components);
+    if (!component)
+        return component.error();
+    contents.taken = takenOf(request, *chosen, *component, contents.arrays.size() > 1);
     return contents;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/cells_file.h"
+#include "plugins/readers/cells/vtu_cells.h"
 #include "plugins/readers/cells/vtu_data.h"
 #include "plugins/readers/cells/vtu_head.h"
 #include "plugins/readers/cells/xml_tags.h"
@@ -18,65 +19,10 @@ namespace {
 
 constexpr MarkedText readingVtu = Message::marked("Reading");
 constexpr std::string_view ghostName = "vtkGhostType";
-/// Numbers of points and cells, which are taken only if there is nothing else.
-constexpr std::array<std::string_view, 5> helpingNames = {"vtkGhostLevels", "vtkOriginalPointIds", "vtkOriginalCellIds",
-                                                          "GlobalNodeId", "GlobalElementId"};
-
-/// Nothing for shapes that are not known.
-std::optional<CellShape> shapeOf(std::uint64_t vtkType)
-{
-    switch (vtkType) {
-    case 10: return CellShape::Tetrahedron;
-    case 11: return CellShape::Voxel;
-    case 12: return CellShape::Hexahedron;
-    case 13: return CellShape::Prism;
-    case 14: return CellShape::Pyramid;
-    case 24: return CellShape::QuadraticTetrahedron;
-    case 25: return CellShape::QuadraticHexahedron;
-    case 26: return CellShape::QuadraticPrism;
-    case 27: return CellShape::QuadraticPyramid;
-    case 29: return CellShape::TriquadraticHexahedron;
-    case 42: return CellShape::Polyhedron;
-    // Vertices, lines, strips and polygons, straight and curved.
-    case 0:
-    case 1:
-    case 2:
-    case 3:
-    case 4:
-    case 5:
-    case 6:
-    case 7:
-    case 8:
-    case 9:
-    case 21:
-    case 22:
-    case 23:
-    case 28:
-    case 30:
-    case 34:
-    case 35:
-    case 36:
-    case 68:
-    case 69:
-    case 70:
-    case 75:
-    case 76:
-    case 77: return CellShape::Flat;
-    default: return std::nullopt;
-    }
-}
-
-/// The quadratic shape of so many corners, for cells that are called linear; nothing else has as many.
-std::optional<CellShape> quadraticShape(CellShape shape, std::uint64_t corners)
-{
-    switch (shape) {
-    case CellShape::Tetrahedron: return corners == 10 ? std::optional(CellShape::QuadraticTetrahedron) : std::nullopt;
-    case CellShape::Pyramid: return corners == 13 ? std::optional(CellShape::QuadraticPyramid) : std::nullopt;
-    case CellShape::Prism: return corners == 15 ? std::optional(CellShape::QuadraticPrism) : std::nullopt;
-    case CellShape::Hexahedron: return corners == 20 ? std::optional(CellShape::QuadraticHexahedron) : std::nullopt;
-    default: return std::nullopt;
-    }
-}
+/// Numbers of points and cells, and orders of cells, which are taken only if there is nothing else.
+constexpr std::array<std::string_view, 6> helpingNames = {"vtkGhostLevels",     "vtkOriginalPointIds",
+                                                          "vtkOriginalCellIds", "GlobalNodeId",
+                                                          "GlobalElementId",    "HigherOrderDegrees"};
 
 bool isScalar(const VtuArray& array)
 {
@@ -139,8 +85,9 @@ Result<std::vector<double>> valuesOf(const VtuHead& head, const VtuPiece& piece,
     return values;
 }
 
-/// Whether an array has one value everywhere. One that cannot be read has not: reading it says what is wrong.
-bool isConstant(const VtuHead& head, const FileArray& array)
+/// Whether an array has one value everywhere, as far as the file tells its range, or it may be read. One that cannot be
+/// read has not: reading it says what is wrong.
+bool isConstant(const VtuHead& head, const FileArray& array, bool mayRead)
 {
     std::optional<double> first;
     for (const VtuPiece& piece : head.pieces) {
@@ -149,6 +96,8 @@ bool isConstant(const VtuHead& head, const FileArray& array)
         if (found == among.end())
             return false;
         const auto range = rangeOf(*found);
+        if (!range && !mayRead)
+            return false;
         const auto values = range ? std::vector{range->minimum, range->maximum} : valuesOf(head, piece, array, -1);
         if (!values)
             return false;
@@ -166,6 +115,12 @@ bool isHelping(const FileArray& array)
     return std::ranges::find(helpingNames, array.name) != helpingNames.end();
 }
 
+/// Whether the file says that this array is the one.
+bool isActive(const VtuHead& head, const FileArray& array)
+{
+    return array.name == (array.perCell ? head.activeCells : head.activePoints);
+}
+
 /// The array that is taken without a choice; null without arrays. Looks into arrays only if it may.
 const FileArray* automatic(const VtuHead& head, const std::vector<FileArray>& arrays, bool mayRead)
 {
@@ -173,12 +128,11 @@ const FileArray* automatic(const VtuHead& head, const std::vector<FileArray>& ar
     for (const FileArray& array : arrays)
         order.push_back(&array);
     std::ranges::stable_sort(order, {}, [&](const FileArray* array) {
-        const bool active = array->name == (array->perCell ? head.activeCells : head.activePoints);
-        return std::array{isHelping(*array), array->perCell, !active, array->components > 1};
+        return std::array{isHelping(*array), array->perCell, !isActive(head, *array), array->components > 1};
     });
-    if (mayRead && order.size() > 1)
+    if (order.size() > 1)
         for (const FileArray* array : order)
-            if (isHelping(*array) == isHelping(*order.front()) && !isConstant(head, *array))
+            if (isHelping(*array) == isHelping(*order.front()) && !isConstant(head, *array, mayRead))
                 return array;
     return order.empty() ? nullptr : order.front();
 }
@@ -224,7 +178,9 @@ public:
         }
         if (chosen_.isLong && component_ >= 0)
             shortenValues();
-        remarkQuadratic();
+        for (Message& remark : remarksOn(notes_))
+            file_.remarks.push_back(std::move(remark));
+        file_.joinsPoints = notes_.joinsPoints;
         return std::move(file_);
     }
 
@@ -252,39 +208,10 @@ private:
 
     Status addCells(const VtuPiece& piece, std::uint64_t firstPoint)
     {
-        const auto offsets = readIntegers(head_, piece.offsets, piece.cells);
-        if (!offsets)
-            return offsets.error();
-        if (!std::ranges::is_sorted(*offsets))
-            return Error{ErrorKind::BadInput, Message::say("the offsets of its cells do not rise.")};
-        const auto corners = readIntegers(head_, piece.connectivity, offsets->back());
-        if (!corners)
-            return corners.error();
-        const auto types = readIntegers(head_, piece.types, piece.cells);
-        if (!types)
-            return types.error();
-        CellComplex& complex = file_.complex;
-        const std::uint64_t firstCorner = complex.corners.size();
-        for (const std::uint64_t corner : *corners) {
-            if (corner >= piece.points)
-                return Error{ErrorKind::BadInput, Message::say("a cell has the corner %1 of %2 points.",
-                                                               static_cast<std::int64_t>(corner), piece.points)};
-            complex.corners.push_back(firstPoint + corner);
-        }
-        for (std::uint64_t cell = 0; cell < piece.cells; ++cell) {
-            const auto shape = shapeOf((*types)[cell]);
-            if (!shape)
-                return Error{ErrorKind::BadInput, Message::say("it has cells of a shape that TAn does not know: %1. "
-                                                               "Divide them into simpler ones.",
-                                                               Message::say("number %1", (*types)[cell]))};
-            const auto quadratic = quadraticShape(*shape, (*offsets)[cell] - (cell == 0 ? 0 : (*offsets)[cell - 1]));
-            wronglyLinear_ += quadratic ? 1 : 0;
-            constexpr std::uint64_t polyVertex = 2;
-            file_.joinsPoints = file_.joinsPoints || (*types)[cell] > polyVertex;
-            complex.offsets.push_back(firstCorner + (*offsets)[cell]);
-            complex.shapes.push_back(quadratic.value_or(*shape));
-        }
-        return addBlanked(piece, *offsets, *corners);
+        const auto nodes = addVtuCells(head_, piece, firstPoint, file_.complex, notes_);
+        if (!nodes)
+            return nodes.error();
+        return addBlanked(piece, nodes->ends, nodes->nodes);
     }
 
     /// Copies of cells that another piece has, hidden ones, and those at hidden points.
@@ -337,23 +264,27 @@ private:
             file_.remarks.push_back(Message::say("Its 64-bit integers became floating-point numbers of 53 bits."));
     }
 
-    void remarkQuadratic()
-    {
-        if (wronglyLinear_ == 1)
-            file_.remarks.push_back(
-                Message::say("1 cell is called linear and has the corners of a quadratic one: it was taken as such."));
-        else if (wronglyLinear_ > 1)
-            file_.remarks.push_back(Message::say(
-                "%1 cells are called linear and have the corners of quadratic ones: they were taken as such.",
-                wronglyLinear_));
-    }
-
     const VtuHead& head_;
     const ChosenArray& chosen_;
     int component_;
-    std::uint64_t wronglyLinear_ = 0;
+    VtuCellNotes notes_;
     CellsFile file_;
 };
+
+std::vector<Taken> takenOf(const VtuHead& head, const CellsRequest& request, const FileArray& array, int component)
+{
+    const std::vector<FileArray> arrays = arraysOf(head);
+    const auto candidates = std::ranges::count_if(arrays, [](const FileArray& other) { return !isHelping(other); });
+    return takenOf(request, array, component, !isActive(head, array) && (candidates > 1 || isHelping(array)));
+}
+
+std::vector<Message> leftOutOf(const VtuHead& head)
+{
+    const auto time = head.time.type.empty() ? std::nullopt : std::optional(readDoubles(head, head.time, 1));
+    if (!time || !*time)
+        return {};
+    return {Message::say("It says that it is of the time %1.", formatNumber((**time)[0]))};
+}
 
 } // namespace
 
@@ -368,10 +299,15 @@ Result<CellsFile> readVtu(std::string_view bytes, const CellsRequest& request, c
     const auto component = componentOf(request, chosen->array.components);
     if (!component)
         return component.error();
-    return VtuReading(*head, *chosen, *component).run(progress);
+    auto file = VtuReading(*head, *chosen, *component).run(progress);
+    if (file) {
+        file->taken = takenOf(*head, request, chosen->array, *component);
+        file->leftOut = leftOutOf(*head);
+    }
+    return file;
 }
 
-Result<FileContents> probeVtu(std::string_view bytes)
+Result<FileContents> probeVtu(std::string_view bytes, const CellsRequest& request)
 {
     const auto head = parseVtuHead(bytes);
     if (!head)
@@ -383,8 +319,15 @@ Result<FileContents> probeVtu(std::string_view bytes)
         contents.cells += piece.cells;
     }
     contents.arrays = arraysOf(*head);
-    if (const auto chosen = choose(*head, {}, false))
-        contents.type = chosen->type;
+    contents.leftOut = leftOutOf(*head);
+    const auto chosen = choose(*head, request, false);
+    if (!chosen)
+        return request.array.empty() ? Result<FileContents>(contents) : chosen.error();
+    contents.type = chosen->type;
+    const auto component = componentOf(request, chosen->array.components);
+    if (!component)
+        return component.error();
+    contents.taken = takenOf(*head, request, chosen->array, *component);
     return contents;
 }
 

@@ -67,6 +67,9 @@ private:
                                     printable(tag.attribute("type"))));
         head_.bigEndian = tag.attribute("byte_order") == "BigEndian";
         head_.wideHeaders = tag.attribute("header_type") == "UInt64";
+        const double version = parseNumber<double>(tag.attribute("version")).value_or(0);
+        constexpr double newNumbers = 2.1;
+        head_.exchangesLagrangeEdges = version < newNumbers;
         const std::string compressor = tag.attribute("compressor");
         head_.packed = compressor == "vtkZLibDataCompressor";
         if (!compressor.empty() && !head_.packed)
@@ -93,7 +96,7 @@ private:
             head_.activePoints = tag.attribute("Scalars");
         if (head_.pieces.size() == 1 && tag.name == "CellData")
             head_.activeCells = tag.attribute("Scalars");
-        if (tag.name == "DataArray" && !head_.pieces.empty())
+        if (tag.name == "DataArray" && (!head_.pieces.empty() || inside_ == "FieldData"))
             return array(tag);
         return {};
     }
@@ -110,7 +113,9 @@ private:
                                 .positions = {},
                                 .connectivity = {},
                                 .offsets = {},
-                                .types = {}});
+                                .types = {},
+                                .faces = {},
+                                .faceOffsets = {}});
         return {};
     }
 
@@ -146,6 +151,11 @@ private:
 
     void place(VtuArray array)
     {
+        if (inside_ == "FieldData") {
+            if (array.name == "TimeValue" || array.name == "TIME")
+                head_.time = std::move(array);
+            return;
+        }
         VtuPiece& piece = head_.pieces.back();
         VtuArray* where = nullptr;
         if (inside_ == "PointData")
@@ -160,6 +170,10 @@ private:
             where = &piece.offsets;
         else if (inside_ == "Cells" && array.name == "types")
             where = &piece.types;
+        else if (inside_ == "Cells" && array.name == "faces")
+            where = &piece.faces;
+        else if (inside_ == "Cells" && array.name == "faceoffsets")
+            where = &piece.faceOffsets;
         if (where != nullptr)
             *where = std::move(array);
     }
@@ -179,10 +193,12 @@ private:
             if (array.format == "appended")
                 array.content = array.offset < data.size() ? data.substr(array.offset) : std::string_view();
         };
+        fill(head_.time);
         for (VtuPiece& piece : head_.pieces) {
             std::ranges::for_each(piece.pointArrays, fill);
             std::ranges::for_each(piece.cellArrays, fill);
-            for (VtuArray* array : {&piece.positions, &piece.connectivity, &piece.offsets, &piece.types})
+            for (VtuArray* array : {&piece.positions, &piece.connectivity, &piece.offsets, &piece.types, &piece.faces,
+                                    &piece.faceOffsets})
                 fill(*array);
         }
         return {};

@@ -28,6 +28,7 @@ struct VtuPiece {
     std::vector<VtuArray> pointArrays;
     std::vector<VtuArray> cellArrays;
     VtuArray positions, connectivity, offsets, types;
+    VtuArray faces, faceOffsets; ///< of polyhedra; may be missing
 };
 
 /// The structure of a .vtu file; views into its bytes.
@@ -36,7 +37,9 @@ struct VtuHead {
     bool wideHeaders = false; ///< block headers of 64 bits, not 32
     bool packed = false;      ///< with zlib
     bool appendedBase64 = false;
+    bool exchangesLagrangeEdges = false; ///< before version 2.1: VTK numbers two edges of hexahedra the other way round
     std::string activePoints, activeCells; ///< the scalars of the first piece that the file calls active
+    VtuArray time{};                       ///< in the field data; may be missing
     std::vector<VtuPiece> pieces;
 };
 

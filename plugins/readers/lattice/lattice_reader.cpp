@@ -206,6 +206,8 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, con
     dataset.lengthUnit = volume.layout.lengthUnit;
     dataset.remarks = volume.layout.remarks;
     dataset.source = {path.filename().string(), path, 0};
+    dataset.source.taken = volume.layout.taken;
+    dataset.source.leftOut = volume.layout.leftOut;
     if (isWithin(values->bytes(), volume.first->bytes()))
         dataset.mappedFile = volume.first;
     progress.report(1, Message::marked("Reading"));
@@ -234,6 +236,8 @@ Result<FileContents> contentsOf(const fs::path& path, const VolumeFiles& volume)
                         .lattice = volume.layout.lattice,
                         .points = volume.layout.lattice.pointCount(),
                         .type = volume.layout.type,
+                        .taken = volume.layout.taken,
+                        .leftOut = volume.layout.leftOut,
                         .untold = volume.layout.untold};
 }
 

@@ -61,6 +61,36 @@ Status parseSkips(const NrrdFields& fields, SampleLayout& layout)
     return {};
 }
 
+/// Which fields say where it lies, and the unit of the samples.
+std::vector<Taken> takenOf(const NrrdFields& fields)
+{
+    std::vector<Taken> taken;
+    if (fields.has("space directions"))
+        taken.push_back({TakenPart::Frame, Message::say("space directions"), false});
+    std::string_view unit = fields["sample units"];
+    if (unit.size() > 1 && unit.front() == '"' && unit.back() == '"')
+        unit = trimmed(unit.substr(1, unit.size() - 2));
+    if (!unit.empty() && unit != "???") // the format's way of saying that it is not known
+        taken.push_back({TakenPart::Unit, Message(printable(unit)), false});
+    return taken;
+}
+
+/// Of the fields that are accepted and not used those that would change what the data mean.
+std::vector<Message> leftOutOf(const NrrdFields& fields)
+{
+    std::vector<Message> leftOut;
+    if (fields.has("old min") || fields.has("old max"))
+        leftOut.push_back(Message::say("Its samples stand for numbers from %1 to %2 ('old min', 'old max'), from which "
+                                       "they were quantized; they are taken as they are stored.",
+                                       fields.has("old min") ? printable(fields["old min"]) : std::string("?"),
+                                       fields.has("old max") ? printable(fields["old max"]) : std::string("?")));
+    const bool placesTwice = fields.has("spacings") || fields.has("axis mins") || fields.has("axis maxs");
+    if (fields.has("space directions") && placesTwice)
+        leftOut.push_back(Message::say("Its spacings and the ends of its axes are not used: its space directions say "
+                                       "where it lies."));
+    return leftOut;
+}
+
 } // namespace
 
 Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
@@ -83,6 +113,8 @@ Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
         untoldPlacement(tellsNrrdSpacing(fields), tellsNrrdOrigin(fields), !layout.samples.lengthUnit.empty());
     layout.samples.stepsToOrigin = nrrdStepsToOrigin(fields);
     layout.samples.remarks = nrrdPlaceRemarks(fields);
+    layout.samples.taken = takenOf(fields);
+    layout.samples.leftOut = leftOutOf(fields);
     auto files = nrrdDataFiles(fields);
     if (!files)
         return files.error();

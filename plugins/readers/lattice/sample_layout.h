@@ -23,6 +23,8 @@ struct SampleLayout {
     /// cell begins. Of files that do not tell the spacing; else zeros.
     Eigen::Vector3d stepsToOrigin = Eigen::Vector3d::Zero();
     std::vector<Message> remarks{}; ///< for Dataset::remarks
+    std::vector<Taken> taken{};     ///< for Source::taken
+    std::vector<Message> leftOut{}; ///< for Source::leftOut
     SampleType type = SampleType::UInt8;
     SampleEncoding encoding = SampleEncoding::Raw;
     std::endian order = std::endian::native; ///< of types of more than one byte; text has none

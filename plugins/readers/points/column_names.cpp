@@ -2,6 +2,7 @@
 #include "plugins/readers/points/column_names.h"
 
 #include "plugins/readers/points/delimited_text.h"
+#include "plugins/readers/points/small_letters.h"
 #include "plugins/readers/points/units.h"
 
 #include <algorithm>
@@ -50,11 +51,6 @@ constexpr std::string_view counters[] = {
     "pointno", "pointnumber", "cellid", "cellnumber", "elementid", "elementnumber", "elemid", "objectid", "fid",
     "oid",     "rownames"};
 
-bool isAmong(std::string_view word, std::span<const std::string_view> list)
-{
-    return std::ranges::find(list, word) != list.end();
-}
-
 bool isLetter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
@@ -68,15 +64,6 @@ bool isDigit(char c)
 bool isCapital(char c)
 {
     return c >= 'A' && c <= 'Z';
-}
-
-std::string inSmallLetters(std::string_view text)
-{
-    std::string lower(text);
-    for (char& c : lower)
-        if (isCapital(c))
-            c = static_cast<char>(c - 'A' + 'a');
-    return lower;
 }
 
 /// "vtkOriginalPointIds" is four words, "coord_x1" three.

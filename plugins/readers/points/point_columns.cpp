@@ -2,6 +2,7 @@
 #include "plugins/readers/points/point_columns.h"
 
 #include "plugins/readers/points/delimited_text.h"
+#include "plugins/readers/points/small_letters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +15,6 @@ namespace {
 using Columns = std::span<const TableColumn>;
 
 constexpr std::uint64_t leastToBeConstant = 2, leastToCount = 3;
-
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    for (char& character : lower)
-        if (character >= 'A' && character <= 'Z')
-            character = static_cast<char>(character - 'A' + 'a');
-    return lower;
-}
 
 std::string byNumber(std::size_t column)
 {
@@ -53,8 +45,8 @@ std::optional<std::size_t> findColumn(Columns columns, std::string_view wanted)
         const auto nameOf = [&](const TableColumn& column) { return column.name.*part; };
         if (const auto exact = std::ranges::find(columns, wanted, nameOf); exact != columns.end())
             return number(exact);
-        const auto lower = [&](const TableColumn& column) { return lowerCase(nameOf(column)); };
-        if (const auto alike = std::ranges::find(columns, lowerCase(wanted), lower); alike != columns.end())
+        const auto lower = [&](const TableColumn& column) { return inSmallLetters(nameOf(column)); };
+        if (const auto alike = std::ranges::find(columns, inSmallLetters(wanted), lower); alike != columns.end())
             return number(alike);
     }
     constexpr std::string_view before = "column "; // as in labelOf()
@@ -187,8 +179,9 @@ std::string labelOf(std::span<const TableColumn> columns, std::size_t column)
     const ColumnName& name = columns[column].name;
     if (name.whole.empty())
         return byNumber(column);
-    const auto alike = std::ranges::count_if(
-        columns, [&](const TableColumn& other) { return lowerCase(other.name.quantity) == lowerCase(name.quantity); });
+    const auto alike = std::ranges::count_if(columns, [&](const TableColumn& other) {
+        return inSmallLetters(other.name.quantity) == inSmallLetters(name.quantity);
+    });
     return alike == 1 ? name.quantity : name.whole;
 }
 

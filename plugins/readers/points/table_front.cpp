@@ -2,6 +2,7 @@
 #include "plugins/readers/points/table_front.h"
 
 #include "plugins/readers/points/column_names.h"
+#include "plugins/readers/points/small_letters.h"
 #include "plugins/readers/points/units.h"
 
 #include <algorithm>
@@ -143,9 +144,7 @@ bool isSection(std::string_view line)
 
 bool isDataSection(std::string_view line)
 {
-    const std::string_view inside = withoutBlanks(line.substr(1, line.size() - 2));
-    constexpr std::string_view data = "data";
-    return std::ranges::equal(inside, data, {}, [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return inSmallLetters(withoutBlanks(line.substr(1, line.size() - 2))) == "data";
 }
 
 Error openQuote(std::uint64_t line)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/points/units.h"
 
+#include "plugins/readers/points/small_letters.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -38,20 +40,6 @@ constexpr std::string_view angles[] = {"deg", "degree", "degrees", "dd", "\xc2\x
 /// What stands between the symbols of a unit: operators, numbers, exponents.
 constexpr std::string_view operators[] = {"\xc2\xb2", "\xc2\xb3", "\xc2\xb9",    "\xc2\xb7",
                                           "\xc2\xb0", "\xc3\x97", "\xe2\x81\xbb"};
-
-std::string inSmallLetters(std::string_view text)
-{
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
-
-bool isAmong(std::string_view text, std::span<const std::string_view> list)
-{
-    return std::ranges::find(list, text) != list.end();
-}
 
 bool isSymbol(std::string_view text)
 {

@@ -65,6 +65,38 @@ private slots:
         QVERIFY(!dataset->lattice.isAlongAxes());
     }
 
+    /// What a header says of the samples, and which of two places is taken, is told by read() and probe() (D3).
+    void whatIsTakenIsTold()
+    {
+        const auto check = [&](const QByteArray& more, const QStringList& taken, const QStringList& leftOut) {
+            QTemporaryDir folder;
+            const fs::path path = folder.filePath("a.nrrd").toStdString();
+            const QByteArray file = worldFile(Eigen::Matrix3d::Identity(), {1, 2, 3}, more);
+            std::ofstream(path, std::ios::binary).write(file.data(), file.size());
+            const auto dataset = asLoaded<LatticeReader>().read(path, {}, {});
+            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+            const auto contents = asLoaded<LatticeReader>().probe(path, {}, {});
+            QVERIFY(contents && contents->taken == dataset->source.taken);
+            QVERIFY(contents->leftOut == dataset->source.leftOut);
+            QStringList takenTexts, leftOutTexts;
+            for (const Taken& part : dataset->source.taken)
+                takenTexts << QString::fromStdString(takenText(part).text());
+            for (const Message& sentence : dataset->source.leftOut)
+                leftOutTexts << QString::fromStdString(sentence.text());
+            QCOMPARE(takenTexts, taken);
+            QCOMPARE(leftOutTexts, leftOut);
+            QVERIFY(distanceFromWorld(*dataset, 10) < 1e-6);
+        };
+        const QString frame = "frame: space directions";
+        check("space: LPS\n", {frame}, {});
+        check("space: LPS\nsample units: \"HU\"\n", {frame, "unit of the values: HU"}, {});
+        check("space: LPS\nsample units: kg/m^3\n", {frame, "unit of the values: kg/m^3"}, {});
+        check("space: LPS\nsample units: \"\"\nmeasurement frame: (1,0,0) (0,1,0) (0,0,1)\n", {frame}, {});
+        check("space: LPS\nold min: -1\nold max: 2.5\n", {frame},
+              {"Its samples stand for numbers from -1 to 2.5 ('old min', 'old max'), from which they were quantized; "
+               "they are taken as they are stored."});
+    }
+
     /// Steps along the axes are exact, also in their zeros, and the samples stay in the file's order.
     void everyOrderOfAxes()
     {
