@@ -41,10 +41,10 @@ def bov(folder, dtype="<f4", skip=0, frame="offset", centering="nodal"):
              "BRICK_ORIGIN: " + " ".join(repr(float(n)) for n in whole.origin),
              "BRICK_SIZE: " + " ".join(repr(float(n)) for n in whole.spacing * steps)] + ([f"BYTE_OFFSET: {skip}"] if skip else [])
     (folder / "density.bov").write_text("\n".join(lines) + "\n")
-    return of_grid(folder / "density.bov", whole, taken={"array": "density"})
+    return of_grid(folder / "density.bov", whole, name="density")
 
 
-def hdf5(folder, dtype="<f4", path="/fields/density", others=(), options=(), placed=True, steps=0, take=0, **storage):
+def hdf5(folder, dtype="<f4", path="/fields/density", others=(), options=(), placed=True, steps=0, take=0, taken=None, **storage):
     whole = grid("offset" if placed else "identity", dtype)
     array = whole.fastest_first()
     if steps:
@@ -54,7 +54,7 @@ def hdf5(folder, dtype="<f4", path="/fields/density", others=(), options=(), pla
         for number, other in enumerate(others, 1):
             file.create_dataset(other, data=numbers(wave(whole.places, number), dtype).transpose(2, 1, 0))
         file.create_dataset(path, data=array, **storage)
-    return of_grid(folder / "volume.h5", whole, (*options, *(GIVEN if placed else ())), taken={"array": path})
+    return of_grid(folder / "volume.h5", whole, (*options, *(GIVEN if placed else ())), taken=taken or {})
 
 
 for dtype in ("u1", "i1", "<u2", "<i2", "<u4", "<i4", "<f4", "<f8"):
@@ -84,4 +84,5 @@ for dtype in (">i2", ">f8"):
 add("HDF5 array", "storage", "chunks, packed", hdf5, chunks=(3, 4, 2), compression="gzip")
 add("HDF5 array", "storage", "chunks, shuffled, packed, with checksums", hdf5, chunks=(7, 2, 5), compression="gzip", shuffle=True, fletcher32=True)
 add("HDF5 array", "places", "none given", hdf5, placed=False)
-add("HDF5 array", "arrays", "one of three, by path", hdf5, others=("/aaa", "/fields/zzz"), options=("--array", "/fields/density"))
+add("HDF5 array", "arrays", "one of three, by path", hdf5, others=("/aaa", "/fields/zzz"), options=("--array", "/fields/density"),
+    taken={"array": "/?fields/density"})

@@ -33,7 +33,9 @@ class Case:
     place_slack: float = 0.0            # of the largest coordinate, where the file's own arithmetic rounds
     value_slack: float = 0.0            # of the largest value, likewise
     taken: dict = dataclasses.field(default_factory=dict)  # part -> what TAn has to say that it took (a pattern)
-    left_out: tuple = ()                # patterns of what it has to say that it left out
+    guessed: tuple = ()                 # the parts of these that it has to call a guess
+    left_out: tuple = ()                # patterns of what it has to say that it did not use
+    name: str = ""                      # what the values are called in the mesh
 
 
 @dataclasses.dataclass
@@ -108,7 +110,7 @@ def judged(job, tan):
             run(tan, "extract", folder / "judged.tan", "--error", "0", "-o", folder / "judged.vtu")
             mesh = meshio.read(folder / "judged.vtu")
             compare(case, mesh)
-            told = untold(case, json.loads(run(tan, "info", case.file, *case.options, "--json"))) if case.taken or case.left_out else ""
+            told = untold(case, json.loads(run(tan, "info", case.file, *case.options, "--json"))) if case.taken or case.left_out or case.guessed else ""
             if job.refused:
                 return "wrong", f"it is read, though the bench says: {job.refused}"
             return ("not told", told) if told else ("passed", "")
@@ -128,7 +130,7 @@ def compare(case, mesh):
     values = next(iter(mesh.point_data.values())).astype(float).ravel()
     tetrahedra = numpy.concatenate([block.data for block in mesh.cells if block.type == "tetra"]).astype(int)
 
-    number = matched(case, points)
+    number, places_off = matched(case, points)
     kept = samples_of_domain(case)
     if not kept[number].all():
         raise Wrong(f"{(~kept[number]).sum()} samples without a value are in the mesh")
@@ -154,22 +156,29 @@ def compare(case, mesh):
         given = interpolated(points, values, tetrahedra, volumes, case.places[at])
         if given is None or abs(given - case.values[at]) > 1e-6 * finite.max() + case.value_slack * finite.max():
             raise Wrong(f"the sample at {case.places[at]} is not in the mesh, which has {given} there instead of {case.values[at]:.9g}")
+    if case.name and case.name not in mesh.point_data:
+        raise Wrong(f"the values are called {list(mesh.point_data)}, not '{case.name}'; all else is right")
+    if places_off:
+        raise Wrong(f"places are off by up to {places_off:.2g}, as if they had been in single precision; all else is right")
 
 
 def matched(case, points):
-    """The number of the sample at each vertex."""
-    tolerance = (1e-13 + case.place_slack) * numpy.abs(case.places).max() + 1e-9 * numpy.ptp(case.places, axis=0).max()
-    number = numpy.empty(len(points), int)
+    """The number of the sample at each vertex, and how far off the places are if it is more than they may be, but no more than single precision
+    makes them."""
+    largest, extent = numpy.abs(case.places).max(), numpy.ptp(case.places, axis=0).max()
+    tolerance = (1e-13 + case.place_slack) * largest + 1e-9 * extent
+    number, off = numpy.empty(len(points), int), 0.0
     for at, point in enumerate(points):
         distance = numpy.abs(case.places - point).max(axis=1)
         number[at] = distance.argmin()
-        if not distance[number[at]] <= tolerance:
+        off = max(off, distance[number[at]])
+        if not distance[number[at]] <= tolerance + 1e-7 * largest:
             low, high = (" ".join(f"{n:.6g}" for n in ends) for ends in (points.min(axis=0), points.max(axis=0)))
             right = " to ".join(" ".join(f"{n:.6g}" for n in ends) for ends in (case.places.min(axis=0), case.places.max(axis=0)))
             raise Wrong(f"no sample lies at {point}; the mesh goes from {low} to {high}, the samples from {right}")
     if len(set(number)) != len(number):
         raise Wrong(f"{len(number) - len(set(number))} samples are more than one vertex")
-    return number
+    return number, off if off > tolerance else 0
 
 
 def samples_of_domain(case):
@@ -204,13 +213,16 @@ def interpolated(points, values, tetrahedra, volumes, place):
 
 def untold(case, info):
     """What `tan info --json` had to say and did not."""
-    said = {entry["part"]: entry["what"] for entry in info.get("taken", [])}
+    said = info.get("taken", {})
     for part, pattern in case.taken.items():
         if part not in said:
             return f"nothing is told of the {part} that was taken ({pattern})"
         if not re.search(pattern, said[part]):
             return f"the {part} is told as '{said[part]}', not '{pattern}'"
+    for part in case.guessed:
+        if part not in info.get("guesses", []):
+            return f"the {part} is not called a guess: {info.get('guesses', [])}"
     for pattern in case.left_out:
-        if not any(re.search(pattern, sentence) for sentence in info.get("left_out", [])):
-            return f"no sentence of what was left out says '{pattern}': {info.get('left_out', [])}"
+        if not any(re.search(pattern, sentence) for sentence in info.get("unused", [])):
+            return f"no sentence of what was not used says '{pattern}': {info.get('unused', [])}"
     return ""

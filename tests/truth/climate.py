@@ -18,17 +18,17 @@ def create(folder, format="NETCDF4", name="field.nc"):
     return file
 
 
-def add_axes(file, along, order, dtype="f8"):
+def add_axes(file, along, order, dtype="f8", positive="up"):
     for name in order:
         file.createDimension(name, len(along[name]))
         axis = file.createVariable(name, dtype, (name,))
         axis.units, axis[:] = UNITS[name], along[name]
         if name == "height":
-            axis.axis, axis.positive = "Z", "up"
+            axis.axis, axis.positive = "Z", positive
 
 
 def field(folder, format="NETCDF4", dtype="f4", where=REGULAR, order=("height", "lat", "lon"), variables=("temperature",), steps=0, options=(), take=0,
-          axis_type="f8", packing=None, missing=None, unwritten=False, holes=None, **said):
+          axis_type="f8", packing=None, positive="up", missing=None, unwritten=False, holes=None, **said):
     """`variables`, each a wave of its own, at `steps` times; `missing`: attribute -> number of those that say which stored numbers are no values;
     packing: scale and offset."""
     whole = grid(where, "f8") if isinstance(where, tuple) else rectilinear(where)
@@ -42,7 +42,7 @@ def field(folder, format="NETCDF4", dtype="f4", where=REGULAR, order=("height", 
         file.createDimension("time", None)
         time = file.createVariable("time", "f8", ("time",))
         time.units, time[:] = "hours since 2026-01-01", numpy.arange(steps) * 6.0
-    add_axes(file, along, order, axis_type)
+    add_axes(file, along, order, axis_type, positive)
     letters = {"lon": "x", "lat": "y", "height": "z"}
     missing = missing or {}
     for number, name in enumerate(variables):
@@ -111,6 +111,35 @@ def two_dimensional(folder, holes=None):
     return of_grid(folder / "field.nc", whole, (), None if holes is None else some_holes(), place_slack=1e-12)
 
 
+def wrf(folder, step=1, options=("--time", "2")):
+    """The weather model WRF: longitudes and latitudes of columns, heights by the geopotential at the faces between layers; times are texts."""
+    flat = curvilinear()
+    longitude, latitude = flat.places[:, :, 0, 0] + 5, flat.places[:, :, 0, 1] + 45
+    faces = 9.81 * (100 + 50.0 * numpy.arange(SIZE[2] + 1) + 3 * numpy.indices((SIZE[0], SIZE[1], 1)).sum(axis=0))  # [i, j, faces]
+    base = numpy.round(0.9 * faces)
+    file = create(folder, "NETCDF3_64BIT_OFFSET", "wrfout_d01")
+    for name, size in (("Time", None), ("DateStrLen", 19), ("west_east", SIZE[0]), ("south_north", SIZE[1]), ("bottom_top", SIZE[2]),
+                       ("bottom_top_stag", SIZE[2] + 1)):
+        file.createDimension(name, size)
+    file.createVariable("Times", "S1", ("Time", "DateStrLen"))[:] = numpy.array([list(f"2026-01-01_{hour:02d}:00:00") for hour in (0, 6)], "S1")
+    for name, values, unit in (("XLAT", latitude, "degree_north"), ("XLONG", longitude, "degree_east")):
+        variable = file.createVariable(name, "f8", ("Time", "south_north", "west_east"))
+        variable.units, variable[:] = unit, numpy.stack([values.T] * 2)
+    for name, values in (("PH", faces - base), ("PHB", base)):
+        variable = file.createVariable(name, "f8", ("Time", "bottom_top_stag", "south_north", "west_east"))
+        variable.units, variable.stagger, variable[:] = "m2 s-2", "Z", numpy.stack([values.transpose(2, 1, 0)] * 2)
+    places = numpy.empty((*SIZE, 3))
+    places[..., 0], places[..., 1] = longitude[:, :, None], latitude[:, :, None]
+    places[..., 2] = (faces[:, :, 1:] + faces[:, :, :-1]) / 2 / 9.81
+    fields = [numbers(wave(places, number), "f4") for number in range(2)]
+    variable = file.createVariable("T", "f4", ("Time", "bottom_top", "south_north", "west_east"))
+    variable.units, variable.coordinates, variable[:] = "K", "XLONG XLAT XTIME", numpy.stack([values.transpose(2, 1, 0) for values in fields])
+    file.close()
+    (folder / "wrfout_d01").rename(folder / "wrfout_d01.nc")
+    return of_grid(folder / "wrfout_d01.nc", Grid(flat.steps, flat.origin, places, fields[step]), ("--array", "T", *options), place_slack=1e-12,
+                   taken={"step": f"{step + 1} of 2", "array": "^/?T$"})
+
+
 for format in FORMATS:
     add("NetCDF", "storage", format, field, format=format, quick=format == "NETCDF4")
     add("NetCDF", "holes", f"{format}, packed, _FillValue and missing_value", field, format=format, dtype="i2", packing=(0.002, 280.0), holes=-32767,
@@ -120,7 +149,10 @@ add("NetCDF", "places", "latitudes that fall", field, where=(numpy.diag((0.5, -0
 add("NetCDF", "places", "uneven, latitudes and heights that fall", field, where=[axes()[0], axes()[1][::-1], axes()[2][::-1]])
 add("NetCDF", "places", "single precision axes", field, axis_type="f4", where=(numpy.diag((0.1, 0.3, 0.7)), (5.1, 45.2, 0.3)))
 add("NetCDF", "places", "order lat, lon, height", field, order=("lat", "lon", "height"))
+add("NetCDF", "places", "depths stay as they are", field, positive="down", left_out=("downwards",))
 add("NetCDF", "places", "no coordinates", bare)
+add("NetCDF", "places", "WRF", wrf)
+add("NetCDF", "steps", "WRF, the first of 2 times", wrf, step=0, options=())
 add("NetCDF", "places", "2-D longitude and latitude", two_dimensional)
 for dtype in ("i1", "i2", "i4", "f4", "f8"):
     add("NetCDF", "numbers", dtype, field, dtype=dtype, format="NETCDF3_CLASSIC")
@@ -140,9 +172,9 @@ add("NetCDF", "holes", "NaN", field, holes=numpy.nan)
 add("NetCDF", "holes", "the library's own fill value", field, unwritten=True)
 add("NetCDF", "holes", "2-D longitude and latitude", two_dimensional, holes=1e20)
 TWO = ("temperature", "humidity")
-add("NetCDF", "arrays", "the first of two", field, variables=TWO, taken={"array": "^temperature"}, left_out=())
+add("NetCDF", "arrays", "the first of two", field, variables=TWO, taken={"array": "^temperature"}, guessed=("array",))
 add("NetCDF", "arrays", "the second of two", field, variables=TWO, options=("--array", "humidity"), take=7, taken={"array": "^humidity"})
-add("NetCDF", "steps", "the first of 3 times", field, steps=3, taken={"step": "1 of 3"})
+add("NetCDF", "steps", "the first of 3 times", field, steps=3, taken={"step": "1 of 3"}, guessed=("step",))
 add("NetCDF", "steps", "the third of 3 times", field, steps=3, options=("--time", "3"), take=2, taken={"step": "3 of 3"}, format="NETCDF3_CLASSIC")
 add("NetCDF", "steps", "time 2 of the second of two", field, steps=3, variables=TWO, options=("--time", "2", "--array", "humidity"), take=8,
     taken={"array": "^humidity", "step": "2 of 3"})

@@ -81,7 +81,7 @@ add("NIfTI-2", "places", "qform oblique twice", nifti, format="NIfTI-2", frame="
 for dtype in ("u1", "<i2", "<f4", "<f8"):
     add("NIfTI-2", "numbers", dtype, nifti, format="NIfTI-2", dtype=dtype)
 add("NIfTI-2", "storage", "big endian >f4", nifti, format="NIfTI-2", dtype=">f4", frame="oblique")
-add("NIfTI-1", "steps", "the first of 3 volumes", nifti, volumes=3, taken={"step": "1 of 3"}, left_out=("3|other",))
+add("NIfTI-1", "steps", "the first of 3 volumes", nifti, volumes=3, taken={"step": "1 of 3"}, guessed=("step",), left_out=("3|other",))
 add("NIfTI-1", "steps", "the second of 3 volumes", nifti, volumes=3, options=("--time", "2"), take=1, taken={"step": "2 of 3"})
 add("NIfTI-2", "steps", "the third of 3 volumes", nifti, format="NIfTI-2", volumes=3, options=("--time", "3"), take=2)
 

@@ -94,7 +94,7 @@ for dtype in ("u1", "f4"):
     add("TIFF, ImageJ", "numbers", dtype, imagej, dtype=dtype)
 add("TIFF, ImageJ", "series", "the first of 2 channels", imagej, axes="ZCYX", counts={"C": 2}, taken={"channel": "1 of 2"})
 add("TIFF, ImageJ", "series", "the second of 2 channels", imagej, axes="ZCYX", counts={"C": 2}, options=("--channel", "2"), take=1, taken={"channel": "2 of 2"})
-add("TIFF, ImageJ", "steps", "the first of 3 times", imagej, axes="TZYX", counts={"T": 3}, taken={"step": "1 of 3"})
+add("TIFF, ImageJ", "steps", "the first of 3 times", imagej, axes="TZYX", counts={"T": 3}, taken={"step": "1 of 3"}, guessed=("step",))
 add("TIFF, ImageJ", "steps", "the second of 3 times", imagej, axes="TZYX", counts={"T": 3}, options=("--time", "2"), take=1, taken={"step": "2 of 3"})
 add("TIFF, ImageJ", "series", "time 2, channel 2 of 3 x 2", imagej, axes="TZCYX", counts={"T": 3, "C": 2}, options=("--time", "2", "--channel", "2"), take=3)
 

@@ -19,7 +19,7 @@ HEX20 = [*range(12), 16, 17, 18, 19, 12, 13, 14, 15]
 
 
 def exodus(folder, kind="hexahedra", of="points", names=("temperature",), steps=1, take=(0, 0), word=8, format="NETCDF3_64BIT_OFFSET", file_size=True,
-           joined_coordinates=False, ending=".exo", options=(), blocks_in=None, **said):
+           joined="", ending=".exo", options=(), blocks_in=None, displaced=False, **said):
     points, blocks, judged, _ = mesh(kind)
     if blocks_in:  # one kind of cells in several blocks
         name, cells = blocks[0]
@@ -36,7 +36,7 @@ def exodus(folder, kind="hexahedra", of="points", names=("temperature",), steps=
                        ("num_elem", count), ("num_el_blk", len(blocks))):
         file.createDimension(name, size)
     file.createVariable("time_whole", real, ("time_step",))[:] = numpy.arange(steps) * 0.5
-    if joined_coordinates:
+    if joined:
         file.createVariable("coord", real, ("num_dim", "num_nodes"))[:] = points.T
     else:
         for name, column in zip("xyz", points.T):
@@ -60,16 +60,21 @@ def exodus(folder, kind="hexahedra", of="points", names=("temperature",), steps=
     kept = None
     for variable in range(len(names)):
         for step in range(steps):
-            values = numbers(wave(place, variable * 3 + step), real)
-            if of == "points":
+            values = numbers(wave(place, variable * 3 + step), real) * (1e-3 if names[variable].startswith("disp") else 1)
+            if joined == "all":
+                name, dimensions = "vals_nod_var", ("time_step", "num_nod_var", "num_nodes")
+                out = file.variables[name] if name in file.variables else file.createVariable(name, real, dimensions)
+                out[step, variable] = values
+            elif of == "points":
                 name, dimensions = f"vals_nod_var{variable + 1}", ("time_step", "num_nodes")
-                out = file.variables.get(name) or file.createVariable(name, real, dimensions)
+                out = file.variables[name] if name in file.variables else file.createVariable(name, real, dimensions)
                 out[step] = values
             else:
                 first = 0
                 for number, (_, cells) in enumerate(blocks, 1):
                     name = f"vals_elem_var{variable + 1}eb{number}"
-                    out = file.variables.get(name) or file.createVariable(name, real, ("time_step", f"num_el_in_blk{number}"))
+                    dimensions = ("time_step", f"num_el_in_blk{number}")
+                    out = file.variables[name] if name in file.variables else file.createVariable(name, real, dimensions)
                     out[step] = values[first:first + len(cells)]
                     first += len(cells)
             if (variable, step) == take:
@@ -77,6 +82,8 @@ def exodus(folder, kind="hexahedra", of="points", names=("temperature",), steps=
     file.close()
     if of != "points":
         kept = values_at_points(len(points), [cells for _, cells in blocks], kept)
+    if displaced:
+        points = points + 1e-3 * numpy.stack([numbers(wave(place, variable * 3 + take[1]), real) for variable in range(3)], axis=1)
     return of_cells(folder / f"result{ending}", points, kept, judged, options, value_slack=0 if of == "points" else 3e-7, **said)
 
 
@@ -86,13 +93,18 @@ add("Exodus II", "cells", "several kinds in blocks", exodus, kind="mixed")
 add("Exodus II", "numbers", "single precision", exodus, word=4)
 for format in ("NETCDF3_CLASSIC", "NETCDF3_64BIT_DATA", "NETCDF4"):
     add("Exodus II", "storage", format, exodus, format=format)
-add("Exodus II", "storage", "no file_size", exodus, file_size=False)
-add("Exodus II", "storage", "coordinates in one array", exodus, joined_coordinates=True)
+add("Exodus II", "storage", "no file_size: arrays of all coordinates and of all variables", exodus, file_size=False, joined="all",
+    names=("temperature", "pressure"), take=(1, 0), options=("--array", "pressure"))
+add("Exodus II", "storage", "no file_size: an array of all coordinates", exodus, file_size=False, joined="coordinates")
 add("Exodus II", "storage", "three blocks, *.e", exodus, blocks_in=3, ending=".e")
 add("Exodus II", "arrays", "values of elements", exodus, of="elements", blocks_in=2)
 add("Exodus II", "arrays", "the second of two", exodus, names=("temperature", "pressure"), take=(1, 0), options=("--array", "pressure"), taken={"array": "pressure"})
-add("Exodus II", "steps", "the first of 3", exodus, steps=3, taken={"step": "1 of 3"})
+add("Exodus II", "steps", "the first of 3", exodus, steps=3, taken={"step": "1 of 3"}, guessed=("step",))
 add("Exodus II", "steps", "the third of 3", exodus, steps=3, take=(0, 2), options=("--time", "3"), taken={"step": "3 of 3"})
+MOVED = {"names": ("disp_x", "disp_y", "disp_z", "temperature"), "steps": 2, "take": (3, 1)}
+add("Exodus II", "places", "displacements are told", exodus, **MOVED, options=("--time", "2", "--array", "temperature"), left_out=("displacement",))
+add("Exodus II", "places", "displacements are added", exodus, **MOVED, options=("--time", "2", "--array", "temperature", "--displace"), displaced=True,
+    place_slack=1e-15)
 
 
 # CGNS in HDF5: a node is a group with its name, its kind and " data"; arrays as C has them, the last index fastest.
@@ -308,7 +320,7 @@ for block in ("block", "block rectilinear", "block uniform"):
 add("EnSight Gold", "storage", "binary block", ensight, block="block", form="little")
 add("EnSight Gold", "arrays", "the second of two", ensight, names=("temperature", "pressure"), take=(1, 0), options=("--array", "pressure"),
     taken={"array": "pressure"})
-add("EnSight Gold", "steps", "the first of 3", ensight, steps=3, taken={"step": "1 of 3"})
+add("EnSight Gold", "steps", "the first of 3", ensight, steps=3, taken={"step": "1 of 3"}, guessed=("step",))
 add("EnSight Gold", "steps", "the third of 3", ensight, steps=3, take=(0, 2), options=("--time", "3"), taken={"step": "3 of 3"})
 
 
@@ -365,7 +377,7 @@ add("Tecplot", "arrays", "values of cells, blanks", tecplot, kind="tetrahedra", 
 add("Tecplot", "arrays", "the second of two", tecplot, names=("T", "P"), take=1, options=("--array", "P"), taken={"array": "P"})
 add("Tecplot", "places", "two zones that meet", tecplot, zones=2)
 for kind in ("ordered", "tetrahedra"):
-    add("Tecplot", "steps", f"a zone a time, {kind}, the first of 3", tecplot, kind=kind, steps=3, taken={"step": "1 of 3"})
+    add("Tecplot", "steps", f"a zone a time, {kind}, the first of 3", tecplot, kind=kind, steps=3, taken={"step": "1 of 3"}, guessed=("step",))
     add("Tecplot", "steps", f"a zone a time, {kind}, the third of 3", tecplot, kind=kind, steps=3, take=20, options=("--time", "3"), taken={"step": "3 of 3"})
 
 
@@ -519,7 +531,7 @@ add("OpenFOAM", "storage", "controlDict", openfoam, opened="system/controlDict")
 add("OpenFOAM", "storage", "binary", openfoam, binary=True)
 add("OpenFOAM", "storage", "packed by gzip", openfoam, packed=True)
 add("OpenFOAM", "storage", "two processors", openfoam, parts=2)
-add("OpenFOAM", "steps", "the first of 3", openfoam, taken={"step": "1 of 3"})
+add("OpenFOAM", "steps", "the first of 3", openfoam, taken={"step": "1 of 3"}, guessed=("step",))
 add("OpenFOAM", "steps", "the third of 3", openfoam, take=("T", 2), options=("--time", "3"), taken={"step": "3 of 3"})
 add("OpenFOAM", "arrays", "the second of two", openfoam, names=("T", "p"), take=("p", 0), options=("--array", "p"), taken={"array": "^p"})
 
@@ -555,7 +567,7 @@ def gambit(folder, kind):
     points, blocks, judged, _ = mesh(kind)
     cells = blocks[0][1]
     number, order = {"tetrahedra": (6, [0, 1, 2, 3]), "hexahedra": (4, [0, 1, 3, 2, 4, 5, 7, 6])}[kind]
-    groups = [numpy.arange(len(cells))[:40], numpy.arange(len(cells))[40:]]
+    groups = [numpy.arange(len(cells))[:33], numpy.arange(len(cells))[33:]]
     text = "        CONTROL INFO 2.4.6\n** GAMBIT NEUTRAL FILE\nbench\nPROGRAM:                Gambit     VERSION:  2.4.6\n 1 Jan 2026\n"
     text += "     NUMNP     NELEM     NGRPS    NBSETS     NDFCD     NDFVL\n"
     text += "".join(f"{n:10d}" for n in (len(points), len(cells), len(groups), 0, 3, 3)) + "\nENDOFSECTION\n   NODAL COORDINATES 2.4.6\n"

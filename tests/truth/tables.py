@@ -64,7 +64,7 @@ TABLES = {
     "units under the names": dict(columns=col("x y z temperature"), head="{names}\nm,m,m,K", taken={"array": "temperature"}),
     "a constant first": dict(columns=col("material x y z temperature", "constant x y z value"), taken={"array": "temperature"}),
     "places last, a constant first": dict(columns=col("material temperature x y z", "constant value x y z"), taken={"array": "temperature"}),
-    "two values": dict(columns=col("x y z temperature pressure", "x y z value other"), taken={"array": "temperature"}),
+    "two values": dict(columns=col("x y z temperature pressure", "x y z value other"), taken={"array": "temperature"}, guessed=("array",)),
     "two values, the second": dict(columns=col("x y z temperature pressure", "x y z value other"), options=("--array", "pressure"), take="other",
                                    taken={"array": "pressure"}),
     "places by number": dict(columns=col("a b c d", "value z y x"), options=("--positions", "4,3,2", "--array", "a")),

@@ -143,6 +143,7 @@ def structured_file(folder, ending, whole, make, storage="appended raw", names=(
     file = folder / f"grid.{ending}"
     save(data, file, storage, pieces)
     whole.values = arrays[names[take]]
+    said.setdefault("name", names[take])
     return of_grid(file, whole, options, some_holes() if holes else None, **said)
 
 
@@ -178,7 +179,7 @@ def cloud(folder, ending, storage):
     whole = curvilinear("f8")
     data = point_cloud(whole)
     data.GetPointData().SetScalars(vtk_array(whole.values.ravel(), "density"))
-    save(data, folder / f"points.{ending}", storage)
+    save(data, folder / f"points.{ending}", storage, 2 if ending == "pvtp" else 0)
     return of_points(folder / f"points.{ending}", whole.places.reshape(-1, 3), whole.values.ravel())
 
 
@@ -273,7 +274,7 @@ def collection(folder, form, take, options):
     else:
         file = folder / "all.vti.series"
         file.write_text('{"file-series-version": "1.0", "files": [' + ", ".join(f'{{"name": "step{step}.vti", "time": {step / 2}}}' for step in range(3)) + "]}")
-    return of_grid(file, whole, options, taken={"step": f"{take + 1} of 3"})
+    return of_grid(file, whole, options, taken={"step": f"{take + 1} of 3"}, guessed=() if options else ("step",))
 
 
 def hdf(folder, kind, dtype="f8", frame="oblique"):
@@ -319,6 +320,8 @@ for ending, (format, whole, make) in GRIDS.items():
         add(format, "storage", storage, structured_file, ending=ending, whole=whole, make=make, storage=storage)
     add(format, "storage", f"pieces (.p{ending})", structured_file, ending=f"p{ending}", whole=whole, make=make, pieces=2)
     add(format, "holes", "blanked points", structured_file, ending=ending, whole=whole, make=make, holes="blanked")
+    add(format, "arrays", "the first of two", structured_file, ending=ending, whole=whole, make=make, names=("density", "speed"),
+        taken={"array": "density"}, guessed=("array",))
     add(format, "arrays", "the second of two", structured_file, ending=ending, whole=whole, make=make, names=("density", "speed"), take=1,
         options=("--array", "speed"), taken={"array": "speed"})
     add(format, "arrays", "the active one", structured_file, ending=ending, whole=whole, make=make, names=("density", "speed"), take=1, active="speed",
