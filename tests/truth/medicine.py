@@ -41,14 +41,15 @@ def nifti(folder, format="NIfTI-1", frame="offset", dtype="<f4", by="sform", end
         header.set_qform(numpy.diag((5.0, 5, 5, 1)), code=1)
         header["pixdim"][1:4] = whole.spacing
     header.set_xyzt_units(unit, "sec")
-    values = all_of[take].astype(float)
-    if slope:
-        header.set_slope_inter(*slope)
-        values = values * numpy.float64(numpy.float32(slope[0])) + numpy.float64(numpy.float32(slope[1]))
-        stored = stored * numpy.float64(numpy.float32(slope[0])) + numpy.float64(numpy.float32(slope[1]))
     image = kind(stored, None, header)
     image.header.set_data_dtype(dtype)
     nibabel.save(image, str(folder / f"volume{ending}"))
+    values = all_of[take].astype(float)
+    if slope:  # into the header of what nibabel wrote, which would choose others
+        with open(folder / f"volume{ending}", "r+b") as file:
+            file.seek(112)
+            file.write(numpy.array(slope, header.endianness + "f4").tobytes())
+        values = values * numpy.float64(numpy.float32(slope[0])) + numpy.float64(numpy.float32(slope[1]))
     whole.values = values
     whole.steps, whole.origin = whole.steps.astype("f4").astype(float), whole.origin.astype("f4").astype(float)
     if by == "pixdim":
