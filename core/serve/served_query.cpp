@@ -123,7 +123,7 @@ template <std::size_t count> std::optional<std::array<double, count>> finiteNumb
     return numbers;
 }
 
-std::optional<Box> boxOf(std::string_view list)
+std::optional<Box> boxOfText(std::string_view list)
 {
     const auto n = finiteNumbers<6>(list);
     if (!n)
@@ -136,7 +136,7 @@ std::optional<Region> regionOf(std::string_view text)
 {
     constexpr std::string_view boxName = "box:", sphereName = "sphere:";
     if (text.starts_with(boxName)) {
-        const auto box = boxOf(text.substr(boxName.size()));
+        const auto box = boxOfText(text.substr(boxName.size()));
         return box ? std::optional<Region>(*box) : std::nullopt;
     }
     if (text.starts_with(sphereName))
@@ -398,7 +398,7 @@ private:
             return wrong(named("border") + " needs a window: say which with " + named("window") + ".");
         if (!given)
             return std::optional<Window>();
-        const auto box = boxOf(*given);
+        const auto box = boxOfText(*given);
         if (!box)
             return doesNotFit("window", *given, "two opposite corners: x0,y0,z0,x1,y1,z1");
         const auto border = chosen<WindowBorder>("border", borderWords);
