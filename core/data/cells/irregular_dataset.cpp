@@ -202,7 +202,7 @@ bool isPolyhedron(CellShape shape)
     return shape == CellShape::Polyhedron;
 }
 
-Eigen::Vector3d placeOf(const CellComplex& complex, const CleanCells& cells, std::uint32_t cell)
+Eigen::Vector3d firstPlaceOf(const CellComplex& complex, const CleanCells& cells, std::uint32_t cell)
 {
     const auto nodes = cells.nodesOf(cell);
     return nodes.empty() ? Eigen::Vector3d::Zero() : complex.positions[nodes.front()];
@@ -221,7 +221,7 @@ Status checkWarped(const CellComplex& complex, const CleanCells& cells, const Cu
     const double most = std::max(mostWarped, complex.mostFaulty);
     if (static_cast<double>(warped.size()) <= most * static_cast<double>(count))
         return {};
-    const Eigen::Vector3d place = placeOf(complex, cells, warped.front());
+    const Eigen::Vector3d place = firstPlaceOf(complex, cells, warped.front());
     return Error{ErrorKind::BadInput,
                  Message::say("%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first "
                               "is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more "
@@ -234,7 +234,7 @@ Status checkWarped(const CellComplex& complex, const CleanCells& cells, const Cu
 Error tooManyUncut(const CellComplex& complex, const CleanCells& cells, std::uint32_t first, std::uint64_t faulty,
                    std::uint64_t count)
 {
-    const Eigen::Vector3d place = placeOf(complex, cells, first);
+    const Eigen::Vector3d place = firstPlaceOf(complex, cells, first);
     const Message where = Message::say("cell %1 at (%2, %3, %4)", cells.origins[first], formatNumber(place[0]),
                                        formatNumber(place[1]), formatNumber(place[2]));
     const std::string share = largerShareText(complex.mostFaulty, faulty, count);
@@ -268,7 +268,7 @@ Status checkPolyhedra(const CellComplex& complex, const CleanCells& cells, const
         return static_cast<double>(faulty) > complex.mostFaulty * static_cast<double>(count);
     };
     if (tooMany(open.size())) {
-        const Eigen::Vector3d place = placeOf(complex, cells, open.front());
+        const Eigen::Vector3d place = firstPlaceOf(complex, cells, open.front());
         return Error{
             ErrorKind::BadInput,
             Message::say("The faces of %1 of the mesh's %2 cells do not enclose a volume; the first is cell %3 "

@@ -43,7 +43,7 @@ CanonicalFace canonicalFace(std::span<const std::uint32_t> face)
 
 /// Perpendicular to a face that is not flat in itself, on the side from which its nodes run counterclockwise; zero for
 /// points on a line. The same bits for both cells at it.
-Eigen::Vector3d normalOf(Positions positions, const Nodes& nodes)
+Eigen::Vector3d faceNormal(Positions positions, const Nodes& nodes)
 {
     const Eigen::Vector3d& origin = positions[nodes[0]];
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -54,7 +54,7 @@ Eigen::Vector3d normalOf(Positions positions, const Nodes& nodes)
 }
 
 /// The side of the triangle that looks along the normal: 1, or -1, or 0 if none does, as none of a flat one.
-int sideOf(Positions positions, const Triangle& triangle, const Eigen::Vector3d& normal)
+int sideAlong(Positions positions, const Triangle& triangle, const Eigen::Vector3d& normal)
 {
     return directionSign(asArray(positions[triangle[0]]), asArray(positions[triangle[1]]),
                          asArray(positions[triangle[2]]), asArray(normal));
@@ -69,7 +69,7 @@ Triangle fanTriangle(const Nodes& nodes, std::size_t first, std::size_t i)
 bool isSoundFan(Positions positions, const Nodes& nodes, const Eigen::Vector3d& normal, std::size_t first)
 {
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
-        if (sideOf(positions, fanTriangle(nodes, first, i), normal) <= 0)
+        if (sideAlong(positions, fanTriangle(nodes, first, i), normal) <= 0)
             return false;
     return true;
 }
@@ -96,14 +96,14 @@ bool isEar(Positions positions, const Nodes& nodes, const Eigen::Vector3d& norma
 {
     const std::size_t count = nodes.size();
     const Triangle ear = {nodes[(tip + count - 1) % count], nodes[tip], nodes[(tip + 1) % count]};
-    if (sideOf(positions, ear, normal) <= 0)
+    if (sideAlong(positions, ear, normal) <= 0)
         return false;
     return std::ranges::none_of(nodes, [&](std::uint32_t node) {
         if (std::ranges::count(ear, node) != 0)
             return false;
-        return sideOf(positions, {ear[0], ear[1], node}, normal) >= 0 &&
-               sideOf(positions, {ear[1], ear[2], node}, normal) >= 0 &&
-               sideOf(positions, {ear[2], ear[0], node}, normal) >= 0;
+        return sideAlong(positions, {ear[0], ear[1], node}, normal) >= 0 &&
+               sideAlong(positions, {ear[1], ear[2], node}, normal) >= 0 &&
+               sideAlong(positions, {ear[2], ear[0], node}, normal) >= 0;
     });
 }
 
@@ -140,7 +140,7 @@ CellSurface cutFace(Positions positions, const Nodes& nodes)
 {
     if (nodes.size() == 3)
         return fan(nodes, 0);
-    const Eigen::Vector3d normal = normalOf(positions, nodes);
+    const Eigen::Vector3d normal = faceNormal(positions, nodes);
     if (const auto first = fanOf(positions, nodes, normal))
         return fan(nodes, *first);
     const auto ears = cutEars(positions, nodes, normal);
@@ -267,9 +267,9 @@ double volume6(Positions positions, const CellSurface& surface)
 
 bool hasArea(Positions positions, const Triangle& triangle)
 {
-    return sideOf(positions, triangle, Eigen::Vector3d::UnitX()) != 0 ||
-           sideOf(positions, triangle, Eigen::Vector3d::UnitY()) != 0 ||
-           sideOf(positions, triangle, Eigen::Vector3d::UnitZ()) != 0;
+    return sideAlong(positions, triangle, Eigen::Vector3d::UnitX()) != 0 ||
+           sideAlong(positions, triangle, Eigen::Vector3d::UnitY()) != 0 ||
+           sideAlong(positions, triangle, Eigen::Vector3d::UnitZ()) != 0;
 }
 
 /// Whether all points lie in a plane. Exact.
@@ -289,7 +289,7 @@ bool isFlat(Positions positions, const CellSurface& surface)
 bool needsOtherDiagonal(Positions positions, const CellPolygon& quadrilateral)
 {
     const Nodes nodes = canonicalFace(std::span(quadrilateral.nodes).first(4)).nodes;
-    const Eigen::Vector3d normal = normalOf(positions, nodes);
+    const Eigen::Vector3d normal = faceNormal(positions, nodes);
     return !isSoundFan(positions, nodes, normal, 0) && isSoundFan(positions, nodes, normal, 1);
 }
 
