@@ -32,7 +32,8 @@ constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/
                            tanQuery = "core/include/tan/query.h", tanBuild = "core/include/tan/build.h",
                            tanVerify = "core/include/tan/verify.h", tanTransfer = "core/include/tan/transfer.h",
                            tanOpen = "core/include/tan/open.h", tanRender = "core/include/tan/render.h",
-                           tanPacked = "core/include/tan/packed.h", tanVersion = "core/include/tan/version.h";
+                           tanPacked = "core/include/tan/packed.h", tanVersion = "core/include/tan/version.h",
+                           tanZones = "core/include/tan/zones.h";
 
 const std::vector<Room>& rooms()
 {
@@ -55,7 +56,7 @@ const std::vector<Room>& rooms()
         {"core/geometry", {tanBase, "core/base"}},
         {"core/mesh", {tanBase, tanMesh, "core/base", "core/geometry"}},
         {"core/data", {tanBase, tanData, tanBuild, "core/base", "core/geometry", "core/mesh"}},
-        {"core/data/cells", {tanBase, tanData, "core/base", "core/geometry", "core/mesh", "core/data"}},
+        {"core/data/cells", {tanBase, tanData, tanZones, "core/base", "core/geometry", "core/mesh", "core/data"}},
         {"core/refine", {tanBase, tanBuild, "core/base", "core/mesh"}},
         {"core/refine/lattice", {tanBase, tanBuild, "core/base", "core/mesh", "core/refine"}},
         {"core/refine/curvilinear",

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
 #include "core/data/cells/clean_cells.h"
+#include "core/data/cells/grid_cells.h"
 #include "core/data/dataset_checks.h"
 
 #include <tan/data.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -18,46 +16,6 @@ namespace tetra {
 namespace {
 
 constexpr std::uint32_t notUsed = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint64_t tetrahedraOfCell = 6; ///< at most
-
-/// The corners of the cell with the lowest corner `point`, as a hexahedron's, which in a mirrored frame stands on its
-/// head.
-std::array<std::uint64_t, 8> cornersOfCell(const Lattice& lattice, bool isMirrored, std::uint64_t point)
-{
-    const std::uint64_t row = lattice.size[0], layer = row * lattice.size[1];
-    std::uint64_t above = point + layer;
-    if (isMirrored)
-        std::swap(point, above);
-    return {point, point + 1, point + row + 1, point + row, above, above + 1, above + row + 1, above + row};
-}
-
-bool areFinite(const ScalarField& values, std::span<const std::uint64_t> points)
-{
-    return isInteger(values.type()) ||
-           std::ranges::all_of(points, [&](std::uint64_t point) { return std::isfinite(values.at(point)); });
-}
-
-/// Calls `visit(corners, what)` for each cell of the grid.
-template <class Visit> Status forEachCell(const Dataset& grid, const Progress& progress, const Visit& visit)
-{
-    const auto& size = grid.lattice.size;
-    const bool isMirrored = grid.lattice.isLeftHanded();
-    std::uint64_t cell = 0;
-    for (std::uint32_t k = 0; k + 1 < size[2]; ++k) {
-        if (progress.cancelled())
-            return cancelledError(Message::marked("Reading"));
-        progress.report(double(k) / size[2], Message::marked("Reading"));
-        for (std::uint32_t j = 0; j + 1 < size[1]; ++j)
-            for (std::uint32_t i = 0; i + 1 < size[0]; ++i, ++cell) {
-                const auto corners = cornersOfCell(grid.lattice, isMirrored, grid.lattice.index(i, j, k));
-                GridCell what = grid.cells ? (*grid.cells)[cell] : GridCell::Kept;
-                if (what == GridCell::Kept && !areFinite(grid.values, corners))
-                    what = GridCell::NotFinite;
-                visit(corners, what);
-            }
-    }
-    return {};
-}
 
 /// What is left of a grid: how many cells, and the numbers that its points have in the mesh.
 struct Left {
@@ -79,7 +37,6 @@ Error tooLarge(std::uint64_t tetrahedra, std::uint64_t bytes)
 /// Refuses what cannot fit before much memory is taken.
 Result<Left> findLeft(const Dataset& grid, const Progress& progress)
 {
-    constexpr std::uint64_t bytesOfTetrahedron = 170; // measured: 0.96 to 1.02 KB a cell, from 40^3 to 100^3 points
     Left left;
     const Status counted = forEachCell(grid, progress.part(0, 0.5), [&](const auto& /*corners*/, GridCell what) {
         left.cells += what == GridCell::Kept;
@@ -91,8 +48,8 @@ Result<Left> findLeft(const Dataset& grid, const Progress& progress)
     if (left.cells == 0)
         return Error{ErrorKind::BadInput, Message::say("No cell of the grid has a finite value at each of its corners, "
                                                        "or all are blanked out: nothing is left.")};
-    const std::uint64_t tetrahedra = tetrahedraOfCell * left.cells;
-    const std::uint64_t bytes = bytesOfTetrahedron * tetrahedra + sizeof(std::uint32_t) * grid.pointCount();
+    const std::uint64_t tetrahedra = tetrahedraOfGridCell * left.cells;
+    const std::uint64_t bytes = bytesOfGridTetrahedron * tetrahedra + sizeof(std::uint32_t) * grid.pointCount();
     if (const std::uint64_t usable = usableBytes(); usable > 0 && bytes > usable)
         return tooLarge(tetrahedra, bytes);
     left.numbers.assign(grid.pointCount(), notUsed);
