@@ -211,10 +211,13 @@ std::optional<Weak> weakFit(const PlaceWords& words)
 
 std::optional<NamedPlaces> weakPlaces(std::span<const PlaceWords> names)
 {
+    constexpr int most = 100; // of names that look like that: tables of thousands of columns are no points
+    int tried = 0;
     for (const PlaceWords& name : names) {
-        const auto wanted = weakFit(name);
+        const auto wanted = tried < most ? weakFit(name) : std::nullopt;
         if (!wanted)
             continue;
+        ++tried;
         const auto fits = [&](int axis) {
             return [axis, rest = wanted->rest](const PlaceWords& words) {
                 const auto found = weakFit(words);

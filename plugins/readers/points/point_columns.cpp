@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace tetra {
@@ -174,15 +175,24 @@ void TableColumn::add(double number)
     ++numbers;
 }
 
+std::vector<std::string> labelsOf(std::span<const TableColumn> columns)
+{
+    std::map<std::string, std::uint64_t> alike;
+    for (const TableColumn& column : columns)
+        ++alike[inSmallLetters(column.name.quantity)];
+    std::vector<std::string> labels;
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+        const ColumnName& name = columns[column].name;
+        labels.push_back(alike[inSmallLetters(name.quantity)] == 1 && !name.whole.empty()
+                             ? name.quantity
+                             : wholeNameOf(columns, column));
+    }
+    return labels;
+}
+
 std::string labelOf(std::span<const TableColumn> columns, std::size_t column)
 {
-    const ColumnName& name = columns[column].name;
-    if (name.whole.empty())
-        return byNumber(column);
-    const auto alike = std::ranges::count_if(columns, [&](const TableColumn& other) {
-        return inSmallLetters(other.name.quantity) == inSmallLetters(name.quantity);
-    });
-    return alike == 1 ? name.quantity : name.whole;
+    return labelsOf(columns)[column];
 }
 
 Result<PointColumns> choosePointColumns(std::span<const TableColumn> columns, bool namesMayBeNone,

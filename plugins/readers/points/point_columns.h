@@ -31,6 +31,8 @@ struct TableColumn {
 /// What people call it: its quantity; its whole name where another column has the same quantity; "column 3" without a
 /// name. Each is understood as the name of a wanted column.
 std::string labelOf(std::span<const TableColumn> columns, std::size_t column);
+/// Of all columns.
+std::vector<std::string> labelsOf(std::span<const TableColumn> columns);
 
 /// Which columns of a table are the positions and the values, counted from 0.
 struct PointColumns {

@@ -146,10 +146,10 @@ Result<FileContents> PointReader::probe(const std::filesystem::path& path, const
     if (head->lengthUnit.empty())
         contents.untold = {"unit"};
     const auto& position = head->chosen.position;
+    const std::vector<std::string> labels = labelsOf(head->columns);
     for (std::size_t column = 0; column < head->columns.size(); ++column)
         if (std::ranges::find(position, column) == position.end() && mayHold(*head, column))
-            contents.arrays.push_back(
-                {.name = labelOf(head->columns, column), .unit = head->columns[column].name.unit});
+            contents.arrays.push_back({.name = labels[column], .unit = head->columns[column].name.unit});
     return contents;
 }
 
