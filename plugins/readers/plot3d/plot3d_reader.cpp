@@ -135,43 +135,6 @@ std::shared_ptr<const std::vector<GridCell>> cellsWithout(std::span<const std::u
     return std::make_shared<const std::vector<GridCell>>(std::move(cells));
 }
 
-std::vector<Taken> takenOf(const OpenPair& pair, const std::string& wanted, const std::string& array)
-{
-    std::vector<Taken> taken;
-    if (!array.empty())
-        taken.push_back({TakenPart::Array, Message(array), wanted == "automatic"});
-    if (const std::size_t grids = pair.grid.layout.sizes.size(); grids > 1)
-        taken.push_back({TakenPart::Block, Message::say("%1 of %2", pair.number + 1, grids), false});
-    return taken;
-}
-
-std::vector<Message> leftOutOf(const OpenPair& pair)
-{
-    std::vector<Message> leftOut;
-    if (const std::size_t grids = pair.grid.layout.sizes.size(); grids > 1)
-        leftOut.push_back(Message::say("It holds %1 grids; the others are not read.", grids));
-    const std::array<double, 4> state = flowState(pair.solution, pair.number);
-    if (std::ranges::any_of(state, [](double number) { return std::isfinite(number) && std::abs(number) > 0; }))
-        leftOut.push_back(Message::say(
-            "The solution says: Mach number %1, angle of attack %2, Reynolds number %3, time "
-            "%4. They are not used.",
-            formatNumber(state[0]), formatNumber(state[1]), formatNumber(state[2]), formatNumber(state[3])));
-    return leftOut;
-}
-
-/// The array that reading takes, as far as the first points show it; else empty.
-std::string likelyArray(const OpenPair& pair, const std::string& wanted)
-{
-    constexpr std::uint64_t looked = 1 << 12;
-    if (wanted != "automatic" || pair.grid.layout.iblank)
-        return wanted != "automatic" ? wanted : std::string();
-    std::vector<double> density(std::min(looked, pointCountOf(pair.solution, pair.number)));
-    const Status read = readComponent(pair.solution, pair.number, 0, 0, density);
-    std::erase_if(density, [](double value) { return !std::isfinite(value); });
-    const bool varies = read && !density.empty() && std::ranges::min(density) < std::ranges::max(density);
-    return varies ? std::string(plot3dArrayNames().front()) : std::string();
-}
-
 Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const std::string& arrayName,
                             const Progress& progress)
 {
@@ -188,8 +151,6 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(*std::move(positions));
     dataset.values = array->values;
     dataset.source = {pair.grid.path().filename().string() + ", " + array->name, path, 0, array->name};
-    dataset.source.taken = takenOf(pair, arrayName, array->name);
-    dataset.source.leftOut = leftOutOf(pair);
     dataset.cells = cellsWithout(blanked, dataset.lattice);
     if (const Status usable = hasHoles(dataset) ? Status() : checkGrid(dataset); !usable)
         return inPlot3dFile(pair.grid.path(), usable.error().message);
@@ -206,8 +167,7 @@ std::vector<std::string> gridTexts(const Plot3dLayout& layout)
     return texts;
 }
 
-Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const std::string& arrayName,
-                                const Progress& progress)
+Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const Progress& progress)
 {
     FileContents contents{.domain = DomainClass::Curvilinear, .untold = {"unit"}};
     for (const std::string_view name : plot3dArrayNames())
@@ -227,8 +187,6 @@ Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const std
     contents.type = open->solution.layout.realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
     contents.lattice.size = size;
     contents.points = contents.lattice.pointCount();
-    contents.taken = takenOf(*open, arrayName, likelyArray(*open, arrayName));
-    contents.leftOut = leftOutOf(*open);
     return contents;
 }
 
@@ -354,8 +312,7 @@ Result<FileContents> Plot3dReader::probe(const fs::path& path, const ParameterVa
     const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"), progress.part(0, 0.5));
     if (!pair)
         return pair.error();
-    return contentsOf(*pair, parameterValue<std::int64_t>(all, values, "grid"),
-                      parameterValue<std::string>(all, values, "array"), progress.part(0.5, 1));
+    return contentsOf(*pair, parameterValue<std::int64_t>(all, values, "grid"), progress.part(0.5, 1));
 }
 
 } // namespace tetra

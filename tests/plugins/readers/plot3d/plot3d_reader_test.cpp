@@ -53,7 +53,6 @@ private slots:
     void theSolutionIsFoundByItsName_data();
     void theSolutionIsFoundByItsName();
     void aGridOfSeveralIsChosen();
-    void whatIsTakenIsTold();
     void probesWithoutTheData();
     void constantArraysAreNotTaken();
     void arraysWithoutANumberAreToldAsThat();
@@ -118,10 +117,6 @@ void Plot3dReaderTest::everyKindIsRead()
     QCOMPARE(dataset->values.type(), style.doubles ? SampleType::Float64 : SampleType::Float32);
     QCOMPARE(dataset->source.hash, contentHash(dataset->values, dataset->positions));
     QCOMPARE(QString::fromStdString(dataset->source.name), QString("g.xyz, density"));
-    QCOMPARE(dataset->source.leftOut.size(), std::size_t(1));
-    QCOMPARE(dataset->source.leftOut[0].text(),
-             std::string("The solution says: Mach number 0, angle of attack 1, Reynolds number 2, time 3. They are not "
-                         "used."));
     for (int n = 0; n < 60; ++n) {
         const auto point = static_cast<std::uint64_t>(n);
         QCOMPARE(dataset->position(point),
@@ -199,28 +194,6 @@ void Plot3dReaderTest::aGridOfSeveralIsChosen()
     const auto fourth = read(path, {{"grid", std::int64_t(4)}});
     QVERIFY(!fourth.ok());
     QCOMPARE(fourth.error().kind, ErrorKind::WrongUsage);
-}
-
-void Plot3dReaderTest::whatIsTakenIsTold()
-{
-    const auto check = [&](const Plot3dStyle& style, const ParameterValues& values, const QStringList& expected) {
-        const auto path = writePair(style);
-        const auto dataset = read(path, values);
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
-        const auto contents = asLoaded<Plot3dReader>().probe(path, values, {});
-        QVERIFY(contents);
-        QStringList taken;
-        for (const Taken& part : dataset->source.taken)
-            taken << QString::fromStdString(takenText(part).text());
-        QCOMPARE(taken, expected);
-        QVERIFY(contents->taken == dataset->source.taken);
-        QVERIFY(contents->leftOut == dataset->source.leftOut);
-    };
-    check({}, {}, {"array: density (a guess)"});
-    check({}, {{"array", std::string("pressure")}}, {"array: pressure"});
-    check({.multiGrid = true, .grids = 3}, {{"grid", std::int64_t(2)}}, {"array: density (a guess)", "block: 2 of 3"});
-    QCOMPARE(read(writePair({.multiGrid = true, .grids = 3}), {{"grid", std::int64_t(2)}})->source.leftOut[0].text(),
-             std::string("It holds 3 grids; the others are not read."));
 }
 
 void Plot3dReaderTest::probesWithoutTheData()
