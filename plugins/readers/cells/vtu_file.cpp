@@ -20,9 +20,9 @@ namespace {
 constexpr MarkedText readingVtu = Message::marked("Reading");
 constexpr std::string_view ghostName = "vtkGhostType";
 /// Numbers of points and cells, and orders of cells, which are taken only if there is nothing else.
-constexpr std::array<std::string_view, 6> helpingNames = {"vtkGhostLevels",     "vtkOriginalPointIds",
-                                                          "vtkOriginalCellIds", "GlobalNodeId",
-                                                          "GlobalElementId",    "HigherOrderDegrees"};
+constexpr std::array<std::string_view, 8> helpingNames = {
+    "vtkGhostLevels",  "vtkOriginalPointIds", "vtkOriginalCellIds", "GlobalNodeId",
+    "GlobalElementId", "PedigreeNodeId",      "PedigreeElementId",  "HigherOrderDegrees"};
 
 bool isScalar(const VtuArray& array)
 {
