@@ -119,42 +119,51 @@ bool counts(Blanked blanked, std::size_t point)
     return blanked.empty() || blanked[point] == 0;
 }
 
-/// Whether there is something to see: two values, of those that are finite numbers. Errors: damaged, cancelled.
-Result<bool> varies(const SolutionArray& source, Blanked blanked, const Progress& progress)
+/// Whether there is something to see: two values of the grids, of those that are finite numbers. Errors: damaged,
+/// cancelled.
+Result<bool> varies(std::string_view name, const Plot3dFile& solution, std::span<const Plot3dGrid> grids,
+                    const Progress& progress)
 {
     std::optional<double> one;
     bool differ = false;
-    const Status read = forValues(source, progress, [&](std::uint64_t first, std::span<const double> values) {
-        for (std::size_t i = 0; i < values.size() && !differ; ++i)
-            if (counts(blanked, first + i) && std::isfinite(values[i])) {
-                differ = one && values[i] != *one;
-                one = values[i];
-            }
-        return differ ? Status(Error{ErrorKind::Cancelled, {}}) : Status(); // enough was seen
-    });
-    if (!read && !differ)
-        return read.error();
-    return differ;
+    for (const Plot3dGrid& grid : grids) {
+        const Status read = forValues({name, solution, grid.number}, progress,
+                                      [&](std::uint64_t first, std::span<const double> values) {
+                                          for (std::size_t i = 0; i < values.size() && !differ; ++i)
+                                              if (counts(grid.blanked, first + i) && std::isfinite(values[i])) {
+                                                  differ = one && values[i] != *one;
+                                                  one = values[i];
+                                              }
+                                          // enough was seen
+                                          return differ ? Status(Error{ErrorKind::Cancelled, {}}) : Status();
+                                      });
+        if (differ)
+            return true;
+        if (!read)
+            return read.error();
+    }
+    return false;
 }
 
 /// Whether any value is a finite number.
-bool hasNumbers(const SolutionArray& source, Blanked blanked)
+bool hasNumbers(std::string_view name, const Plot3dFile& solution, std::span<const Plot3dGrid> grids)
 {
     bool any = false;
-    (void)forValues(source, {}, [&](std::uint64_t first, std::span<const double> values) {
-        for (std::size_t i = 0; i < values.size() && !any; ++i)
-            any = counts(blanked, first + i) && std::isfinite(values[i]);
-        return any ? Status(Error{ErrorKind::Cancelled, {}}) : Status(); // enough was seen
-    });
+    for (const Plot3dGrid& grid : grids)
+        (void)forValues({name, solution, grid.number}, {}, [&](std::uint64_t first, std::span<const double> values) {
+            for (std::size_t i = 0; i < values.size() && !any; ++i)
+                any = counts(grid.blanked, first + i) && std::isfinite(values[i]);
+            return any ? Status(Error{ErrorKind::Cancelled, {}}) : Status(); // enough was seen
+        });
     return any;
 }
 
 /// Arrays that can be taken, for messages.
-Message usableNames(const SolutionArray& source, Blanked blanked)
+Message usableNames(const Plot3dFile& solution, std::span<const Plot3dGrid> grids)
 {
     std::string list;
     for (const std::string_view name : names)
-        if (const auto usable = varies({name, source.solution, source.grid}, blanked, {}); usable.ok() && *usable)
+        if (const auto usable = varies(name, solution, grids, {}); usable.ok() && *usable)
             list += (list.empty() ? "" : ", ") + std::string(name);
     return list.empty() ? Message::say("No array of this solution varies.")
                         : Message::say("These can be taken: %1.", list);
@@ -183,16 +192,23 @@ template <class T> Result<std::optional<ScalarField>> fieldAs(const SolutionArra
     return std::optional(ScalarField(sampleTypeOf<T>(), points, *std::move(samples)));
 }
 
-Result<Plot3dArray> arrayOf(const SolutionArray& source, const Progress& progress)
+Result<Plot3dArray> arrayOf(std::string_view name, const Plot3dFile& solution, std::span<const Plot3dGrid> grids,
+                            const Progress& progress)
 {
-    Result<std::optional<ScalarField>> field = std::optional<ScalarField>();
-    if (source.solution.layout.realBytes == 4)
-        field = fieldAs<float>(source, progress);
-    if (field && !*field)
-        field = fieldAs<double>(source, progress);
-    if (!field)
-        return field.error();
-    return Plot3dArray{std::string(source.name), **std::move(field)};
+    Plot3dArray array{.name = std::string(name), .values = {}};
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+        const SolutionArray source{name, solution, grids[i].number};
+        const Progress part = progress.part(double(i) / double(grids.size()), double(i + 1) / double(grids.size()));
+        Result<std::optional<ScalarField>> field = std::optional<ScalarField>();
+        if (solution.layout.realBytes == 4)
+            field = fieldAs<float>(source, part);
+        if (field && !*field)
+            field = fieldAs<double>(source, part);
+        if (!field)
+            return field.error();
+        array.values.push_back(**std::move(field));
+    }
+    return array;
 }
 
 } // namespace
@@ -202,26 +218,26 @@ std::span<const std::string_view> plot3dArrayNames()
     return names;
 }
 
-Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid, const std::string& name,
-                                    std::span<const std::uint8_t> blanked, const Progress& progress)
+Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::span<const Plot3dGrid> grids,
+                                    const std::string& name, const Progress& progress)
 {
     for (const std::string_view candidate : names) {
-        const SolutionArray source{candidate, solution, grid};
         if (name != "automatic" && name != candidate)
             continue;
-        const Result<bool> usable = varies(source, blanked, progress.withCallback([](double, const Message&) {}));
+        const Result<bool> usable =
+            varies(candidate, solution, grids, progress.withCallback([](double, const Message&) {}));
         if (!usable.ok())
             return usable.error();
         if (*usable)
-            return arrayOf(source, progress);
+            return arrayOf(candidate, solution, grids, progress);
         if (name != "automatic")
             return inPlot3dFile(
                 solution.path(),
-                hasNumbers(source, blanked)
-                    ? Message::say("the array '%1' has one value everywhere. %2", name, usableNames(source, blanked))
+                hasNumbers(candidate, solution, grids)
+                    ? Message::say("the array '%1' has one value everywhere. %2", name, usableNames(solution, grids))
                     : Message::say("the array '%1' has no number anywhere: it cannot be computed from this solution. "
                                    "%2",
-                                   name, usableNames(source, blanked)),
+                                   name, usableNames(solution, grids)),
                 ErrorKind::WrongUsage);
     }
     return inPlot3dFile(solution.path(), Message::say("none of its arrays varies, so there is nothing to see."));

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetra {
 
@@ -15,16 +16,21 @@ namespace tetra {
 /// follows from them for a perfect gas with the ratio of specific heats 1.4, in PLOT3D's dimensionless units.
 std::span<const std::string_view> plot3dArrayNames();
 
+/// A grid of a solution, and its points that do not count, as of blankedPoints().
+struct Plot3dGrid {
+    std::size_t number = 0;
+    std::vector<std::uint8_t> blanked{};
+};
+
 /// A scalar of every point.
 struct Plot3dArray {
     std::string name;
-    ScalarField values; ///< in single precision if the solution was and they fit
+    std::vector<ScalarField> values; ///< of each grid, in single precision if the solution was and they fit
 };
 
-/// The array called `name`; or for "automatic" the first one that is defined everywhere and varies, density first, then
-/// pressure. `blanked` is as of blankedPoints(): what the array is there does not matter. Errors (naming the arrays
-/// that can be taken): it is the same everywhere; it is not a number somewhere.
-Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid, const std::string& name,
-                                    std::span<const std::uint8_t> blanked, const Progress& progress);
+/// The array called `name`; or for "automatic" the first one that varies over these grids together, density first, then
+/// pressure. Errors (naming the arrays that can be taken): it is the same everywhere; it is no number anywhere.
+Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::span<const Plot3dGrid> grids,
+                                    const std::string& name, const Progress& progress);
 
 } // namespace tetra

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <string>
 
 namespace tetra {
@@ -104,15 +105,15 @@ Result<Plot3dFile> openPlot3d(const Plot3dSource& source, Plot3dKind kind)
     return file;
 }
 
-Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
+Result<std::vector<std::size_t>> chooseGrids(const Plot3dFile& file, std::int64_t wanted)
 {
     const std::size_t count = file.layout.sizes.size();
     const std::filesystem::path& path = file.path();
-    if (wanted == 0 && count > 1)
-        return inPlot3dFile(
-            path,
-            Message::say("it holds %1 grids, and a model is of one. Choose which: 'grid' from 1 to %2.", count, count),
-            ErrorKind::WrongUsage);
+    if (wanted == 0 && count > 1) {
+        std::vector<std::size_t> all(count);
+        std::iota(all.begin(), all.end(), std::size_t(0));
+        return all;
+    }
     if (wanted > static_cast<std::int64_t>(count))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' has no grid %2: it holds %3.", path.string(), wanted, count), path};
@@ -124,7 +125,7 @@ Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
             Message::say(
                 "its grid has %1 x %2 x %3 points. TAn takes volumes: at least two points along each of three axes.",
                 size[0], size[1], size[2]));
-    return grid;
+    return std::vector{grid};
 }
 
 std::uint64_t pointCountOf(const Plot3dFile& file, std::size_t grid)

@@ -38,8 +38,8 @@ struct Plot3dFile {
 /// Checks that the file is whole: sizes, record marks, nothing but zeros behind the data. Errors name the file.
 Result<Plot3dFile> openPlot3d(const Plot3dSource& source, Plot3dKind kind);
 
-/// The number of the grid that `wanted` (1 for the first; 0 if the user said nothing) means in this file.
-Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted);
+/// The numbers of the grids that `wanted` (1 for the first; 0 for all) means in this file; alone, one is a volume.
+Result<std::vector<std::size_t>> chooseGrids(const Plot3dFile& file, std::int64_t wanted);
 
 /// How many points a grid has.
 std::uint64_t pointCountOf(const Plot3dFile& file, std::size_t grid);

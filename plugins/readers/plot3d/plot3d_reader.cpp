@@ -6,11 +6,13 @@
 #include "plugins/readers/plot3d/plot3d_names.h"
 
 #include <tan/data.h>
+#include <tan/zones.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace tetra {
 
@@ -76,7 +78,7 @@ Result<Plot3dFile> openOf(const Pair& pair, Plot3dKind kind, const Progress& pro
 struct OpenPair {
     Plot3dFile grid;
     Plot3dFile solution;
-    std::size_t number = 0; ///< of the grid, and of its solution
+    std::vector<std::size_t> numbers; ///< of the grids that are taken, and of their solutions
 };
 
 Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted, const Progress& progress)
@@ -84,9 +86,9 @@ Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted, const Progress&
     const auto grid = openOf(pair, Plot3dKind::Grid, progress);
     if (!grid)
         return grid.error();
-    const auto number = chooseGrid(*grid, wanted);
-    if (!number)
-        return number.error();
+    const auto numbers = chooseGrids(*grid, wanted);
+    if (!numbers)
+        return numbers.error();
     const auto solution = openOf(pair, Plot3dKind::Solution, progress);
     if (!solution)
         return solution.error();
@@ -94,17 +96,17 @@ Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted, const Progress&
         return inPlot3dFile(pair.solution, Message::say("it is the solution of another grid: its sizes are not those "
                                                         "of '%1'. Choose another one with 'solution'.",
                                                         pair.grid.string()));
-    return OpenPair{*grid, *solution, *number};
+    return OpenPair{*grid, *solution, *numbers};
 }
 
-Result<std::vector<Eigen::Vector3d>> readPositions(const OpenPair& pair, const Progress& progress)
+Result<std::vector<Eigen::Vector3d>> readPositions(const Plot3dFile& grid, std::size_t number, const Progress& progress)
 {
-    std::vector<Eigen::Vector3d> positions(pointCountOf(pair.grid, pair.number));
+    std::vector<Eigen::Vector3d> positions(pointCountOf(grid, number));
     std::vector<double> component;
     const Status read = forPieces(positions.size(), progress, [&](std::uint64_t first, std::uint64_t count) -> Status {
         component.resize(count);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (const Status got = readComponent(pair.grid, pair.number, axis, first, component); !got)
+            if (const Status got = readComponent(grid, number, axis, first, component); !got)
                 return got;
             for (std::size_t i = 0; i < count; ++i)
                 positions[first + i][static_cast<Eigen::Index>(axis)] = component[i];
@@ -135,23 +137,93 @@ std::shared_ptr<const std::vector<GridCell>> cellsWithout(std::span<const std::u
     return std::make_shared<const std::vector<GridCell>>(std::move(cells));
 }
 
-Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const std::string& arrayName,
-                            const Progress& progress)
+/// What was taken of what the two files offer.
+void tellChoices(const OpenPair& pair, std::int64_t wanted, const std::string& arrayName, const std::string& taken,
+                 std::vector<Taken>& choices, std::vector<Message>& leftOut)
 {
-    const std::vector<std::uint8_t> blanked = blankedPoints(pair.grid, pair.number);
-    auto positions = readPositions(pair, progress.part(0, 0.3));
+    const std::size_t count = pair.grid.layout.sizes.size();
+    if (!taken.empty())
+        choices.push_back({TakenPart::Array, taken, arrayName == "automatic"});
+    if (count == 1)
+        return;
+    choices.push_back({TakenPart::Block, wanted == 0 ? Message::say("all %1 grids", count)
+                                                     : Message::say("grid %1 of %2", wanted, count)});
+    if (wanted != 0)
+        leftOut.push_back(Message::say("It holds %1 grids; the others are not read.", count));
+}
+
+/// One grid, with its holes.
+Result<Dataset> zoneOf(const OpenPair& pair, const Plot3dGrid& grid, const ScalarField& values,
+                       const Progress& progress)
+{
+    auto positions = readPositions(pair.grid, grid.number, progress);
     if (!positions)
         return positions.error();
-    auto array = readPlot3dArray(pair.solution, pair.number, arrayName, blanked, progress.part(0.3, 0.7));
+    Dataset zone;
+    zone.domain = DomainClass::Curvilinear;
+    zone.lattice.size = pair.grid.layout.sizes[grid.number];
+    zone.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(*std::move(positions));
+    zone.values = values;
+    zone.source.name = std::to_string(grid.number + 1);
+    if (std::ranges::min(zone.lattice.size) >= 2)
+        zone.cells = cellsWithout(grid.blanked, zone.lattice);
+    return zone;
+}
+
+/// All grids as one mesh. `region`: CellComplex's.
+Result<Dataset> meshOf(const OpenPair& pair, const std::vector<Dataset>& zones, const Source& source,
+                       const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
+{
+    constexpr double joined = 0.3;
+    const auto refused = [&](const Error& error) {
+        if (error.kind != ErrorKind::BadInput)
+            return error;
+        return inPlot3dFile(pair.grid.path(),
+                            Message::say("its %1 grids make no mesh together. %2 Or choose one of them: 'grid' from 1 "
+                                         "to %3.",
+                                         zones.size(), error.message, zones.size()));
+    };
+    auto together = joinZones(zones, progress.part(0, joined));
+    if (!together)
+        return refused(together.error());
+    together->complex.region = region;
+    auto mesh = irregularDataset(together->complex, together->values, source, progress.part(joined, 1));
+    if (!mesh)
+        return refused(mesh.error());
+    mesh->remarks.insert(mesh->remarks.begin(), together->remarks.begin(), together->remarks.end());
+    return mesh;
+}
+
+/// What the user asks for.
+struct Wanted {
+    std::int64_t grid = 0;
+    std::string array;
+    std::optional<Eigen::AlignedBox3d> region{}; ///< of a mesh
+};
+
+Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const Wanted& wanted, const Progress& progress)
+{
+    constexpr double haveValues = 0.4, haveZones = 0.6;
+    std::vector<Plot3dGrid> grids;
+    for (const std::size_t number : pair.numbers)
+        grids.push_back({number, blankedPoints(pair.grid, number)});
+    const auto array = readPlot3dArray(pair.solution, grids, wanted.array, progress.part(0, haveValues));
     if (!array)
         return array.error();
-    Dataset dataset;
-    dataset.domain = DomainClass::Curvilinear;
-    dataset.lattice.size = pair.grid.layout.sizes[pair.number];
-    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(*std::move(positions));
-    dataset.values = array->values;
-    dataset.source = {pair.grid.path().filename().string() + ", " + array->name, path, 0, array->name};
-    dataset.cells = cellsWithout(blanked, dataset.lattice);
+    Source source{
+        .name = pair.grid.path().filename().string() + ", " + array->name, .path = path, .valueName = array->name};
+    tellChoices(pair, wanted.grid, wanted.array, array->name, source.taken, source.leftOut);
+    std::vector<Dataset> zones;
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+        auto zone = zoneOf(pair, grids[i], array->values[i], progress.part(haveValues, haveZones));
+        if (!zone)
+            return zone.error();
+        zones.push_back(*std::move(zone));
+    }
+    if (zones.size() > 1)
+        return meshOf(pair, zones, source, wanted.region, progress.part(haveZones, 1));
+    Dataset dataset = std::move(zones.front());
+    dataset.source = std::move(source);
     if (const Status usable = hasHoles(dataset) ? Status() : checkGrid(dataset); !usable)
         return inPlot3dFile(pair.grid.path(), usable.error().message);
     progress.report(1, Message::marked("Reading"));
@@ -167,7 +239,8 @@ std::vector<std::string> gridTexts(const Plot3dLayout& layout)
     return texts;
 }
 
-Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const Progress& progress)
+Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const std::string& arrayName,
+                                const Progress& progress)
 {
     FileContents contents{.domain = DomainClass::Curvilinear, .untold = {"unit"}};
     for (const std::string_view name : plot3dArrayNames())
@@ -175,17 +248,18 @@ Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const Pro
     const auto grid = openOf(pair, Plot3dKind::Grid, progress.part(0, 0.5));
     if (!grid)
         return grid.error();
-    if (grid->layout.sizes.size() > 1) {
+    if (grid->layout.sizes.size() > 1)
         contents.blocks = gridTexts(grid->layout);
-        if (wanted == 0)
-            return contents;
-    }
     const auto open = openPair({pair.grid, pair.solution, grid->source}, wanted, progress.part(0.5, 1));
     if (!open)
         return open.error();
-    const auto& size = open->grid.layout.sizes[open->number];
     contents.type = open->solution.layout.realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
-    contents.lattice.size = size;
+    // Which array "automatic" takes depends on the values.
+    tellChoices(*open, wanted, arrayName, arrayName == "automatic" ? std::string() : arrayName, contents.taken,
+                contents.leftOut);
+    if (open->numbers.size() > 1)
+        return contents;
+    contents.lattice.size = open->grid.layout.sizes[open->numbers.front()];
     contents.points = contents.lattice.pointCount();
     return contents;
 }
@@ -273,26 +347,44 @@ std::vector<Parameter> Plot3dReader::parameters() const
     Parameter grid;
     grid.id = "grid";
     grid.label = Message::marked("Grid");
-    grid.explanation = Message::marked("Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.");
+    grid.explanation =
+        Message::marked("Which grid of a PLOT3D file that holds several, from 1; 0 joins all into one mesh.");
     grid.defaultValue = std::int64_t(0);
     grid.minimum = 0;
     grid.maximum = 10000;
     return {array, solution, grid, unitParameter()};
 }
 
-Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
+namespace {
+
+Result<Dataset> readPair(const std::vector<Parameter>& all, const fs::path& path, const ParameterValues& values,
+                         const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
 {
-    const auto all = parameters();
+    const Wanted wanted{parameterValue<std::int64_t>(all, values, "grid"),
+                        parameterValue<std::string>(all, values, "array"), region};
     const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"), progress.part(0, 0.2));
     if (!pair)
         return pair.error();
-    const auto open = openPair(*pair, parameterValue<std::int64_t>(all, values, "grid"), progress.part(0.2, 0.4));
+    const auto open = openPair(*pair, wanted.grid, progress.part(0.2, 0.4));
     if (!open)
         return open.error();
-    auto dataset = readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress.part(0.4, 1));
+    auto dataset = readDataset(path, *open, wanted, progress.part(0.4, 1));
     if (dataset)
         dataset->lengthUnit = placementText(values, "unit");
     return dataset;
+}
+
+} // namespace
+
+Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
+{
+    return readPair(parameters(), path, values, std::nullopt, progress);
+}
+
+Result<Dataset> Plot3dReader::readAround(const Eigen::AlignedBox3d& region, const fs::path& path,
+                                         const ParameterValues& values, const Progress& progress) const
+{
+    return readPair(parameters(), path, values, region, progress);
 }
 
 std::vector<fs::path> Plot3dReader::companions(const fs::path& path, const ParameterValues& values) const
@@ -312,7 +404,8 @@ Result<FileContents> Plot3dReader::probe(const fs::path& path, const ParameterVa
     const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"), progress.part(0, 0.5));
     if (!pair)
         return pair.error();
-    return contentsOf(*pair, parameterValue<std::int64_t>(all, values, "grid"), progress.part(0.5, 1));
+    return contentsOf(*pair, parameterValue<std::int64_t>(all, values, "grid"),
+                      parameterValue<std::string>(all, values, "array"), progress.part(0.5, 1));
 }
 
 } // namespace tetra

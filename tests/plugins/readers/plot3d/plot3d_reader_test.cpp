@@ -53,6 +53,8 @@ private slots:
     void theSolutionIsFoundByItsName_data();
     void theSolutionIsFoundByItsName();
     void aGridOfSeveralIsChosen();
+    void severalGridsAreJoined();
+    void gridsThatOverlapAreRefused();
     void probesWithoutTheData();
     void constantArraysAreNotTaken();
     void arraysWithoutANumberAreToldAsThat();
@@ -183,17 +185,114 @@ void Plot3dReaderTest::theSolutionIsFoundByItsName()
 void Plot3dReaderTest::aGridOfSeveralIsChosen()
 {
     const auto path = writePair({.order = std::endian::big, .marks = true, .multiGrid = true, .grids = 3});
-    const auto none = read(path);
-    QVERIFY(!none.ok());
-    QVERIFY2(QString::fromStdString(none.error().text()).contains("3 grids"), none.error().text().c_str());
+    const auto all = read(path);
+    QVERIFY2(all.ok(), all.ok() ? "" : all.error().text().c_str());
+    QCOMPARE(all->domain, DomainClass::Irregular);
+    QCOMPARE(all->pointCount(), std::uint64_t(60 + 80 + 100));
+    QVERIFY(all->remarks.front().text().starts_with("Its 3 zones were put into one mesh"));
+    const Taken whole{TakenPart::Block, Message::say("all %1 grids", 3)};
+    QVERIFY(std::ranges::find(all->source.taken, whole) != all->source.taken.end());
+    QVERIFY(all->source.leftOut.empty());
     const auto third = read(path, {{"grid", std::int64_t(3)}});
     QVERIFY2(third.ok(), third.ok() ? "" : third.error().text().c_str());
     QCOMPARE(third->lattice.size, (std::array<std::uint32_t, 3>{5, 4, 5}));
     QCOMPARE(third->position(17)[2], testCoordinate(2, 17, 2));
     QCOMPARE(third->values.at(17), testQuantity(0, 17));
+    const Taken one{TakenPart::Block, Message::say("grid %1 of %2", 3, 3)};
+    QVERIFY(std::ranges::find(third->source.taken, one) != third->source.taken.end());
+    QCOMPARE(third->source.leftOut.size(), std::size_t(1));
     const auto fourth = read(path, {{"grid", std::int64_t(4)}});
     QVERIFY(!fourth.ok());
     QCOMPARE(fourth.error().kind, ErrorKind::WrongUsage);
+}
+
+namespace {
+
+/// Boxes of points that lie one apart, each from `low` on, with a density that is linear in the place.
+struct PointBox {
+    Eigen::Vector3d low;
+    std::array<int, 3> size;
+};
+
+double densityAt(const Eigen::Vector3d& place)
+{
+    return 64 + place.dot(Eigen::Vector3d(1, 2, 4));
+}
+
+QByteArray boxesFile(const std::vector<PointBox>& boxes, bool solution)
+{
+    Plot3dBytes file({.multiGrid = true});
+    file.integer(std::int32_t(boxes.size()));
+    for (const PointBox& box : boxes)
+        for (const int count : box.size)
+            file.integer(count);
+    for (const PointBox& box : boxes) {
+        for (int i = 0; solution && i < 4; ++i)
+            file.real(1);
+        for (int component = 0; component < (solution ? 5 : 3); ++component)
+            for (int k = 0; k < box.size[2]; ++k)
+                for (int j = 0; j < box.size[1]; ++j)
+                    for (int i = 0; i < box.size[0]; ++i) {
+                        const Eigen::Vector3d place = box.low + Eigen::Vector3d(i, j, k);
+                        file.real(!solution ? place[component] : component == 0 ? densityAt(place) : 1);
+                    }
+    }
+    file.endRecord();
+    return file.bytes();
+}
+
+} // namespace
+
+/// Two that share a side of 3 x 2 cells, and a third one that touches the second along an edge.
+void Plot3dReaderTest::severalGridsAreJoined()
+{
+    const std::vector<PointBox> boxes = {{{0, 0, 0}, {3, 4, 3}}, {{2, 0, 0}, {4, 4, 3}}, {{5, 3, 0}, {2, 2, 3}}};
+    write("g.q", boxesFile(boxes, true));
+    const auto path = write("g.xyz", boxesFile(boxes, false));
+    const auto mesh = read(path);
+    QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
+    QCOMPARE(mesh->domain, DomainClass::Irregular);
+    QCOMPARE(mesh->pointCount(), std::uint64_t(36 + 48 + 12 - 12 - 3));
+    double volume = 0;
+    for (const auto& [a, b, c, d] : *mesh->tetrahedra) {
+        const auto& at = *mesh->positions;
+        volume += (at[b] - at[a]).dot((at[c] - at[a]).cross(at[d] - at[a])) / 6;
+    }
+    QCOMPARE(volume, 12.0 + 18 + 2);
+    for (std::uint64_t point = 0; point < mesh->pointCount(); ++point)
+        QCOMPARE(mesh->values.at(point), densityAt(mesh->position(point)));
+    QCOMPARE(mesh->values.type(), SampleType::Float32);
+    QCOMPARE(QString::fromStdString(mesh->source.name), QString("g.xyz, density"));
+    QCOMPARE(QString::fromStdString(mesh->remarks.front().text()),
+             QString("Its 3 zones were joined into one mesh, in which they share 6 faces."));
+    const std::vector<Taken> taken = {{TakenPart::Array, "density", true},
+                                      {TakenPart::Block, Message::say("all %1 grids", 3)}};
+    QVERIFY(mesh->source.taken == taken);
+
+    const auto contents = asLoaded<Plot3dReader>().probe(path, {{"array", std::string("density")}}, {});
+    QVERIFY(contents.ok());
+    QCOMPARE(contents->taken.size(), std::size_t(2));
+    QCOMPARE(contents->blocks.size(), std::size_t(3));
+    // Alone, one has an array that varies, too.
+    QVERIFY(read(path, {{"grid", std::int64_t(2)}}).ok());
+}
+
+void Plot3dReaderTest::gridsThatOverlapAreRefused()
+{
+    const std::vector<PointBox> boxes = {{{0, 0, 0}, {4, 4, 4}}, {{1.5, 0.5, 0.5}, {4, 4, 4}}};
+    write("g.q", boxesFile(boxes, true));
+    const auto path = write("g.xyz", boxesFile(boxes, false));
+    const auto mesh = read(path);
+    QVERIFY(!mesh.ok());
+    const QString text = QString::fromStdString(mesh.error().text());
+    QVERIFY2(text.contains("its 2 grids make no mesh together") && text.contains("overlaps others") &&
+                 text.contains("'grid' from 1 to 2"),
+             qPrintable(text));
+    // One of them alone is taken, and only what lies in a region is judged.
+    QVERIFY(read(path, {{"grid", std::int64_t(2)}}).ok());
+    const Eigen::AlignedBox3d beyond(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 4, 4));
+    const auto part = asLoaded<Plot3dReader>().readAround(beyond, path, {}, {});
+    QVERIFY2(part.ok(), part.ok() ? "" : part.error().text().c_str());
 }
 
 void Plot3dReaderTest::probesWithoutTheData()
