@@ -4,6 +4,7 @@
 #include "plugins/api/placement_parameters.h"
 #include "plugins/process/found_dataset.h"
 #include "plugins/process/reading_process.h"
+#include "plugins/readers/vtk/unwritten_memory.h"
 #include "plugins/readers/vtk/vtk_format.h"
 #include "plugins/readers/vtk/vtk_parameters.h"
 
@@ -70,7 +71,10 @@ fs::path besidePlugin()
 
 Result<ReadAnswer> ask(const fs::path& helper, const VtkRequest& request, const Progress& progress)
 {
-    return askReadingProgram(vtkReadingProgram(helper), requestText(request), request.path, progress);
+    ReadingProgram program = vtkReadingProgram(helper);
+    if (mayBeUnwritten(request.format))
+        program.environment.emplace_back(unwrittenMemoryEnvironment);
+    return askReadingProgram(program, requestText(request), request.path, progress);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "plugins/readers/vtk/helper/findings.h"
 #include "plugins/readers/vtk/helper/running.h"
 #include "plugins/readers/vtk/helper/series_source.h"
+#include "plugins/readers/vtk/unwritten_memory.h"
 
 #include <unistd.h>
 
@@ -70,6 +71,20 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
     return found;
 }
 
+/// Each reading by a reader of its own, whose progress is half of the whole.
+Result<VtkFindings> findTwice(const VtkRequest& request, const VtkLog& log, const TellProgress& progress)
+{
+    double done = 0;
+    return readTwice([&]() -> Result<VtkFindings> {
+        const auto source = makeSource(request);
+        if (!source)
+            return source.error();
+        auto found = find(*source, request, log, [&](double fraction) { progress(done + fraction / 2); });
+        done = 0.5;
+        return found;
+    });
+}
+
 Result<ReadAnswer> answer(const VtkRequest& request, const VtkLog& log, const TellProgress& progress)
 {
     const auto checked = request.format == VtkFormat::Series ? checkSeries(request) : checkBeforeVtk(request);
@@ -85,7 +100,8 @@ Result<ReadAnswer> answer(const VtkRequest& request, const VtkLog& log, const Te
         auto contents = lookInto(*source, request, log, progress);
         return contents ? Result<ReadAnswer>(*std::move(contents)) : contents.error();
     }
-    auto found = find(*source, request, log, progress);
+    auto found =
+        mayBeUnwritten(request.format) ? findTwice(request, log, progress) : find(*source, request, log, progress);
     if (!found)
         return found.error();
     found->remarks.insert(found->remarks.begin(), checked->remarks.begin(), checked->remarks.end());

@@ -24,11 +24,11 @@ Error inSeriesFile(const SeriesPart& part, const Error& error)
     return {error.kind, Message::say("its file '%1': %2", printable(part.file.filename().string()), error.message)};
 }
 
-/// Of one file of a list; None for what VTK does not write.
+/// Of one file of a list; None for what VTK does not write, and for another list.
 VtkFormat formatOf(const fs::path& path)
 {
-    if (!xmlType(path).empty())
-        return VtkFormat::Xml;
+    if (const std::string type = xmlType(path); !type.empty())
+        return type == "Collection" ? VtkFormat::None : VtkFormat::Xml;
     const auto file = MappedFile::open(path);
     if (!file)
         return VtkFormat::None;
