@@ -3,7 +3,7 @@
 import numpy
 
 from bench import add, of_grid
-from samples import ORIGIN, SIZE, SPACING, grid, library, numbers, wave
+from samples import SIZE, grid, library, numbers, wave
 
 h5py = library("h5py")
 

@@ -28,7 +28,7 @@ def add_axes(file, along, order, dtype="f8", positive="up"):
 
 
 def field(folder, format="NETCDF4", dtype="f4", where=REGULAR, order=("height", "lat", "lon"), variables=("temperature",), steps=0, options=(), take=0,
-          axis_type="f8", packing=None, positive="up", missing=None, unwritten=False, holes=None, **said):
+          axis_type="f8", packing=None, positive="up", unsigned=False, missing=None, unwritten=False, holes=None, **said):
     """`variables`, each a wave of its own, at `steps` times; `missing`: attribute -> number of those that say which stored numbers are no values;
     packing: scale and offset."""
     whole = grid(where, "f8") if isinstance(where, tuple) else rectilinear(where)
@@ -53,6 +53,8 @@ def field(folder, format="NETCDF4", dtype="f4", where=REGULAR, order=("height", 
         for attribute, value in missing.items():
             if attribute != "_FillValue":
                 variable.setncattr(attribute, numpy.array(value, dtype) if not isinstance(value, str) else value)
+        if unsigned:
+            variable.setncattr("_Unsigned", "true")
         if packing:
             variable.scale_factor, variable.add_offset = packing
         for step in range(max(1, steps)):
@@ -69,7 +71,7 @@ def field(folder, format="NETCDF4", dtype="f4", where=REGULAR, order=("height", 
             else:
                 variable[:] = out
             if number * 7 + step == take:
-                whole.values = stored.astype(float)
+                whole.values = (stored.view(stored.dtype.str.replace("i", "u")) if unsigned else stored).astype(float)
     if packing:
         whole.values = whole.values * packing[0] + packing[1]
     file.close()
@@ -158,6 +160,8 @@ for dtype in ("i1", "i2", "i4", "f4", "f8"):
     add("NetCDF", "numbers", dtype, field, dtype=dtype, format="NETCDF3_CLASSIC")
 for dtype in ("u1", "u2", "u4", "i8", "u8"):
     add("NetCDF", "numbers", dtype, field, dtype=dtype)
+for dtype in ("i1", "i2"):
+    add("NetCDF", "numbers", f"{dtype} that is unsigned by _Unsigned", field, dtype=dtype, unsigned=True, format="NETCDF3_CLASSIC")
 add("NetCDF", "numbers", "packed i2", field, dtype="i2", packing=(0.01, 250.0))
 add("NetCDF", "numbers", "packed u1", field, dtype="u1", packing=(0.5, -60.0))
 add("NetCDF", "holes", "_FillValue", field, holes=1e20, missing={"_FillValue": 1e20})

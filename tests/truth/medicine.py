@@ -6,7 +6,7 @@ import zlib
 import numpy
 
 from bench import add, of_grid
-from samples import FRAMES, ORIGIN, SIZE, SPACING, Grid, Missing, grid, library, numbers, placed, wave
+from samples import FRAMES, ORIGIN, SIZE, SPACING, Grid, grid, library, numbers, placed, wave
 
 nibabel = library("nibabel")
 pydicom = library("pydicom")

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Small meshes of every kind of cell, whose points are those of a bent block."""
-import itertools
-
 import numpy
 
 from samples import curvilinear
@@ -87,7 +85,7 @@ def mesh(kind):
     else:
         points, hexahedra = boxes()
         blocks = [("tetrahedra", tetrahedra), ("triangles", tetrahedra[:7, :3]), ("lines", tetrahedra[:5, :2])]
-    judged = [cells for name, cells in blocks if name not in ("triangles", "lines")]
+    judged = [cells for name, cells in blocks if name not in ("triangles", "lines")] if kind != "voxels" else [hexahedra]
     return points, blocks, judged, [cells for name, cells in blocks if name in ("triangles", "lines")]
 
 

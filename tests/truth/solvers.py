@@ -5,9 +5,9 @@ import gzip
 
 import numpy
 
-from bench import add, of_cells, of_grid, of_points
+from bench import add, of_cells, of_grid
 from mesh_samples import boxes, mesh, values_at_points
-from samples import ORIGIN, SIZE, SPACING, axes, curvilinear, grid, library, numbers, rectilinear, wave
+from samples import SIZE, axes, curvilinear, grid, library, numbers, rectilinear, some_holes, wave
 
 h5py = library("h5py")
 netcdf = library("netCDF4")
@@ -406,7 +406,6 @@ def plot3d(folder, form="<f4", records=False, grids=1, opened=1, blank=False, jo
         one.values = numbers(wave(one.places, number), real)
         holes = numpy.zeros(SIZE, bool)
         if blank:
-            from samples import some_holes
             holes = some_holes()
         columns = [one.places[..., axis].transpose(2, 1, 0).ravel().astype(real) for axis in range(3)]
         marks = [numpy.where(holes, 0, 1).transpose(2, 1, 0).ravel().astype("i4")] if blank else []

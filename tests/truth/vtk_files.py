@@ -4,17 +4,17 @@ import functools
 
 import numpy
 
-from bench import Case, add, of_cells, of_grid, of_points
+from bench import add, of_cells, of_grid, of_points
 from mesh_samples import CELLS, MESH, lagrange, mesh, values_at_points
-from samples import FRAMES, ORIGIN, SIZE, SPACING, axes, curvilinear, grid, library, numbers, rectilinear, some_holes, wave
+from samples import FRAMES, SIZE, axes, curvilinear, grid, library, numbers, rectilinear, some_holes, wave
 
 h5py = library("h5py")
-vtk_data = library("vtkmodules.vtkCommonDataModel", "python3-vtk9")
-vtk_core = library("vtkmodules.vtkCommonCore", "python3-vtk9")
-vtk_numpy = library("vtkmodules.util.numpy_support", "python3-vtk9")
-vtk_xml = library("vtkmodules.vtkIOXML", "python3-vtk9")
-vtk_parallel = library("vtkmodules.vtkIOParallelXML", "python3-vtk9")
-vtk_legacy = library("vtkmodules.vtkIOLegacy", "python3-vtk9")
+vtk_data = library("vtkmodules.vtkCommonDataModel", "vtk9")
+vtk_core = library("vtkmodules.vtkCommonCore", "vtk9")
+vtk_numpy = library("vtkmodules.util.numpy_support", "vtk9")
+vtk_xml = library("vtkmodules.vtkIOXML", "vtk9")
+vtk_parallel = library("vtkmodules.vtkIOParallelXML", "vtk9")
+vtk_legacy = library("vtkmodules.vtkIOLegacy", "vtk9")
 
 TYPES = ("u1", "i1", "u2", "i2", "u4", "i4", "i8", "u8", "f4", "f8")
 
