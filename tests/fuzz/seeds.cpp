@@ -7,6 +7,7 @@
 #include "tests/fuzz/small_part.h"
 #include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/readers/cells/vtu_text.h"
+#include "tests/plugins/readers/lattice/header_files.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
 
@@ -85,6 +86,29 @@ void addVolumes(const QString& folder)
     raw.add("|float|little|1x1x1|0,0,0|0\n" + testSamples(SampleType::Float32));
     raw.add(nrrdHeader("data file: samples.raw\n") + testSamples(SampleType::UInt8));
     raw.add(nrrdHeader("data file: samples.raw\nencoding: gzip\n") + gzipped(testSamples(SampleType::UInt8)));
+}
+
+/// A byte for the name, one for the time step, two for the length of the first file, and two files.
+void addHeaders(const QString& folder)
+{
+    Seeds seeds(folder, "headers");
+    const QByteArray samples = testSamples(SampleType::Float32);
+    const auto add = [&](char name, const QByteArray& first, const QByteArray& second = {}) {
+        const char length[] = {static_cast<char>(first.size() % 256), static_cast<char>(first.size() / 256)};
+        seeds.add(QByteArray(1, name) + QByteArray(1, '\1') + QByteArray(length, 2) + first + second);
+    };
+    add('\0', metaHeader("TransformMatrix = 0 1 0 1 0 0 0 0 1\nOffset = 1 2 3\n") + samples);
+    add('\0', metaHeader("CompressedData = True\n", "image.raw"), gzipped(samples));
+    add('\0', metaHeader("BinaryData = False\nElementNumberOfChannels = 3\n", "LIST 3") + "image.raw\n", "1 2 3 ");
+    NiftiFields nifti = niftiBySteps(Eigen::Matrix3d::Identity(), {1, 2, 3});
+    nifti.qform = 1;
+    add('\1', niftiHeader(nifti) + samples);
+    nifti.version = 2;
+    nifti.dim = {5, 3, 4, 5, 1, 2, 1, 1};
+    add('\1', niftiHeader(nifti) + samples + samples);
+    add('\2', niftiHeader({.version = 0, .order = std::endian::big}), samples);
+    add('\3', mrcHeader({.start = {1, 2, 3}, .angles = {90, 90, 120}, .axes = {3, 2, 1}}) + samples);
+    add('\3', mrcHeader({.order = std::endian::big, .mode = 0, .imodFlags = 1}) + samples);
 }
 
 void addGrids(const QString& folder)
@@ -197,6 +221,7 @@ int main(int count, char** words)
     const QString folder = QString::fromLocal8Bit(words[1]);
     addAnswers(folder);
     addVolumes(folder);
+    addHeaders(folder);
     addGrids(folder);
     addPoints(folder);
     addModels(folder);

@@ -2,7 +2,6 @@
 // Feeds what looks through files before VTK reads them: a byte for the format, two for the length of the first file,
 // and two files, of which most formats need the first one only.
 #include "plugins/readers/vtk/checks/file_check.h"
-#include "plugins/readers/vtk/checks/metaimage_header.h"
 #include "plugins/readers/vtk/tecplot_text.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -11,8 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 {
     using namespace tetra;
     using enum VtkFormat;
-    constexpr std::array formats = {Xml,  Legacy, Hdf,    NetCdf,  MetaImage, Mrc,
-                                    Tiff, Dicom,  Fluent, EnSight, EnSight,   Tecplot};
+    constexpr std::array formats = {Xml, Legacy, Hdf, NetCdf, Tiff, Dicom, Fluent, EnSight, EnSight, Tecplot};
     constexpr std::size_t headBytes = 3;
     if (size < headBytes)
         return 0;
@@ -40,12 +38,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         folder.write("run.a", second);
     } else {
         request.path = folder.write("flow.cas", first);
-        folder.write(request.format == Fluent ? "flow.dat" : "image.raw", second);
+        folder.write("flow.dat", second);
     }
     if (const auto checked = checkBeforeVtk(request); !checked)
         requireText(checked.error());
-    else if (request.format == MetaImage)
-        if (const auto place = metaImagePlace(std::filesystem::path(request.path)); !place)
-            requireText(place.error());
     return 0;
 }

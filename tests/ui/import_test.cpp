@@ -161,7 +161,7 @@ private slots:
     {
         const auto parameters = parametersOf("lattice");
         QVERIFY(needsLayout(parameters, {}));
-        const FileContents nrrd{.domain = DomainClass::RegularLattice, .lattice = {}, .points = 8};
+        const FileContents nrrd{.domain = DomainClass::RegularLattice, .lattice = {}, .points = 8, .arrays = {{}}};
         QVERIFY(!needsLayout(parameters, nrrd));
         QVERIFY(importForm(parameters, nrrd, {}, false).parameters.empty());
         QCOMPARE(importForm(parameters, {}, {}, true).parameters.size(), parameters.size());

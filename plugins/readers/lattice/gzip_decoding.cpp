@@ -16,13 +16,16 @@ Error damaged(const Message& what)
     return {ErrorKind::BadInput, Message::say("its compressed data are damaged (%1). Copy the file again.", what)};
 }
 
+enum class PackedAs { Gzip, ZlibOrGzip };
+
 /// The unpacked bytes as a stream.
 class GzipStream {
 public:
-    explicit GzipStream(std::span<const std::byte> packed) : rest_(packed)
+    GzipStream(std::span<const std::byte> packed, PackedAs form)
+        : rest_(packed), isZlib_(form == PackedAs::ZlibOrGzip && !startsAsGzip(packed))
     {
         constexpr int gzipOnly = 16;
-        ready_ = ::inflateInit2(&state_, MAX_WBITS + gzipOnly) == Z_OK;
+        ready_ = ::inflateInit2(&state_, isZlib_ ? MAX_WBITS : MAX_WBITS + gzipOnly) == Z_OK;
     }
     ~GzipStream() { ::inflateEnd(&state_); }
     GzipStream(const GzipStream&) = delete;
@@ -64,9 +67,14 @@ private:
         return {};
     }
 
+    static bool startsAsGzip(std::span<const std::byte> packed)
+    {
+        return packed.size() > 2 && packed[0] == std::byte(0x1f) && packed[1] == std::byte(0x8b);
+    }
+
     Status nextMember()
     {
-        if (std::ranges::all_of(rest_, [](std::byte byte) { return byte == std::byte(0); }))
+        if (isZlib_ || std::ranges::all_of(rest_, [](std::byte byte) { return byte == std::byte(0); }))
             ended_ = true;
         else if (::inflateReset(&state_) != Z_OK)
             return damaged(Message::say("a new part cannot be started"));
@@ -75,6 +83,7 @@ private:
 
     std::span<const std::byte> rest_;
     z_stream state_{};
+    bool isZlib_ = false;
     bool ready_ = false;
     bool ended_ = false;
 };
@@ -90,21 +99,23 @@ Error wrongSize(std::uint64_t expected, std::uint64_t found, bool more)
                                 found, expected)};
 }
 
-} // namespace
-
-Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::span<std::byte> content,
+/// Unpacks `skip` bytes, the content, and `behind` bytes more, which must be all.
+Status unpackPart(GzipStream& stream, std::uint64_t skip, std::span<std::byte> content, std::uint64_t behind,
                   const Progress& progress)
 {
     constexpr std::uint64_t pieceBytes = std::uint64_t(1) << 20;
-    GzipStream stream(packed);
-    std::vector<std::byte> skipped(std::min(skip, pieceBytes));
-    const std::uint64_t total = skip + content.size();
+    std::vector<std::byte> passed(std::min(std::max(skip, behind), pieceBytes));
+    const std::uint64_t contentEnd = skip + content.size(), total = contentEnd + behind;
+    const auto next = [&](std::uint64_t done) {
+        if (done < skip)
+            return std::span(passed).first(std::min(skip - done, pieceBytes));
+        return done < contentEnd ? content.subspan(done - skip, std::min(contentEnd - done, pieceBytes))
+                                 : std::span(passed).first(std::min(total - done, pieceBytes));
+    };
     for (std::uint64_t done = 0; done < total;) {
         if (progress.cancelled())
             return cancelledError(Message::marked("Reading"));
-        const std::span<std::byte> piece = done < skip
-                                               ? std::span(skipped).first(std::min(skip - done, pieceBytes))
-                                               : content.subspan(done - skip, std::min(total - done, pieceBytes));
+        const std::span<std::byte> piece = next(done);
         const Result<std::size_t> read = stream.read(piece);
         if (!read)
             return read.error();
@@ -117,9 +128,23 @@ Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::sp
     const Result<std::size_t> more = stream.read({&beyond, 1});
     if (!more)
         return more.error();
-    if (*more > 0)
-        return wrongSize(total, total, true);
-    return {};
+    return *more > 0 ? Status(wrongSize(total, total, true)) : Status();
+}
+
+} // namespace
+
+Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::span<std::byte> content,
+                  const Progress& progress)
+{
+    GzipStream stream(packed, PackedAs::Gzip);
+    return unpackPart(stream, skip, content, 0, progress);
+}
+
+Status unpackZlibPart(std::span<const std::byte> packed, std::uint64_t skip, std::span<std::byte> content,
+                      std::uint64_t behind, const Progress& progress)
+{
+    GzipStream stream(packed, PackedAs::ZlibOrGzip);
+    return unpackPart(stream, skip, content, behind, progress);
 }
 
 } // namespace tetra

@@ -15,7 +15,12 @@ namespace tetra {
 Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::span<std::byte> content,
                   const Progress& progress);
 
-/// No gzip data of this many bytes unpack to more: the format packs at most 1032 to one.
+/// Unpacks zlib data (RFC 1950), or gzip data, of `skip` + content.size() + `behind` bytes, and keeps those of
+/// `content`. What follows zlib data is not looked at. Else as unpackGzip().
+Status unpackZlibPart(std::span<const std::byte> packed, std::uint64_t skip, std::span<std::byte> content,
+                      std::uint64_t behind, const Progress& progress);
+
+/// No gzip or zlib data of this many bytes unpack to more: the formats pack at most 1032 to one.
 constexpr std::uint64_t largestUnpackedSize(std::uint64_t packedBytes)
 {
     return packedBytes > (std::uint64_t(1) << 52) ? std::uint64_t(1) << 62 : packedBytes * 1032;

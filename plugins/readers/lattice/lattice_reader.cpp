@@ -3,16 +3,21 @@
 
 #include "plugins/api/placement_parameters.h"
 #include "plugins/readers/lattice/field_text.h"
+#include "plugins/readers/lattice/header_formats.h"
 #include "plugins/readers/lattice/nrrd_fields.h"
 #include "plugins/readers/lattice/nrrd_layout.h"
 #include "plugins/readers/lattice/raw_description.h"
 #include "plugins/readers/lattice/raw_guess.h"
 #include "plugins/readers/lattice/sample_reading.h"
+#include "plugins/readers/lattice/stored_reading.h"
+#include "plugins/readers/lattice/stored_volume.h"
+#include "plugins/readers/lattice/volume_errors.h"
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace tetra {
@@ -37,22 +42,6 @@ bool isNrrdName(const fs::path& path)
     return extension(path) == ".nrrd" || extension(path) == ".nhdr";
 }
 
-/// Of the header or its data file: which of the two is not known to the program.
-Error inFile(const fs::path& path, const Error& error)
-{
-    if (error.kind == ErrorKind::Cancelled || error.kind == ErrorKind::OutOfResource)
-        return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message), path};
-}
-
-/// An error in a data file, with the header whose description it does not fit.
-Error withHeader(const fs::path& header, Error error)
-{
-    if (error.kind == ErrorKind::BadInput)
-        error.message = Message::say("%1 The header '%2' names it as its data file.", error.message, header.string());
-    return error;
-}
-
 /// What the bytes of one or more files are, once it is known how they are to be taken.
 struct VolumeFiles {
     std::vector<fs::path> paths; ///< equally many of the samples in each, in their order
@@ -60,14 +49,6 @@ struct VolumeFiles {
     File first; ///< is open
     std::size_t headerBytes = 0;
 };
-
-Result<File> openFile(const fs::path& path)
-{
-    Result<File> file = MappedFile::open(path);
-    if (file && (*file)->bytes().empty())
-        return inFile(path, {ErrorKind::BadInput, Message::say("it is empty. Get or make the file again.")});
-    return file;
-}
 
 /// What the file leaves to the user.
 Status placeLayout(const ParameterValues& values, SampleLayout& layout)
@@ -96,7 +77,7 @@ Result<VolumeFiles> openNrrd(const fs::path& path, const File& headerFile, const
     VolumeFiles volume{{}, layout->samples, nullptr, 0};
     for (const std::string& name : layout->dataFiles)
         volume.paths.push_back(path.parent_path() / name);
-    const Result<File> first = openFile(volume.paths.front());
+    const Result<File> first = openVolumeFile(volume.paths.front());
     if (!first)
         return withHeader(path, first.error());
     volume.first = *first;
@@ -118,18 +99,34 @@ bool isNrrd(const fs::path& path, const File& file)
     return isNrrdName(path) || looksLikeNrrd(asText(file->bytes()));
 }
 
+/// Of all parameters only those of placement, and of `also`, say something of a file with a header.
+Status checkChoices(const fs::path& path, const ParameterValues& values, const std::vector<Parameter>& also)
+{
+    const std::vector<Parameter> placement = placementParameters(), ofVolumes = volumeParameters();
+    const auto has = [](const std::vector<Parameter>& parameters, const std::string& id) {
+        return std::ranges::find(parameters, id, &Parameter::id) != parameters.end();
+    };
+    for (const auto& [id, value] : values) {
+        if (has(placement, id) || has(also, id))
+            continue;
+        return Error{ErrorKind::WrongUsage,
+                     has(ofVolumes, id)
+                         ? Message::say("'--%1' chooses among several volumes or components, and '%2' has one number "
+                                        "for each point. Leave it out.",
+                                        id, path.string())
+                         : Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.",
+                                        id, path.string()),
+                     path};
+    }
+    return {};
+}
+
 Result<VolumeFiles> openVolume(const fs::path& path, const File& file, const ParameterValues& values)
 {
-    if (!isNrrd(path, file))
-        return openRaw(path, file, values);
-    const std::vector<Parameter> ofAll = placementParameters();
-    for (const auto& [id, value] : values)
-        if (std::ranges::find(ofAll, id, &Parameter::id) == ofAll.end())
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.", id,
-                                      path.string()),
-                         path};
-    return openNrrd(path, file, values);
+    const bool hasHeader = isNrrd(path, file);
+    if (const Status fits = checkChoices(path, values, hasHeader ? std::vector<Parameter>() : rawParameters()); !fits)
+        return fits.error();
+    return hasHeader ? openNrrd(path, file, values) : openRaw(path, file, values);
 }
 
 bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole)
@@ -138,18 +135,11 @@ bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole
            std::less_equal{}(bytes.data() + bytes.size(), whole.data() + whole.size());
 }
 
-/// An error in a data file of the volume that is opened as `path`.
-Error inVolume(const fs::path& path, const fs::path& dataFile, const Error& error)
-{
-    const Error named = inFile(dataFile, error);
-    return dataFile == path ? named : withHeader(path, named);
-}
-
 /// Calls `use(bytes)` with the samples of each file as it is opened; the first error ends it.
 template <class Use> Status forEachFile(const fs::path& path, const VolumeFiles& volume, const Use& use)
 {
     for (const fs::path& name : volume.paths) {
-        const Result<File> file = &name == &volume.paths.front() ? Result<File>(volume.first) : openFile(name);
+        const Result<File> file = &name == &volume.paths.front() ? Result<File>(volume.first) : openVolumeFile(name);
         if (!file)
             return withHeader(path, file.error());
         const Status used = use((*file)->bytes().subspan(volume.headerBytes));
@@ -217,7 +207,7 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFiles& volume, con
 /// What a raw file could be that nobody has described yet.
 FileContents guessedContents(const fs::path& path, std::uint64_t bytes)
 {
-    FileContents contents{.domain = DomainClass::RegularLattice};
+    FileContents contents{.domain = DomainClass::RegularLattice, .arrays = {{}}};
     for (const RawGuess& guess : guessRawLayouts(path.filename().string(), bytes))
         contents.suggestions.push_back({{"size", std::to_string(guess.size[0]) + "x" + std::to_string(guess.size[1]) +
                                                      "x" + std::to_string(guess.size[2])},
@@ -236,39 +226,90 @@ Result<FileContents> contentsOf(const fs::path& path, const VolumeFiles& volume)
                         .lattice = volume.layout.lattice,
                         .points = volume.layout.lattice.pointCount(),
                         .type = volume.layout.type,
+                        .arrays = {{}},
                         .taken = volume.layout.taken,
                         .leftOut = volume.layout.leftOut,
                         .untold = volume.layout.untold};
+}
+
+constexpr std::array<std::string_view, 6> rawNames = {".raw", ".bin", ".binary", ".dat", ".img", ".vol"};
+
+/// A file of another format with a header; nothing of NRRD and raw files.
+Result<std::optional<HeaderFile>> headerOf(const fs::path& path, const File& file)
+{
+    return isNrrd(path, file) ? Result<std::optional<HeaderFile>>(std::optional<HeaderFile>())
+                              : headerFileOf(path, file);
+}
+
+/// A volume whose header is of one of those formats, held against its files.
+Result<StoredVolume> openStored(const HeaderFile& header, const ParameterValues& values)
+{
+    if (const Status fits = checkChoices(header.path, values, volumeParameters()); !fits)
+        return fits.error();
+    auto volume = describedVolume(header, volumeChoice(values));
+    if (!volume)
+        return inFile(header.path, volume.error());
+    if (const Status placed = placeStored(values, *volume); !placed)
+        return inFile(header.path, placed.error());
+    if (const Status whole = checkStoredFiles(header.path, *volume); !whole)
+        return whole.error();
+    return volume;
+}
+
+Result<Dataset> readStoredFile(const fs::path& path, const HeaderFile& header, const ParameterValues& values,
+                               const Progress& progress)
+{
+    const auto volume = openStored(header, values);
+    if (!volume)
+        return volume.error();
+    auto dataset = readStored(header.path, *volume, progress);
+    if (dataset) {
+        dataset->source.name = path.filename().string();
+        dataset->source.path = path;
+    }
+    return dataset;
 }
 
 } // namespace
 
 std::vector<std::string> LatticeReader::nameFilters() const
 {
-    return {Message::marked("NRRD volume (*.nrrd *.nhdr)"),
+    return {Message::marked("NRRD volume (*.nrrd *.nhdr)"), Message::marked("MetaImage (*.mhd *.mha)"),
+            Message::marked("NIfTI (*.nii *.hdr)"), Message::marked("MRC and CCP4 maps (*.mrc *.ccp4 *.map)"),
             Message::marked("Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)")};
 }
 
 double LatticeReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
 {
-    constexpr std::array<std::string_view, 6> rawNames = {".raw", ".bin", ".binary", ".dat", ".img", ".vol"};
+    constexpr double bySign = 0.95, byNameAlone = 0.8, ofUnknownHeader = 0.2, ofRaw = 0.3;
     if (looksLikeNrrd(asText(firstBytes)))
         return 1;
     if (isNrrdName(path))
         return 0.9; // to say what is wrong with it
-    return std::ranges::find(rawNames, extension(path)) != rawNames.end() ? 0.3 : 0;
+    if (formatBySignature(path, firstBytes) != HeaderFormat::None || !pairedHeader(path).empty())
+        return bySign;
+    if (formatByName(path) != HeaderFormat::None)
+        return extension(path) == ".hdr" ? ofUnknownHeader : byNameAlone; // the same
+    return std::ranges::find(rawNames, extension(path)) != rawNames.end() ? ofRaw : 0;
 }
 
 std::vector<Parameter> LatticeReader::parameters() const
 {
-    return rawParameters();
+    std::vector<Parameter> parameters = rawParameters();
+    std::ranges::move(volumeParameters(), std::back_inserter(parameters));
+    return parameters;
 }
 
 Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
 {
-    const Result<File> file = openFile(path);
+    const Result<File> file = openVolumeFile(path);
     if (!file)
         return file.error();
+    const auto header = headerOf(path, *file);
+    if (!header)
+        return header.error();
+    if (*header)
+        return readStoredFile(path, **header, values, progress);
     const Result<VolumeFiles> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
@@ -278,8 +319,10 @@ Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues&
 std::vector<fs::path> LatticeReader::companions(const fs::path& path, const ParameterValues& /*values*/) const
 {
     const Result<File> file = MappedFile::open(path);
-    if (!file || !isNrrd(path, *file))
+    if (!file)
         return {};
+    if (!isNrrd(path, *file))
+        return headerCompanions(path, (*file)->bytes());
     const Result<NrrdFields> fields = parseNrrdFields(asText((*file)->bytes()));
     const Result<NrrdLayout> layout = fields ? nrrdLayout(*fields) : fields.error();
     if (!layout || layout->dataFiles.size() != 1)
@@ -290,9 +333,16 @@ std::vector<fs::path> LatticeReader::companions(const fs::path& path, const Para
 Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterValues& values,
                                           const Progress& /*progress*/) const
 {
-    const Result<File> file = openFile(path);
+    const Result<File> file = openVolumeFile(path);
     if (!file)
         return file.error();
+    const auto header = headerOf(path, *file);
+    if (!header)
+        return header.error();
+    if (*header) {
+        const auto stored = openStored(**header, values);
+        return stored ? Result<FileContents>(storedContents(*stored)) : stored.error();
+    }
     if (!isNrrd(path, *file) && !describesSize(values))
         return guessedContents(path, (*file)->bytes().size());
     const Result<VolumeFiles> volume = openVolume(path, *file, values);

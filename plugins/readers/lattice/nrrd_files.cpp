@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/nrrd_files.h"
 
+#include "plugins/readers/lattice/data_file_names.h"
 #include "plugins/readers/lattice/field_text.h"
 
 #include <algorithm>
@@ -16,34 +17,6 @@ constexpr std::string_view betweenWords = " \t";
 Error wrongDataFile(const NrrdFields& fields, const Message& why)
 {
     return {ErrorKind::BadInput, Message::say("'data file: %1' in its header %2", printable(fields["data file"]), why)};
-}
-
-/// "slice%03d.raw" with its one directive for whole numbers taken apart.
-struct Pattern {
-    std::string_view before, behind;
-    std::size_t width = 0;
-    char filler = ' ';
-
-    std::string name(std::int64_t number) const
-    {
-        std::string digits = std::to_string(number);
-        if (digits.size() < width)
-            digits.insert(filler == '0' && number < 0 ? 1 : 0, width - digits.size(), filler);
-        return std::string(before) + digits + std::string(behind);
-    }
-};
-
-std::optional<Pattern> patternOf(std::string_view text)
-{
-    constexpr std::size_t mostDigits = 3;
-    const auto percent = text.find('%');
-    const auto end = text.find_first_not_of("0123456789", percent + 1);
-    if (percent == std::string_view::npos || end == std::string_view::npos || end - percent - 1 > mostDigits ||
-        (text[end] != 'd' && text[end] != 'i' && text[end] != 'u') || text.find('%', end) != std::string_view::npos)
-        return std::nullopt;
-    const std::string_view width = text.substr(percent + 1, end - percent - 1);
-    return Pattern{text.substr(0, percent), text.substr(end + 1), parseNumber<std::size_t>(width).value_or(0),
-                   width.starts_with('0') ? '0' : ' '};
 }
 
 /// Whether so many files can hold the samples, if each holds so many of the header's dimensions: one for each place
@@ -76,7 +49,7 @@ Result<std::size_t> dimensionsOf(const NrrdFields& fields, const std::vector<std
 
 Result<std::vector<std::string>> namesOfPattern(const NrrdFields& fields, const std::vector<std::string_view>& words)
 {
-    const auto pattern = patternOf(words[0]);
+    const auto pattern = numberedName(words[0]);
     std::array<std::int64_t, 3> numbers{};
     bool understood = pattern && words.size() <= 5;
     for (std::size_t i = 0; understood && i < 3; ++i) {
@@ -97,8 +70,7 @@ Result<std::vector<std::string>> namesOfPattern(const NrrdFields& fields, const 
         return wrongDataFile(fields, Message::say("names %1 files, which is not the number that its sizes ask for. "
                                                   "Correct the numbers of the first and the last file.",
                                                   files));
-    constexpr std::int64_t mostFiles = 1 << 20; // their names alone take a hundred megabytes
-    if (files > mostFiles)
+    if (static_cast<std::uint64_t>(files) > mostDataFiles)
         return wrongDataFile(fields, Message::say("names %1 files. Put the samples into fewer.", files));
     std::vector<std::string> names;
     for (std::int64_t file = 0; file < files; ++file)
@@ -118,18 +90,6 @@ Result<std::vector<std::string>> namesOfList(const NrrdFields& fields)
     return fields.listedFiles;
 }
 
-/// One with a zero byte would open another file than messages name.
-Status checkNames(const std::vector<std::string>& names)
-{
-    for (const std::string& name : names)
-        if (std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) < ' '; }))
-            return Error{
-                ErrorKind::BadInput,
-                Message::say("its data file is called '%1', with characters that no name should have. Correct it.",
-                             printable(name))};
-    return {};
-}
-
 } // namespace
 
 Result<std::vector<std::string>> nrrdDataFiles(const NrrdFields& fields)
@@ -145,7 +105,7 @@ Result<std::vector<std::string>> nrrdDataFiles(const NrrdFields& fields)
                                         : Result<std::vector<std::string>>({std::string(text)});
     if (!names)
         return names;
-    if (const Status usable = checkNames(*names); !usable)
+    if (const Status usable = checkDataFileNames(*names); !usable)
         return usable.error();
     return names;
 }

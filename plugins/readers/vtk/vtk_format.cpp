@@ -17,7 +17,7 @@ struct FormatEntry {
 };
 
 /// Names that other readers claim too have a score that leaves those the first choice.
-constexpr std::array<FormatEntry, 17> formats = {{
+constexpr std::array<FormatEntry, 14> formats = {{
     {VtkFormat::Xml,
      Message::marked("VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
     {VtkFormat::Legacy, Message::marked("VTK legacy (*.vtk)"), 0.6},
@@ -27,9 +27,6 @@ constexpr std::array<FormatEntry, 17> formats = {{
     {VtkFormat::EnSight, Message::marked("EnSight (*.case *.encas)"), 0.8},
     {VtkFormat::NetCdf, Message::marked("NetCDF, CF conventions (*.nc *.cdf)"), 0.6},
     {VtkFormat::Cgns, Message::marked("CGNS (*.cgns)"), 0.8},
-    {VtkFormat::MetaImage, Message::marked("MetaImage (*.mhd *.mha)"), 0.9},
-    {VtkFormat::Nifti, Message::marked("NIfTI (*.nii *.nii.gz)"), 0.9},
-    {VtkFormat::Mrc, Message::marked("MRC electron microscopy (*.mrc *.ccp4 *.map)"), 0.8},
     {VtkFormat::Tiff, Message::marked("TIFF stack (*.tif *.tiff)"), 0.6},
     {VtkFormat::Dicom, Message::marked("DICOM series (*.dcm *.dicom)"), 0.6},
     {VtkFormat::Gambit, Message::marked("GAMBIT (*.neu)"), 0.8},
@@ -102,8 +99,6 @@ VtkFormat bySignature(std::string_view bytes)
         return VtkFormat::Series;
     if (hasAt(bytes, 128, "DICM"))
         return VtkFormat::Dicom;
-    if (hasAt(bytes, 208, "MAP "))
-        return VtkFormat::Mrc;
     if (isTiff(bytes))
         return VtkFormat::Tiff;
     return looksLikeTecplot(bytes) ? VtkFormat::Tecplot : VtkFormat::None;

@@ -43,9 +43,6 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
 bool namesArrays(VtkFormat format)
 {
     switch (format) {
-    case VtkFormat::MetaImage:
-    case VtkFormat::Nifti:
-    case VtkFormat::Mrc:
     case VtkFormat::Tiff:
     case VtkFormat::Dicom: return false;
     default: return true;

@@ -48,15 +48,12 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     case VtkFormat::Exodus:
     case VtkFormat::NetCdf: return checkNetCdf(path);
     case VtkFormat::EnSight: return checkEnSight(path, std::max<std::int64_t>(1, request.timeStep));
-    case VtkFormat::MetaImage: return checkMetaImage(path);
-    case VtkFormat::Mrc: return checkMrc(path);
     case VtkFormat::Tiff: return checkTiff(numberedBeside(path));
     case VtkFormat::Dicom: return checkDicom(path);
     case VtkFormat::OpenFoam: return CheckedFile{.bytes = folderBytes(path.parent_path())};
     case VtkFormat::Fluent: return checkFluent(path);
     case VtkFormat::Hdf: return checkVtkHdf(path);
     case VtkFormat::Cgns:
-    case VtkFormat::Nifti:
         return CheckedFile{.bytes = fileBytes(path), .unpackedBytes = boundedProduct(usualPacking, fileBytes(path))};
     default: return CheckedFile{.bytes = fileBytes(path)};
     }

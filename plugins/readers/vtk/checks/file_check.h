@@ -7,7 +7,7 @@
 namespace tetra {
 
 /// Looks at what is asked for before VTK does, each format by its own check in this folder; of those whose libraries
-/// look by themselves (HDF5, NIfTI ...) only at how much there is. Reads each file at most once, and holds none.
+/// look by themselves (HDF5) only at how much there is. Reads each file at most once, and holds none.
 Result<CheckedFile> checkBeforeVtk(const VtkRequest& request);
 
 } // namespace tetra

@@ -27,12 +27,6 @@ std::string xmlType(const std::filesystem::path& path);
 /// show. Remarks a text that ends within its last number, or right behind it. Reads the first lines and the last byte.
 Result<CheckedFile> checkLegacy(const std::filesystem::path& path);
 
-/// Holds a MetaImage (.mha, or .mhd with its data in other files) against its header: all samples that its sizes, type
-/// and channels ask for must be there, in the file itself, in one file, a list or a numbered series; packed ones are
-/// unpacked to count them, texts are gone through. What VTK would read wrongly is refused, too. Errors name the file
-/// that is missing or short.
-Result<CheckedFile> checkMetaImage(const std::filesystem::path& path);
-
 /// Holds the header of a NetCDF file in one of the classic formats (CDF-1, 64-bit offset, CDF-5; Exodus too) against
 /// the size of the file: its lists must lie in it, and so must the end of every variable, over all records. The library
 /// of NetCDF gives zeros for what lies behind the end, and memory for any number that a header names. Other files
@@ -59,11 +53,6 @@ Result<CheckedFile> checkFluent(const std::filesystem::path& path);
 /// that stand in them; VTK's own messages say only what it looked for first. Whether a file is whole, the library of
 /// HDF5 sees. Reads up to the name that decides, at most the first megabytes.
 Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path);
-
-/// Holds an MRC or CCP4 map against its header of 1,024 bytes: all samples of its size and type must lie behind it and
-/// its extension. Refuses those with the bytes of numbers in the other order, of which VTK 9.1 turns the first line
-/// alone. Reads the header only.
-Result<CheckedFile> checkMrc(const std::filesystem::path& path);
 
 /// Looks at all DICOM files of the folder that the file lies in, which VTK takes for one volume: each must have all its
 /// elements and pixels, unpacked, of 8 or 16 bits, and all be of one size. VTK passes over files that it cannot begin

@@ -5,7 +5,7 @@
 
 namespace tetra {
 
-/// Readers of images, slices and stacks of them: MetaImage, NIfTI, MRC, TIFF, DICOM. TIFF: the numbered files beside
+/// Readers of images, slices and stacks of them: TIFF, DICOM. TIFF: the numbered files beside
 /// the given one are the slices, unless it holds several itself. DICOM: all the files of its folder.
 Result<VtkSource> makeImageSource(const VtkRequest& request);
 

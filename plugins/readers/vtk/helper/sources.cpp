@@ -54,9 +54,6 @@ Result<VtkSource> makeSource(const VtkRequest& request)
         reader->SetFileName(request.path.c_str());
         return VtkSource{.reader = reader};
     }
-    case VtkFormat::MetaImage:
-    case VtkFormat::Nifti:
-    case VtkFormat::Mrc:
     case VtkFormat::Tiff:
     case VtkFormat::Dicom: return makeImageSource(request);
     default: return makeMeshSource(request);

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <streambuf>
 #include <string_view>
 
 namespace tetra {
@@ -84,34 +83,6 @@ private:
     }
 };
 
-/// What libraries write to std::cerr. That of MetaImage says nothing else where data are missing.
-class ErrorStream : public std::streambuf {
-public:
-    explicit ErrorStream(VtkLog& log) : log_(log) {}
-
-protected:
-    int_type overflow(int_type c) override
-    {
-        constexpr std::size_t longest = 400;
-        if (c == '\n')
-            endLine();
-        else if (c != traits_type::eof() && line_.size() < longest)
-            line_ += static_cast<char>(c);
-        return traits_type::not_eof(c);
-    }
-
-private:
-    void endLine()
-    {
-        if (line_.starts_with("Meta") || line_.starts_with("Uncompress failed"))
-            addLine(log_.errors, line_);
-        line_.clear();
-    }
-
-    VtkLog& log_;
-    std::string line_;
-};
-
 vtkStandardNewMacro(LogWindow);
 
 } // namespace
@@ -121,8 +92,7 @@ void sendVtkMessagesTo(VtkLog& log)
     const auto window = vtkSmartPointer<LogWindow>::New();
     window->log = &log;
     vtkOutputWindow::SetInstance(window);
-    static ErrorStream stream(log); // std::cerr lives as long
-    std::cerr.rdbuf(&stream);
+    std::cerr.rdbuf(nullptr); // what libraries write there besides is for nobody
 }
 
 Status statusOf(const VtkLog& log)

@@ -14,8 +14,8 @@ struct VtkLog {
     std::vector<std::string> warnings;
 };
 
-/// From now on all errors and warnings of VTK, and what its libraries write to std::cerr, go to `log`, which must live
-/// to the end of the process.
+/// From now on all errors and warnings of VTK go to `log`, which must live to the end of the process; what its
+/// libraries write to std::cerr goes nowhere.
 void sendVtkMessagesTo(VtkLog& log);
 
 /// Success if there were no errors; else an Error with the first of them that says something, or that memory ran out.

@@ -206,7 +206,6 @@ def write_images():
         written("image%d.mha" % vtk_type, vtk.vtkMetaImageWriter(), data, vtk.vtkMetaImageReader())
         written("image%d.mhd" % vtk_type, vtk.vtkMetaImageWriter(), data, vtk.vtkMetaImageReader())
         written("image%d.nii" % vtk_type, vtk.vtkNIFTIImageWriter(), data, vtk.vtkNIFTIImageReader())
-        written("image%d.nii.gz" % vtk_type, vtk.vtkNIFTIImageWriter(), data, vtk.vtkNIFTIImageReader())
     writer = vtk.vtkNIFTIImageWriter()
     writer.SetFileName(path("rescaled.nii"))
     writer.SetRescaleSlope(2)

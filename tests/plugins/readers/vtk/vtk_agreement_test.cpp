@@ -98,8 +98,8 @@ private slots:
     /// The header of a NIfTI file may ask for it; VTK leaves it to the user.
     void niftiSamplesAreRescaled()
     {
-        const auto plain = builtVtkReader().read(folder_.path() / "image4.nii", {}, {});
-        const auto scaled = builtVtkReader().read(folder_.path() / "rescaled.nii", {}, {});
+        const auto plain = readerOf("image4.nii").read(folder_.path() / "image4.nii", {}, {});
+        const auto scaled = readerOf("rescaled.nii").read(folder_.path() / "rescaled.nii", {}, {});
         QVERIFY(plain.ok() && scaled.ok());
         QVERIFY(scaled->values.type() == SampleType::Float32);
         for (std::uint64_t point = 0; point < plain->pointCount(); ++point)

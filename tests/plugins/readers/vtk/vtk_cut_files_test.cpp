@@ -225,8 +225,8 @@ private slots:
         };
         for (const char* name :
              {"ascii.vti", "binary.vts", "appended.vtu", "appended.vtr", "binary.vtp", "points0.vtk", "structured1.vtk",
-              "tetrahedra0.vtk", "tetrahedra1.vtk", "cloud1.vtk", "image4.nii", "image10.nii.gz", "image10.mha",
-              "pages.tif", "mesh.ex2", "block.tec", "map.mrc", "image.vtkhdf", "grid.cgns"})
+              "tetrahedra0.vtk", "tetrahedra1.vtk", "cloud1.vtk", "image4.nii", "image10.mha", "pages.tif", "mesh.ex2",
+              "block.tec", "map.mrc", "image.vtkhdf", "grid.cgns"})
             row(name);
         row("halves.pvti", "halves_1.vti");
         row("pieces.pvtu", "pieces_0.vtu");

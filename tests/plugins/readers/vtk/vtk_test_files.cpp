@@ -4,6 +4,7 @@
 #include "plugins/host/plugin_guards.h"
 #include "plugins/process/reading_process.h"
 #include "plugins/readers/cells/cells_reader.h"
+#include "plugins/readers/lattice/lattice_reader.h"
 #include "plugins/readers/plot3d/plot3d_reader.h"
 #include "plugins/readers/vtk/vtk_findings.h"
 #include "tests/plugins/as_loaded.h"
@@ -98,6 +99,8 @@ const Reader& readerOf(const std::filesystem::path& path)
     const std::string ending = fileEnding(path);
     if (ending == ".vtu")
         return asLoaded<CellsReader>();
+    if (ending == ".mha" || ending == ".mhd" || ending == ".nii" || ending == ".mrc")
+        return asLoaded<LatticeReader>();
     return ending == ".xyz" ? asLoaded<Plot3dReader>() : builtVtkReader();
 }
 

@@ -4,8 +4,6 @@
 #include <QFile>
 #include <QtEndian>
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -81,11 +79,6 @@ QByteArray packedBytes(const QByteArray& bytes)
     return qCompress(bytes, 9).mid(4); // without its own length before the zlib stream
 }
 
-QByteArray floatSamples(int first = 0, int count = gridPoints)
-{
-    return counted(count, [&](int n) { return littleEndian(static_cast<float>(first + n)); });
-}
-
 class FormatWriter {
 public:
     explicit FormatWriter(fs::path folder) : folder_(std::move(folder)) {}
@@ -101,62 +94,6 @@ public:
 private:
     fs::path folder_;
 };
-
-QByteArray metaHeader(const QByteArray& rest)
-{
-    return "ObjectType = Image\nNDims = 3\nElementSpacing = 0.5 0.25 1.5\nOffset = 1 2 3\nDimSize = 4 5 6\n"
-           "ElementType = MET_FLOAT\n" +
-           rest;
-}
-
-void addMetaImages(const fs::path& folder, std::vector<WrittenFiles>& all)
-{
-    const auto add = [&](const char* what, const char* name, const QByteArray& header,
-                         const std::vector<std::pair<std::string, QByteArray>>& others) {
-        const FormatWriter writer(folder / name);
-        WrittenFiles files{.what = std::string("MetaImage, ") + what, .points = gridPoints};
-        files.opened = writer.write(others.empty() ? "image.mha" : "image.mhd", header);
-        for (const auto& [other, content] : others)
-            files.data.push_back(writer.write(other, content));
-        if (others.empty())
-            files.data.push_back(files.opened);
-        all.push_back(std::move(files));
-    };
-    const QByteArray samples = floatSamples();
-    const QByteArray packed = packedBytes(samples);
-    const QByteArray packedHeader =
-        "BinaryData = True\nCompressedData = True\nCompressedDataSize = " + QByteArray::number(packed.size()) + "\n";
-    add("one file", "meta-local", metaHeader("BinaryData = True\nElementDataFile = LOCAL\n") + samples, {});
-    add("header and data", "meta-raw", metaHeader("BinaryData = True\nElementDataFile = image.raw\n"),
-        {{"image.raw", samples}});
-    add("header without BinaryData, and data", "meta-usual", metaHeader("ElementDataFile = image.raw\n"),
-        {{"image.raw", samples}});
-    add("data behind a header", "meta-skip",
-        metaHeader("BinaryData = True\nHeaderSize = 7\nElementDataFile = image.raw\n"),
-        {{"image.raw", "1234567" + samples}});
-    add("data at the end", "meta-end", metaHeader("BinaryData = True\nHeaderSize = -1\nElementDataFile = image.raw\n"),
-        {{"image.raw", samples}});
-    add("packed in one file", "meta-packed", metaHeader(packedHeader + "ElementDataFile = LOCAL\n") + packed, {});
-    add("packed beside", "meta-zraw",
-        metaHeader("BinaryData = True\nCompressedData = True\nElementDataFile = image.zraw\n"),
-        {{"image.zraw", packed}});
-    add("text", "meta-text",
-        metaHeader("BinaryData = False\nElementDataFile = LOCAL\n") +
-            counted(gridPoints, [](int n) { return QByteArray::number(n) + "\n"; }),
-        {});
-    const auto layers = [&](const char* format) {
-        std::vector<std::pair<std::string, QByteArray>> files;
-        for (int k = 0; k < gridSize[2]; ++k)
-            files.emplace_back(QString::asprintf(format, k).toStdString(), floatSamples(20 * k, 20));
-        return files;
-    };
-    add("list of layers", "meta-list",
-        metaHeader("BinaryData = True\nElementDataFile = LIST\n") +
-            counted(gridSize[2], [](int k) { return "layer" + QByteArray::number(k) + ".raw\n"; }),
-        layers("layer%d.raw"));
-    add("series of layers", "meta-series", metaHeader("BinaryData = True\nElementDataFile = layer%03d.raw 0 5 1\n"),
-        layers("layer%03d.raw"));
-}
 
 /// The classic formats of NetCDF: 1, 64-bit offset (2), CDF-5.
 class NetCdfWriter {
@@ -538,21 +475,6 @@ void addTecplot(const fs::path& folder, std::vector<WrittenFiles>& all)
         true);
 }
 
-void addMrc(const fs::path& folder, std::vector<WrittenFiles>& all)
-{
-    QByteArray header;
-    for (const int word : {4, 5, 6, 2, 0, 0, 0, 4, 5, 6})
-        header += littleEndian(qint32(word));
-    for (const float number : {4.F, 5.F, 6.F, 90.F, 90.F, 90.F})
-        header += littleEndian(number);
-    header = header.leftJustified(92, '\0') + littleEndian(qint32(80)); // of an extension
-    header = header.leftJustified(208, '\0') + "MAP " + "\x44\x44";
-    const fs::path path =
-        FormatWriter(folder / "mrc")
-            .write("map.mrc", header.leftJustified(1024, '\0') + QByteArray(80, ' ') + floatSamples());
-    all.push_back({"MRC", path, {path}, gridPoints});
-}
-
 QByteArray dicomElement(quint16 group, quint16 element, const QByteArray& kind, QByteArray value)
 {
     if (value.size() % 2 != 0)
@@ -717,13 +639,11 @@ void addFluent(const fs::path& folder, std::vector<WrittenFiles>& all)
 std::vector<WrittenFiles> writeFormats(const fs::path& folder)
 {
     std::vector<WrittenFiles> all;
-    addMetaImages(folder, all);
     addNetCdf(folder, all);
     addExodus(folder, all);
     addTiff(folder, all);
     addEnSight(folder, all);
     addTecplot(folder, all);
-    addMrc(folder, all);
     addDicom(folder, all);
     addOpenFoam(folder, all);
     addFluent(folder, all);

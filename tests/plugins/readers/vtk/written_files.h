@@ -11,7 +11,7 @@ namespace tetra {
 
 /// Small files of a format that VTK reads, written here, so that every byte of them is known.
 struct WrittenFiles {
-    std::string what{};                        ///< "MetaImage, packed"
+    std::string what{};                        ///< "EnSight Gold, text"
     std::filesystem::path opened{};            ///< the one that a user opens
     std::vector<std::filesystem::path> data{}; ///< those that hold what is read; `opened` is among them unless it is
                                                ///< text that names the others
