@@ -12,6 +12,7 @@
 #include "plugins/readers/lattice/stored_reading.h"
 #include "plugins/readers/lattice/stored_volume.h"
 #include "plugins/readers/lattice/volume_errors.h"
+#include "plugins/readers/lattice/volume_formats.h"
 
 #include <algorithm>
 #include <array>
@@ -99,10 +100,20 @@ bool isNrrd(const fs::path& path, const File& file)
     return isNrrdName(path) || looksLikeNrrd(asText(file->bytes()));
 }
 
+/// The choices among what a file of any format with a header holds.
+std::vector<Parameter> allChoices()
+{
+    std::vector<Parameter> all = choiceParameters();
+    for (Parameter& one : volumeParameters())
+        if (std::ranges::find(all, one.id, &Parameter::id) == all.end())
+            all.push_back(std::move(one));
+    return all;
+}
+
 /// Of all parameters only those of placement, and of `also`, say something of a file with a header.
 Status checkChoices(const fs::path& path, const ParameterValues& values, const std::vector<Parameter>& also)
 {
-    const std::vector<Parameter> placement = placementParameters(), ofVolumes = volumeParameters();
+    const std::vector<Parameter> placement = placementParameters(), ofVolumes = allChoices();
     const auto has = [](const std::vector<Parameter>& parameters, const std::string& id) {
         return std::ranges::find(parameters, id, &Parameter::id) != parameters.end();
     };
@@ -127,6 +138,27 @@ Result<VolumeFiles> openVolume(const fs::path& path, const File& file, const Par
     if (const Status fits = checkChoices(path, values, hasHeader ? std::vector<Parameter>() : rawParameters()); !fits)
         return fits.error();
     return hasHeader ? openNrrd(path, file, values) : openRaw(path, file, values);
+}
+
+/// The format of a file that a VolumeDescription describes; null: NRRD, raw, or what a StoredVolume does.
+const VolumeFormat* formatOf(const fs::path& path, const File& file)
+{
+    constexpr std::size_t beginningBytes = 4096;
+    double score = 0;
+    return isNrrd(path, file) ? nullptr : volumeFormatOf(path, asText(file->bytes()).substr(0, beginningBytes), score);
+}
+
+/// Calls `use(request, volume)` with what the header of a file of such a format says.
+template <class Value, class Use> Result<Value> withDescription(const VolumeFormat& format, const fs::path& path,
+                                                                const File& file, const ParameterValues& values,
+                                                                const Use& use)
+{
+    if (const Status fits = checkChoices(path, values, choiceParameters()); !fits)
+        return fits.error();
+    const VolumeRequest request{path, file, values};
+    auto volume = format.describe(request);
+    const Result<Value> made = volume ? use(request, *std::move(volume)) : Result<Value>(volume.error());
+    return made || !made.error().file.empty() ? made : inFile(path, made.error());
 }
 
 bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole)
@@ -274,9 +306,13 @@ Result<Dataset> readStoredFile(const fs::path& path, const HeaderFile& header, c
 
 std::vector<std::string> LatticeReader::nameFilters() const
 {
-    return {Message::marked("NRRD volume (*.nrrd *.nhdr)"), Message::marked("MetaImage (*.mhd *.mha)"),
-            Message::marked("NIfTI (*.nii *.hdr)"), Message::marked("MRC and CCP4 maps (*.mrc *.ccp4 *.map)"),
-            Message::marked("Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)")};
+    std::vector<std::string> filters = {
+        Message::marked("NRRD volume (*.nrrd *.nhdr)"), Message::marked("MetaImage (*.mhd *.mha)"),
+        Message::marked("NIfTI (*.nii *.hdr)"), Message::marked("MRC and CCP4 maps (*.mrc *.ccp4 *.map)")};
+    for (const VolumeFormat& format : volumeFormats())
+        filters.emplace_back(format.filter);
+    filters.emplace_back(Message::marked("Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)"));
+    return filters;
 }
 
 double LatticeReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
@@ -290,13 +326,15 @@ double LatticeReader::score(const fs::path& path, std::span<const std::byte> fir
         return bySign;
     if (formatByName(path) != HeaderFormat::None)
         return extension(path) == ".hdr" ? ofUnknownHeader : byNameAlone; // the same
+    if (double score = 0; volumeFormatOf(path, asText(firstBytes), score) != nullptr)
+        return score;
     return std::ranges::find(rawNames, extension(path)) != rawNames.end() ? ofRaw : 0;
 }
 
 std::vector<Parameter> LatticeReader::parameters() const
 {
     std::vector<Parameter> parameters = rawParameters();
-    std::ranges::move(volumeParameters(), std::back_inserter(parameters));
+    std::ranges::move(allChoices(), std::back_inserter(parameters));
     return parameters;
 }
 
@@ -310,17 +348,24 @@ Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues&
         return header.error();
     if (*header)
         return readStoredFile(path, **header, values, progress);
+    if (const VolumeFormat* format = formatOf(path, *file))
+        return withDescription<Dataset>(*format, path, *file, values,
+                                        [&](const VolumeRequest& request, VolumeDescription volume) {
+                                            return readVolume(request, std::move(volume), progress);
+                                        });
     const Result<VolumeFiles> volume = openVolume(path, *file, values);
     if (!volume)
         return volume.error();
     return readDataset(path, *volume, progress);
 }
 
-std::vector<fs::path> LatticeReader::companions(const fs::path& path, const ParameterValues& /*values*/) const
+std::vector<fs::path> LatticeReader::companions(const fs::path& path, const ParameterValues& values) const
 {
     const Result<File> file = MappedFile::open(path);
     if (!file)
         return {};
+    if (const VolumeFormat* format = formatOf(path, *file))
+        return format->companions != nullptr ? format->companions({path, *file, values}) : std::vector<fs::path>();
     if (!isNrrd(path, *file))
         return headerCompanions(path, (*file)->bytes());
     const Result<NrrdFields> fields = parseNrrdFields(asText((*file)->bytes()));
@@ -343,6 +388,10 @@ Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterV
         const auto stored = openStored(**header, values);
         return stored ? Result<FileContents>(storedContents(*stored)) : stored.error();
     }
+    if (const VolumeFormat* format = formatOf(path, *file))
+        return withDescription<FileContents>(
+            *format, path, *file, values,
+            [](const VolumeRequest&, const VolumeDescription& volume) { return contentsOf(volume); });
     if (!isNrrd(path, *file) && !describesSize(values))
         return guessedContents(path, (*file)->bytes().size());
     const Result<VolumeFiles> volume = openVolume(path, *file, values);
