@@ -111,6 +111,41 @@ void addHeaders(const QString& folder)
     add('\3', mrcHeader({.order = std::endian::big, .mode = 0, .imodFlags = 1}) + samples);
 }
 
+void addDescribedVolumes(const QString& folder)
+{
+    Seeds npy(folder, "npy");
+    for (const char* const header : {"{'descr': '|u1', 'fortran_order': False, 'shape': (5, 4, 3), }          \n",
+                                     "{'descr': '<f2', 'fortran_order': True, 'shape': (3, 2, 5, 1), }       \n",
+                                     "{'descr': '>i8', 'fortran_order': False, 'shape': (2, 2, 2), }         \n"})
+        npy.add(QByteArray("\x93NUMPY\1\0", 8) + static_cast<char>(qstrlen(header)) + '\0' + header +
+                QByteArray(64, '\1'));
+    Seeds cube(folder, "cube");
+    const QByteArray axes = "2 0.4 0 0\n2 0.1 0.5 0\n2 0 0 0.6\n";
+    cube.add("a\nb\n1 -1 2 .5\n" + axes + "6 6. 0.1 0.2 0.3\n1 2.5 -3 4D-02 0.5-101\n 6 7 8\n");
+    cube.add("a\nb\n-1 -1 2 .5\n" + QByteArray(axes).replace("2 0", "-2 0") +
+             "6 6. 0 0 0\n2 21 22\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16\n");
+    cube.add("a\nb\n0 0 0 0 2\n" + axes + "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16\n");
+    Seeds dx(folder, "dx");
+    const QByteArray grid = "# dx\nobject 1 class gridpositions counts 2 2 2\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\n"
+                            "delta 0 0 1\nobject 2 class gridconnections counts 2 2 2\n";
+    const QByteArray field = "attribute \"dep\" string \"positions\"\nobject \"a\" class field\n"
+                             "component \"positions\" value 1\ncomponent \"data\" value 3\n";
+    dx.add(grid + "object 3 class array type double rank 0 items 8 data follows\n1 2 3 4 5 6 7 8\n" + field);
+    dx.add(grid + "object 3 class array type short rank 1 shape 2 items 8 msb ieee data follows\n" +
+           QByteArray(32, '\1') + field);
+    dx.add("data mode lsb binary\n" + grid + "object 3 class array type ubyte items 1 data 2\n" + field +
+           "end\n12345678");
+    dx.add(grid + "object 3 class array type byte items 8 binary data file \"volume.dx\",4\n" + field +
+           "object 4 class field component \"positions\" 1 component \"data\" 3\n");
+    Seeds bov(folder, "bov");
+    const QByteArray brick = "TIME: 0\nDATA_SIZE: 2 2 2\nVARIABLE: v\nDATA_ENDIAN: BIG\nBRICK_ORIGIN: 0 1 2\n"
+                             "BRICK_SIZE: 1 2 3\n";
+    bov.add(brick + "DATA_FILE: volume.values\nDATA_FORMAT: SHORT\nCENTERING: zonal\nBYTE_OFFSET: 1\n\n" +
+            QByteArray(17, '\1'));
+    bov.add(brick + "DATA_FILE: volume.values.gz\nDATA_FORMAT: BYTE\nDATA_COMPONENTS: 2\nVARIABLE_MIN: -1\n\n" +
+            gzipped(QByteArray(16, '\1')));
+}
+
 void addGrids(const QString& folder)
 {
     Seeds seeds(folder, "plot3d");
@@ -222,6 +257,7 @@ int main(int count, char** words)
     addAnswers(folder);
     addVolumes(folder);
     addHeaders(folder);
+    addDescribedVolumes(folder);
     addGrids(folder);
     addPoints(folder);
     addModels(folder);
