@@ -38,15 +38,48 @@ const OtherKind* otherKind(const std::filesystem::path& path, std::span<const st
     return found == otherKinds.end() ? nullptr : found;
 }
 
-/// One of each kind of files: ".nrrd, .vti, .csv".
+/// What volumes are kept in that no reader here knows, by the ending, and the way to a format that is read.
+struct OtherVolume {
+    std::string_view ending;
+    MarkedText what;
+    MarkedText way;
+};
+constexpr std::array otherVolumes{
+    OtherVolume{".mnc", Message::marked("a MINC volume"),
+                Message::marked("Convert it to NIfTI, by 'mnc2nii' of the MINC tools.")},
+    OtherVolume{".mgz", Message::marked("a volume of FreeSurfer"),
+                Message::marked("Convert it to NIfTI, by 'mri_convert' of FreeSurfer.")},
+    OtherVolume{".mgh", Message::marked("a volume of FreeSurfer"),
+                Message::marked("Convert it to NIfTI, by 'mri_convert' of FreeSurfer.")},
+    OtherVolume{".fld", Message::marked("an AVS field"),
+                Message::marked("Save it as VTK or NRRD in a program that reads it, or write a NRRD header (.nhdr) "
+                                "that names the numbers of a uniform one as its data file.")},
+    OtherVolume{".vdb", Message::marked("an OpenVDB volume"),
+                Message::marked("Sample it on a regular grid, and save that as VTK, NRRD or a NumPy array.")},
+    OtherVolume{".am", Message::marked("an Amira file"), Message::marked("Export it from Amira as NRRD or VTK.")},
+    OtherVolume{".mat", Message::marked("a MATLAB file"),
+                Message::marked("Write the array as raw data, by fwrite(), and say its size and type, or save it as "
+                                "NIfTI, by niftiwrite().")},
+    OtherVolume{".czi", Message::marked("a microscope's own file"),
+                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+    OtherVolume{".lif", Message::marked("a microscope's own file"),
+                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+    OtherVolume{".nd2", Message::marked("a microscope's own file"),
+                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+    OtherVolume{".oib", Message::marked("a microscope's own file"),
+                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+};
+
+/// One of each kind of files, as many as a sentence holds: ".nrrd, .vti, .csv".
 std::string readEndings(PluginHost& host)
 {
+    constexpr std::size_t mostEndings = 22;
     std::string text;
     std::set<std::string> told;
     for (const std::string& filter : readableFiles(host))
         if (const auto start = filter.find("*."); start != std::string::npos) {
             const std::string ending = filter.substr(start + 1, filter.find_first_of(" )", start) - start - 1);
-            if (told.insert(ending).second)
+            if (told.size() < mostEndings && told.insert(ending).second)
                 text += (text.empty() ? "" : ", ") + ending;
         }
     return text;
@@ -69,6 +102,12 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<c
         return {
             ErrorKind::BadInput,
             Message::say("'%1' is packed. Unpack it first, by '%2', and open what is in it.", path.string(), program),
+            path};
+    if (const auto* other = std::ranges::find(otherVolumes, fileEnding(path), &OtherVolume::ending);
+        other != otherVolumes.end())
+        return {
+            ErrorKind::BadInput,
+            Message::say("By its name '%1' is %2, which TAn does not read. %3", path.string(), other->what, other->way),
             path};
     return {ErrorKind::BadInput,
             Message::say("'%1' has an unknown format. %2%3", path.string(),

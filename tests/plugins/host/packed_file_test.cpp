@@ -197,6 +197,13 @@ private slots:
         QTest::newRow("a picture by another name") << "photo.tmp" << QByteArray("\xff\xd8\xff\xe0") << "is a picture";
         QTest::newRow("a surface") << "part.stl" << QByteArray(84, '\0') << "holds a surface";
         QTest::newRow("a surface in text") << "PART.OBJ" << QByteArray("v 0 0 0\n") << "holds a surface";
+        QTest::newRow("MINC") << "brain.mnc" << QByteArray("CDF\1....") << "'mnc2nii'";
+        QTest::newRow("FreeSurfer") << "brain.MGZ" << gzipped("brain") << "'mri_convert'";
+        QTest::newRow("AVS") << "flow.fld" << QByteArray("# AVS field file\n") << "an AVS field";
+        QTest::newRow("OpenVDB") << "smoke.vdb" << QByteArray(" BDV\0\0\0", 7) << "OpenVDB";
+        QTest::newRow("Amira") << "cell.am" << QByteArray("# AmiraMesh\n") << "Amira";
+        QTest::newRow("MATLAB") << "array.mat" << QByteArray("MATLAB 5.0 MAT-file") << "niftiwrite";
+        QTest::newRow("a microscope's") << "cells.czi" << QByteArray("ZISRAWFILE") << "OME-TIFF";
         QTest::newRow("xz") << "a.vti.xz"
                             << QByteArray("\xfd"
                                           "7zXZ\0\0\4",
