@@ -284,12 +284,17 @@ private slots:
 
     void everyTypeInBothOrders()
     {
-        constexpr std::array types = {std::pair{"MET_UCHAR", SampleType::UInt8}, {"MET_CHAR", SampleType::Int8},
-                                      {"MET_USHORT", SampleType::UInt16},        {"MET_SHORT", SampleType::Int16},
-                                      {"MET_UINT", SampleType::UInt32},          {"MET_INT", SampleType::Int32},
-                                      {"MET_ULONG", SampleType::UInt32},         {"MET_LONG", SampleType::Int32},
-                                      {"MET_FLOAT", SampleType::Float32},        {"MET_DOUBLE", SampleType::Float64},
-                                      {"MET_SHORT_ARRAY", SampleType::Int16}};
+        constexpr std::array<std::pair<const char*, SampleType>, 11> types = {{{"MET_UCHAR", SampleType::UInt8},
+                                                                               {"MET_CHAR", SampleType::Int8},
+                                                                               {"MET_USHORT", SampleType::UInt16},
+                                                                               {"MET_SHORT", SampleType::Int16},
+                                                                               {"MET_UINT", SampleType::UInt32},
+                                                                               {"MET_INT", SampleType::Int32},
+                                                                               {"MET_ULONG", SampleType::UInt32},
+                                                                               {"MET_LONG", SampleType::Int32},
+                                                                               {"MET_FLOAT", SampleType::Float32},
+                                                                               {"MET_DOUBLE", SampleType::Float64},
+                                                                               {"MET_SHORT_ARRAY", SampleType::Int16}}};
         for (const auto& [name, type] : types)
             for (const std::endian order : {std::endian::little, std::endian::big})
                 for (const bool isPacked : {false, true}) {

@@ -12,7 +12,9 @@
 
 #include <QtTest>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace tetra;
 namespace fs = std::filesystem;
@@ -32,13 +34,13 @@ class MrcReaderTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void sharedCases_data()
+    void sharedCasesLieWhereTheySay_data()
     {
         QTest::addColumn<QString>("file");
         QTest::newRow("columns along z") << "zyx.mrc";
         QTest::newRow("an angle of 120 degrees") << "skew.mrc";
     }
-    void sharedCases()
+    void sharedCasesLieWhereTheySay()
     {
         QFETCH(QString, file);
         const fs::path path = sharedCases() / "mrc" / file.toStdString();
@@ -110,7 +112,7 @@ private slots:
                 return dataset->lattice.directions.col(i) * dataset->lattice.spacing[i];
             };
             const auto angle = [&](int i, int j) {
-                return std::acos(edge(i).normalized().dot(edge(j).normalized())) * 180 / EIGEN_PI;
+                return std::acos(edge(i).normalized().dot(edge(j).normalized())) * 180 / std::numbers::pi;
             };
             QVERIFY(edge(0).isApprox(Eigen::Vector3d(2, 0, 0), 1e-12));
             QVERIFY(edge(1)[2] == 0 && edge(1)[1] > 0 && edge(2)[2] > 0);

@@ -14,7 +14,9 @@
 
 #include <QtTest>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace tetra;
 namespace fs = std::filesystem;
@@ -90,7 +92,7 @@ private slots:
     void qformsAreQuaternions()
     {
         const Eigen::Vector3d lengths(0.5, 4, 0.25), origin(10, -20.5, 30);
-        for (const double angle : {0.0, 0.3, 1.5, 2.9, EIGEN_PI})
+        for (const double angle : {0.0, 0.3, 1.5, 2.9, std::numbers::pi})
             for (const double qfac : {-1.0, 1.0, 0.0}) {
                 const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, -2, 2) / 3));
                 const Eigen::Vector3d signs(1, 1, qfac < 0 ? -1 : 1);
@@ -181,10 +183,14 @@ private slots:
 
     void everyPlainTypeInBothOrders()
     {
-        constexpr std::array types = {std::pair{2, SampleType::UInt8}, {256, SampleType::Int8},
-                                      {512, SampleType::UInt16},       {4, SampleType::Int16},
-                                      {768, SampleType::UInt32},       {8, SampleType::Int32},
-                                      {16, SampleType::Float32},       {64, SampleType::Float64}};
+        constexpr std::array<std::pair<int, SampleType>, 8> types = {{{2, SampleType::UInt8},
+                                                                      {256, SampleType::Int8},
+                                                                      {512, SampleType::UInt16},
+                                                                      {4, SampleType::Int16},
+                                                                      {768, SampleType::UInt32},
+                                                                      {8, SampleType::Int32},
+                                                                      {16, SampleType::Float32},
+                                                                      {64, SampleType::Float64}}};
         for (const auto& [code, type] : types)
             for (const std::endian order : {std::endian::little, std::endian::big})
                 for (const int version : {1, 2}) {
