@@ -36,6 +36,7 @@ file(WRITE "${prefix}/bin/qt.conf"
 file(GLOB ours "${prefix}/${library_folder}/libtan-*.so.*" "${libraries}/libtan-*.so.*" "${libraries}/plugins/*.so")
 file(GET_RUNTIME_DEPENDENCIES RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDENCIES_VAR missing
     EXECUTABLES "${prefix}/bin/tan" "${prefix}/bin/tan-desktop" "${libraries}/plugins/tan-read-vtk"
+        "${libraries}/plugins/tan-read-images"
     LIBRARIES ${ours} ${plugin_files} PRE_EXCLUDE_REGEXES ${of_the_machine})
 if(missing)
     message(FATAL_ERROR "The bundle lacks ${missing}")

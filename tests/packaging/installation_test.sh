@@ -35,6 +35,7 @@ check test "$(ls "$place/include/tan" | tr '\n' ' ')" = \
 check test "$(ls "$place/include")" = "$(printf 'tan\ntan-plugin')"
 check test ! -e "$place/include/tan-plugin/plugins/host"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-vtk"
+check test ! -e "$place/$libraries/tan/plugins/tan-read-images"
 
 # Every plugin of the build is there, and is found beside the program.
 mv "$place" "$scratch/another place"

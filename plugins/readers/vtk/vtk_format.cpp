@@ -17,7 +17,7 @@ struct FormatEntry {
 };
 
 /// Names that other readers claim too have a score that leaves those the first choice.
-constexpr std::array<FormatEntry, 14> formats = {{
+constexpr std::array<FormatEntry, 12> formats = {{
     {VtkFormat::Xml,
      Message::marked("VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
     {VtkFormat::Legacy, Message::marked("VTK legacy (*.vtk)"), 0.6},
@@ -27,8 +27,6 @@ constexpr std::array<FormatEntry, 14> formats = {{
     {VtkFormat::EnSight, Message::marked("EnSight (*.case *.encas)"), 0.8},
     {VtkFormat::NetCdf, Message::marked("NetCDF, CF conventions (*.nc *.cdf)"), 0.6},
     {VtkFormat::Cgns, Message::marked("CGNS (*.cgns)"), 0.8},
-    {VtkFormat::Tiff, Message::marked("TIFF stack (*.tif *.tiff)"), 0.6},
-    {VtkFormat::Dicom, Message::marked("DICOM series (*.dcm *.dicom)"), 0.6},
     {VtkFormat::Gambit, Message::marked("GAMBIT (*.neu)"), 0.8},
     {VtkFormat::Fluent, Message::marked("Fluent (*.cas)"), 0.8},
     {VtkFormat::OpenFoam, Message::marked("OpenFOAM (*.foam controlDict)"), 0.8},
@@ -63,13 +61,6 @@ bool hasAt(std::string_view bytes, std::size_t place, std::string_view wanted)
     return bytes.size() >= place + wanted.size() && bytes.substr(place, wanted.size()) == wanted;
 }
 
-bool isTiff(std::string_view bytes)
-{
-    using namespace std::string_view_literals;
-    return hasAt(bytes, 0, "II*\0"sv) || hasAt(bytes, 0, "MM\0*"sv) || hasAt(bytes, 0, "II+\0"sv) ||
-           hasAt(bytes, 0, "MM\0+"sv);
-}
-
 /// The format of a text that begins with the element VTKFile, by its type; meshes are left to the reader of these.
 VtkFormat ofXml(std::string_view text)
 {
@@ -97,10 +88,6 @@ VtkFormat bySignature(std::string_view bytes)
         return ofXml(bytes.substr(element));
     if (isSeriesJson(bytes))
         return VtkFormat::Series;
-    if (hasAt(bytes, 128, "DICM"))
-        return VtkFormat::Dicom;
-    if (isTiff(bytes))
-        return VtkFormat::Tiff;
     return looksLikeTecplot(bytes) ? VtkFormat::Tecplot : VtkFormat::None;
 }
 

@@ -20,8 +20,6 @@ enum class VtkFormat : std::uint8_t {
     EnSight,
     NetCdf,
     Cgns,
-    Tiff,
-    Dicom,
     Gambit,
     Fluent,
     OpenFoam,

@@ -39,21 +39,10 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     return request;
 }
 
-/// Whether files of the format give their arrays names. Images have none, and VTK calls theirs after itself.
-bool namesArrays(VtkFormat format)
+Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const std::optional<Eigen::AlignedBox3d>& region,
+                          const Progress& progress)
 {
-    switch (format) {
-    case VtkFormat::Tiff:
-    case VtkFormat::Dicom: return false;
-    default: return true;
-    }
-}
-
-Result<Dataset> toDataset(VtkFindings findings, VtkFormat format, const fs::path& path,
-                          const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
-{
-    const Source source{path.filename().string() + ", " + findings.arrayName, path, 0,
-                        namesArrays(format) ? findings.arrayName : ""};
+    const Source source{path.filename().string() + ", " + findings.arrayName, path, 0, findings.arrayName};
     auto dataset = datasetOf(std::move(findings), source, region, progress);
     if (!dataset)
         return dataset.error();
@@ -141,7 +130,7 @@ Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& reg
     if (findings.kind == VtkDataKind::Lattice)
         std::ranges::move(remarkOnSpacing(values, findings.untold, findings.lattice),
                           std::back_inserter(findings.remarks));
-    return toDataset(std::move(findings), request->format, path, region, progress.part(untilFound, 1));
+    return toDataset(std::move(findings), path, region, progress.part(untilFound, 1));
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,

@@ -2,7 +2,6 @@
 #include "plugins/readers/vtk/checks/file_check.h"
 
 #include "plugins/readers/vtk/checks/format_checks.h"
-#include "plugins/readers/vtk/checks/slice_names.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,8 +47,6 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     case VtkFormat::Exodus:
     case VtkFormat::NetCdf: return checkNetCdf(path);
     case VtkFormat::EnSight: return checkEnSight(path, std::max<std::int64_t>(1, request.timeStep));
-    case VtkFormat::Tiff: return checkTiff(numberedBeside(path));
-    case VtkFormat::Dicom: return checkDicom(path);
     case VtkFormat::OpenFoam: return CheckedFile{.bytes = folderBytes(path.parent_path())};
     case VtkFormat::Fluent: return checkFluent(path);
     case VtkFormat::Hdf: return checkVtkHdf(path);

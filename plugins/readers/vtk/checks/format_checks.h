@@ -33,11 +33,6 @@ Result<CheckedFile> checkLegacy(const std::filesystem::path& path);
 /// (NetCDF-4 is HDF5, whose library looks by itself) are only measured. Linear in the header; the data are not read.
 Result<CheckedFile> checkNetCdf(const std::filesystem::path& path);
 
-/// Walks the chain of pages of TIFF files (BigTIFF too), one volume of one or more pages each: every page and all of
-/// its strips or tiles must lie in the file, and all pages be of one size and type. Where the chain breaks, VTK takes
-/// what came before as the whole volume. Reads the directories only.
-Result<CheckedFile> checkTiff(const std::vector<std::filesystem::path>& paths);
-
 /// Goes through the text files of an EnSight case (6 and Gold) that VTK would read for a time step (from 1): geometry,
 /// measured points, variables. Every number that sizes and parts ask for must be there, and every file. VTK's reader
 /// takes the last line again and again where a file ends too early, and reads for ever where a keyword is unknown to
@@ -53,10 +48,5 @@ Result<CheckedFile> checkFluent(const std::filesystem::path& path);
 /// that stand in them; VTK's own messages say only what it looked for first. Whether a file is whole, the library of
 /// HDF5 sees. Reads up to the name that decides, at most the first megabytes.
 Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path);
-
-/// Looks at all DICOM files of the folder that the file lies in, which VTK takes for one volume: each must have all its
-/// elements and pixels, unpacked, of 8 or 16 bits, and all be of one size. VTK passes over files that it cannot begin
-/// to read, and takes the pixels of another file where there are none. Reads the elements before the pixels only.
-Result<CheckedFile> checkDicom(const std::filesystem::path& path);
 
 } // namespace tetra

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/sources.h"
 
-#include "plugins/readers/vtk/helper/image_sources.h"
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 #include "plugins/readers/vtk/helper/series_source.h"
 #include "plugins/readers/vtk/helper/xml_sources.h"
@@ -54,8 +53,6 @@ Result<VtkSource> makeSource(const VtkRequest& request)
         reader->SetFileName(request.path.c_str());
         return VtkSource{.reader = reader};
     }
-    case VtkFormat::Tiff:
-    case VtkFormat::Dicom: return makeImageSource(request);
     default: return makeMeshSource(request);
     }
 }

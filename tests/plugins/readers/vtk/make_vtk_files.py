@@ -212,7 +212,6 @@ def write_images():
     writer.SetRescaleIntercept(5)
     writer.SetInputData(scalar_image(vtk.VTK_SHORT))
     writer.Write()
-    written("pages.tif", vtk.vtkTIFFWriter(), scalar_image(vtk.VTK_UNSIGNED_CHAR), vtk.vtkTIFFReader())
     header = struct.pack("<4i3i3i6f3i3f", 4, 5, 6, 2, 0, 0, 0, 4, 5, 6, 4, 5, 6, 90, 90, 90, 1, 2, 3, 0, 119, 60)
     header += struct.pack("<2i", 0, 0) + bytes(100) + struct.pack("<3f", 0, 0, 0) + b"MAP " + b"\x44\x44\x00\x00"
     with open(path("map.mrc"), "wb") as file:
@@ -220,37 +219,6 @@ def write_images():
     reader = vtk.vtkMRCReader()
     reader.SetFileName(path("map.mrc"))
     write_reference("map.mrc", reader)
-
-
-def dicom_element(group, element, kind, value):
-    if len(value) % 2:
-        value += b" "
-    if kind in (b"OW", b"OB"):
-        return struct.pack("<2H", group, element) + kind + b"\0\0" + struct.pack("<I", len(value)) + value
-    return struct.pack("<2H", group, element) + kind + struct.pack("<H", len(value)) + value
-
-
-def write_dicom():
-    os.makedirs(path("series"), exist_ok=True)
-    for z in range(6):
-        meta = dicom_element(2, 0x10, b"UI", b"1.2.840.10008.1.2.1")
-        meta = dicom_element(2, 0, b"UL", struct.pack("<I", len(meta))) + meta
-        pixels = struct.pack("<20h", *[100 * z + i for i in range(20)])
-        body = b"".join([
-            dicom_element(0x8, 0x60, b"CS", b"CT"), dicom_element(0x18, 0x50, b"DS", b"2.5"),
-            dicom_element(0x20, 0xE, b"UI", b"1.2.3"), dicom_element(0x20, 0x13, b"IS", str(z + 1).encode()),
-            dicom_element(0x20, 0x32, b"DS", b"0\\0\\%g" % (2.5 * z)),
-            dicom_element(0x20, 0x37, b"DS", b"1\\0\\0\\0\\1\\0"), dicom_element(0x28, 2, b"US", b"\1\0"),
-            dicom_element(0x28, 4, b"CS", b"MONOCHROME2"), dicom_element(0x28, 0x10, b"US", b"\5\0"),
-            dicom_element(0x28, 0x11, b"US", b"\4\0"), dicom_element(0x28, 0x30, b"DS", b"0.5\\0.25"),
-            dicom_element(0x28, 0x100, b"US", b"\x10\0"), dicom_element(0x28, 0x101, b"US", b"\x10\0"),
-            dicom_element(0x28, 0x102, b"US", b"\x0f\0"), dicom_element(0x28, 0x103, b"US", b"\1\0"),
-            dicom_element(0x7FE0, 0x10, b"OW", pixels)])
-        with open(path("series/slice%02d.dcm" % z), "wb") as file:
-            file.write(bytes(128) + b"DICM" + meta + body)
-    reader = vtk.vtkDICOMImageReader()
-    reader.SetDirectoryName(path("series"))
-    write_reference("series/slice00.dcm", reader)
 
 
 def netcdf_name(text):
@@ -482,6 +450,6 @@ def write_hdf():
     write_reference("grid.cgns", reader, "Pressure")
 
 
-for write in (write_xml, write_legacy, write_images, write_dicom, write_netcdf, write_plot3d, write_exodus, write_ensight,
+for write in (write_xml, write_legacy, write_images, write_netcdf, write_plot3d, write_exodus, write_ensight,
               write_texts, write_hdf):
     write()

@@ -69,8 +69,7 @@ private slots:
     void valuesAreThoseOfVtk()
     {
         QDir dir(QString::fromStdString(folder_.path().string()));
-        QStringList references = dir.entryList({"*.ref"});
-        references << "series/slice00.dcm.ref";
+        const QStringList references = dir.entryList({"*.ref"});
         QVERIFY(references.size() > 40);
         for (const QString& name : references) {
             const std::string file = name.chopped(4).toStdString();

@@ -27,8 +27,6 @@ private slots:
     {
         QVERIFY(guess("a.bin", vtiText()).format == VtkFormat::Xml);
         QVERIFY(guess("a.dat", legacyText()).format == VtkFormat::Legacy);
-        QVERIFY(guess("a.unknown", "II*" + QByteArray(9, '\0')).format == VtkFormat::Tiff);
-        QVERIFY(guess("IM0001", QByteArray(128, '\0') + "DICM").format == VtkFormat::Dicom);
         QVERIFY(guess("a.ex2", "CDF\1").format == VtkFormat::Exodus);
         for (const char* start :
              {"TITLE = \"a\"\nVARIABLES = \"X\"", "# by hand\n\nVariables=X, Y\nZONE", "TITLE=\"\"\r\nvariables = X"})
@@ -84,8 +82,6 @@ private slots:
                                                     {"EnSight", VtkFormat::EnSight},
                                                     {"NetCDF, CF conventions", VtkFormat::NetCdf},
                                                     {"CGNS", VtkFormat::Cgns},
-                                                    {"TIFF stack", VtkFormat::Tiff},
-                                                    {"DICOM series", VtkFormat::Dicom},
                                                     {"GAMBIT", VtkFormat::Gambit},
                                                     {"Fluent", VtkFormat::Fluent},
                                                     {"OpenFOAM", VtkFormat::OpenFoam},

@@ -272,90 +272,6 @@ void addExodus(const fs::path& folder, std::vector<WrittenFiles>& all)
     }
 }
 
-/// A TIFF file of pages of 16 bits.
-class TiffWriter {
-public:
-    TiffWriter(bool little, bool big, bool packed) : little_(little), big_(big), packed_(packed) {}
-
-    QByteArray file(const std::vector<int>& firstSamples) const
-    {
-        QByteArray bytes = QByteArray(little_ ? "II" : "MM") + u16(big_ ? 43 : 42);
-        bytes += big_ ? u16(8) + u16(0) : QByteArray();
-        qint64 linkPlace = bytes.size();
-        bytes += pointer(0);
-        for (const int first : firstSamples) {
-            constexpr int rowsInStrip = 2;
-            std::vector<qint64> offsets, counts;
-            for (int row = 0; row < gridSize[1]; row += rowsInStrip) {
-                const int rows = std::min(rowsInStrip, gridSize[1] - row);
-                QByteArray strip =
-                    counted(rows * gridSize[0], [&](int n) { return u16(quint16(first + row * gridSize[0] + n)); });
-                if (packed_)
-                    strip = packedBytes(strip);
-                offsets.push_back(bytes.size());
-                counts.push_back(strip.size());
-                bytes += strip;
-                bytes += bytes.size() % 2 != 0 ? QByteArray(1, '\0') : QByteArray();
-            }
-            const qint64 offsetsPlace = bytes.size();
-            for (const qint64 offset : offsets)
-                bytes += u32(offset);
-            const qint64 countsPlace = bytes.size();
-            for (const qint64 count : counts)
-                bytes += u32(count);
-            bytes.replace(linkPlace, pointer(0).size(), pointer(bytes.size()));
-            const std::vector<std::array<qint64, 4>> entries{{256, 3, 1, gridSize[0]},
-                                                             {257, 3, 1, gridSize[1]},
-                                                             {258, 3, 1, 16},
-                                                             {259, 3, 1, packed_ ? 8 : 1},
-                                                             {262, 3, 1, 1},
-                                                             {273, 4, qint64(offsets.size()), offsetsPlace},
-                                                             {277, 3, 1, 1},
-                                                             {278, 3, 1, rowsInStrip},
-                                                             {279, 4, qint64(counts.size()), countsPlace}};
-            bytes += big_ ? u64(qint64(entries.size())) : u16(quint16(entries.size()));
-            for (const auto& [tag, type, count, value] : entries) {
-                bytes += u16(quint16(tag)) + u16(quint16(type)) + pointer(count);
-                const QByteArray field = type == 3 ? u16(quint16(value)) : pointer(value);
-                bytes += field.leftJustified(pointer(0).size(), '\0');
-            }
-            linkPlace = bytes.size();
-            bytes += pointer(0);
-        }
-        return bytes;
-    }
-
-private:
-    QByteArray u16(quint16 value) const { return little_ ? littleEndian(value) : bigEndian(value); }
-    QByteArray u32(qint64 value) const { return little_ ? littleEndian(quint32(value)) : bigEndian(quint32(value)); }
-    QByteArray u64(qint64 value) const { return little_ ? littleEndian(quint64(value)) : bigEndian(quint64(value)); }
-    QByteArray pointer(qint64 value) const { return big_ ? u64(value) : u32(value); }
-
-    bool little_;
-    bool big_;
-    bool packed_;
-};
-
-void addTiff(const fs::path& folder, std::vector<WrittenFiles>& all)
-{
-    const std::vector<int> pages{0, 20, 40, 60, 80, 100};
-    const auto add = [&](const char* what, const char* name, const TiffWriter& tiff) {
-        const fs::path path = FormatWriter(folder / name).write("pages.tif", tiff.file(pages));
-        all.push_back({std::string("TIFF, ") + what, path, {path}, gridPoints});
-    };
-    add("little endian", "tiff-little", TiffWriter(true, false, false));
-    add("big endian", "tiff-bigendian", TiffWriter(false, false, false));
-    add("BigTIFF", "tiff-big", TiffWriter(true, true, false));
-    add("packed", "tiff-packed", TiffWriter(true, false, true));
-    WrittenFiles stack{.what = "TIFF, stack of files", .points = gridPoints};
-    const FormatWriter writer(folder / "tiff-stack");
-    for (const int first : pages)
-        stack.data.push_back(writer.write("layer" + std::to_string(first / 20 + 1) + ".tif",
-                                          TiffWriter(true, false, false).file({first})));
-    stack.opened = stack.data.front();
-    all.push_back(std::move(stack));
-}
-
 QByteArray enSightPart(int number, double shift)
 {
     QByteArray text = "part\n" + index10(number) + "\nthe part\ncoordinates\n" + index10(gridPoints) + "\n";
@@ -475,40 +391,9 @@ void addTecplot(const fs::path& folder, std::vector<WrittenFiles>& all)
         true);
 }
 
-QByteArray dicomElement(quint16 group, quint16 element, const QByteArray& kind, QByteArray value)
-{
-    if (value.size() % 2 != 0)
-        value += ' ';
-    const QByteArray tag = littleEndian(group) + littleEndian(element) + kind;
-    return kind == "OW" ? tag + QByteArray(2, '\0') + littleEndian(quint32(value.size())) + value
-                        : tag + littleEndian(quint16(value.size())) + value;
-}
+{}
 
-void addDicom(const fs::path& folder, std::vector<WrittenFiles>& all)
 {
-    const FormatWriter writer(folder / "dicom");
-    WrittenFiles files{.what = "DICOM", .points = gridPoints, .turned = true};
-    for (int layer = 0; layer < gridSize[2]; ++layer) {
-        const QByteArray place = "0\\0\\" + QByteArray::number(2.5 * layer);
-        QByteArray text = dicomElement(2, 0x10, "UI", "1.2.840.10008.1.2.1");
-        text = dicomElement(2, 0, "UL", littleEndian(quint32(text.size()))) + text;
-        text +=
-            dicomElement(0x8, 0x60, "CS", "CT") + dicomElement(0x18, 0x50, "DS", "2.5") +
-            dicomElement(0x20, 0xe, "UI", "1.2.3") + dicomElement(0x20, 0x13, "IS", QByteArray::number(layer + 1)) +
-            dicomElement(0x20, 0x32, "DS", place) + dicomElement(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0") +
-            dicomElement(0x28, 2, "US", littleEndian(quint16(1))) + dicomElement(0x28, 4, "CS", "MONOCHROME2") +
-            dicomElement(0x28, 0x10, "US", littleEndian(quint16(gridSize[1]))) +
-            dicomElement(0x28, 0x11, "US", littleEndian(quint16(gridSize[0]))) +
-            dicomElement(0x28, 0x30, "DS", "0.5\\0.25") + dicomElement(0x28, 0x100, "US", littleEndian(quint16(16))) +
-            dicomElement(0x28, 0x101, "US", littleEndian(quint16(16))) +
-            dicomElement(0x28, 0x102, "US", littleEndian(quint16(15))) +
-            dicomElement(0x28, 0x103, "US", littleEndian(quint16(1))) +
-            dicomElement(0x7fe0, 0x10, "OW", counted(20, [&](int n) { return littleEndian(qint16(20 * layer + n)); }));
-        files.data.push_back(
-            writer.write("slice" + std::to_string(layer) + ".dcm", QByteArray(128, '\0') + "DICM" + text));
-    }
-    files.opened = files.data.front();
-    all.push_back(std::move(files));
 }
 
 /// A face of the grid: its corners, the cell whose outside it shows, and the one behind it or -1.
@@ -641,10 +526,8 @@ std::vector<WrittenFiles> writeFormats(const fs::path& folder)
     std::vector<WrittenFiles> all;
     addNetCdf(folder, all);
     addExodus(folder, all);
-    addTiff(folder, all);
     addEnSight(folder, all);
     addTecplot(folder, all);
-    addDicom(folder, all);
     addOpenFoam(folder, all);
     addFluent(folder, all);
     return all;

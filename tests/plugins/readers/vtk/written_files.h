@@ -16,7 +16,6 @@ struct WrittenFiles {
     std::vector<std::filesystem::path> data{}; ///< those that hold what is read; `opened` is among them unless it is
                                                ///< text that names the others
     std::size_t points = 0;                    ///< with the values 0, 1, 2 ... in some order; of cells: see `perCell`
-    bool turned = false;                       ///< VTK turns the order of rows and layers round
     bool perCell = false;                      ///< the values are of cells, so that those of points are means
 };
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/readers/images/dicom/dicom_series.h"
+
+#include "plugins/readers/images/slice_names.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace tetra {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view tableOfDisk = "1.2.840.10008.1.3.10", segmentation = "1.2.840.10008.5.1.4.1.1.66.4";
+
+/// Objects that stand beside pictures and have none, or none of numbers.
+Message whyNoPictures(const DicomHeader& header)
+{
+    if (header.kind == tableOfDisk)
+        return Message::say(
+            "it is the table of contents of a disk (DICOMDIR). Open one of the pictures that lie in the "
+            "folders beside it.");
+    if (header.kind == segmentation)
+        return Message::say(
+            "it is a segmentation, whose pictures are the outlines of things and not of numbers. Export "
+            "it as NRRD, for instance by 3D Slicer.");
+    if (header.hasFloats)
+        return Message::say("its pixels are floating point numbers (FloatPixelData), which TAn does not read of DICOM "
+                            "files. Export it as NRRD, for instance by 3D Slicer.");
+    if (!header.hasPixels)
+        return Message::say("it holds no picture (%1). If it is to have one, it is cut short: copy it again. Else open "
+                            "a picture of the series that it belongs to.",
+                            header.modality.empty() ? "-" : printable(header.modality));
+    return {};
+}
+
+Message nameOf(const std::vector<DicomHeader>& headers)
+{
+    const DicomHeader& first = headers.front();
+    std::size_t pictures = 0;
+    for (const DicomHeader& header : headers)
+        pictures += header.frames.size();
+    std::string name;
+    for (const std::string& part : {first.seriesNumber, first.description, first.modality})
+        if (!part.empty())
+            name += (name.empty() ? "" : ", ") + printable(part);
+    return name.empty() ? Message::say("%1 pictures", pictures) : Message::say("%1, %2 pictures", name, pictures);
+}
+
+void addSeries(std::map<std::string, std::vector<DicomHeader>> bySeries, const std::string& opened, DicomFolder& folder)
+{
+    std::vector<std::pair<std::string, std::vector<DicomHeader>>> all;
+    for (auto& [series, headers] : bySeries)
+        all.emplace_back(series, std::move(headers));
+    std::ranges::sort(all, {}, [](const auto& entry) {
+        const DicomHeader& first = entry.second.front();
+        return std::tuple(parseNumber<std::int64_t>(first.seriesNumber).value_or(0), first.description, entry.first);
+    });
+    for (auto& [series, headers] : all) {
+        if (series == opened)
+            folder.opened = folder.series.size();
+        folder.series.push_back({nameOf(headers), std::move(headers)});
+    }
+}
+
+} // namespace
+
+Result<DicomFolder> dicomFolder(const fs::path& path, const TellProgress& progress)
+{
+    DicomHeader own = dicomHeader(path);
+    if (!own.fault.empty())
+        return Error{ErrorKind::BadInput, own.fault};
+    const Message noPictures = whyNoPictures(own);
+    if (own.kind == tableOfDisk || own.series.empty())
+        if (!noPictures.empty())
+            return Error{ErrorKind::BadInput, noPictures};
+    std::error_code problem;
+    const std::vector<fs::path> beside = pathsIn(path.parent_path(), problem);
+    const std::vector<fs::path> numbered = numberedBeside(path);
+    const std::set<fs::path> alike(numbered.begin(), numbered.end());
+    std::map<std::string, std::vector<DicomHeader>> bySeries;
+    DicomFolder folder;
+    const std::string series = own.series;
+    bySeries[series].push_back(std::move(own));
+    for (std::size_t at = 0; at < beside.size(); ++at) {
+        constexpr std::size_t betweenTold = 32;
+        if (at % betweenTold == 0)
+            progress(static_cast<double>(at) / static_cast<double>(beside.size()));
+        std::error_code ignored;
+        if (beside[at] == path || !fs::is_regular_file(beside[at], ignored))
+            continue;
+        const bool isAlike = alike.contains(beside[at]);
+        const std::string name = printable(beside[at].filename().string());
+        if (!looksLikeDicom(beside[at])) {
+            if (isAlike)
+                return Error{ErrorKind::BadInput, Message::say("the file '%1' of its series: it is no DICOM file, or "
+                                                               "ends too early. Copy the file again.",
+                                                               name)};
+            continue;
+        }
+        DicomHeader header = dicomHeader(beside[at]);
+        if (!header.fault.empty()) {
+            if (isAlike || header.series == series)
+                return Error{ErrorKind::BadInput, Message::say("the file '%1' of its series: %2", name, header.fault)};
+            folder.unreadable.push_back(Message::say("The file '%1' beside it was not read: %2", name, header.fault));
+        } else if (whyNoPictures(header).empty()) {
+            bySeries[header.series].push_back(std::move(header));
+        }
+    }
+    if (!noPictures.empty()) { // another series may be asked for
+        bySeries[series].erase(bySeries[series].begin());
+        if (bySeries[series].empty())
+            return Error{ErrorKind::BadInput, noPictures};
+    }
+    for (auto& [name, headers] : bySeries) // in no order of the folder
+        std::ranges::sort(headers, {}, &DicomHeader::path);
+    addSeries(std::move(bySeries), series, folder);
+    return folder;
+}
+
+Result<std::size_t> chosenSeries(const DicomFolder& folder, const std::string& wanted)
+{
+    if (wanted.empty())
+        return folder.opened;
+    const auto number = parseNumber<std::size_t>(wanted);
+    if (number && *number >= 1 && *number <= folder.series.size())
+        return *number - 1;
+    for (std::size_t series = 0; series < folder.series.size(); ++series)
+        if (folder.series[series].headers.front().series == wanted)
+            return series;
+    return Error{
+        ErrorKind::WrongUsage,
+        Message::say("its folder holds %1 series, and '%2' is asked for. Choose one from 1 to %1 with 'series'.",
+                     folder.series.size(), printable(wanted))};
+}
+
+} // namespace tetra
