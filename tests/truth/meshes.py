@@ -129,6 +129,17 @@ def xdmf(folder, kind="tetrahedra", form="XML", of="points", steps=1, take=0, op
     return of_cells(folder / "mesh.xdmf", points, kept, judged, options, name="temperature", value_slack=0 if of == "points" else 3e-7, **said)
 
 
+def xdmf_of_meshio(folder, take, options=(), **said):
+    """Its steps: a mesh, and a collection of grids that point to it."""
+    points, blocks, judged, _ = mesh("tetrahedra")
+    fields = [numbers(wave(points, step), "f8") for step in range(3)]
+    with meshio.xdmf.TimeSeriesWriter(str(folder / "mesh.xdmf"), data_format="XML") as out:
+        out.write_points_cells(points, [("tetra", blocks[0][1])])
+        for step, values in enumerate(fields):
+            out.write_data(step / 2, point_data={"temperature": values})
+    return of_cells(folder / "mesh.xdmf", points, fields[take], judged, options, name="temperature", taken={"step": f"{take + 1} of 3"}, **said)
+
+
 def numbered_cells(kind):
     """Points, cells, and a number of a region of each cell."""
     points, blocks, judged, _ = mesh(kind)
@@ -184,7 +195,9 @@ add("XDMF", "cells", "mixed, by meshio", by_meshio, ending=".xdmf", format="xdmf
 add("XDMF", "arrays", "values of cells", xdmf, of="cells")
 add("XDMF", "arrays", "the second of two", by_meshio, ending=".xdmf", format="xdmf", **TWO)
 add("XDMF", "steps", "the third of 3", xdmf, form="HDF", steps=3, take=2, options=("--time", "3"), taken={"step": "3 of 3"})
-add("XDMF", "steps", "the first of 3", xdmf, steps=3, taken={"step": "1 of 3"})
+add("XDMF", "steps", "the first of 3", xdmf, steps=3, taken={"step": "1 of 3"}, guessed=("step",))
+add("XDMF", "steps", "the first of 3, by meshio", xdmf_of_meshio, take=0, guessed=("step",))
+add("XDMF", "steps", "the third of 3, by meshio", xdmf_of_meshio, take=2, options=("--time", "3"))
 for kind in ("tetrahedra", "hexahedra"):
     add("Medit", "cells", f"{kind}, with numbers of regions", medit, kind=kind)
     add("Nastran", "cells", f"{kind}, with properties", nastran, kind=kind)
@@ -200,5 +213,5 @@ add("VTK unstructured (.vtu)", "storage", "by meshio, text", by_meshio, ending="
 for format in ("vtk42", "vtk51"):
     for binary in (False, True):
         add("VTK legacy (.vtk)", "storage", f"{format} by meshio, {'binary' if binary else 'text'}", by_meshio, ending=".vtk", format=format, binary=binary)
-add("Tecplot", "storage", "by meshio", by_meshio, ending=".tec", format="tecplot", kind="hexahedra")
-add("Tecplot", "storage", "by meshio, values of cells", by_meshio, ending=".tec", format="tecplot", of="cells")
+add("Tecplot", "storage", "by meshio", by_meshio, ending=".tec", format="tecplot", kind="hexahedra", place_slack=1.2e-7)
+add("Tecplot", "storage", "by meshio, values of cells", by_meshio, ending=".tec", format="tecplot", of="cells", place_slack=1.2e-7)

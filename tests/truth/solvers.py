@@ -324,14 +324,16 @@ add("EnSight Gold", "steps", "the first of 3", ensight, steps=3, taken={"step": 
 add("EnSight Gold", "steps", "the third of 3", ensight, steps=3, take=(0, 2), options=("--time", "3"), taken={"step": "3 of 3"})
 
 
-# Tecplot in text.
+# Tecplot in text, whose numbers are single unless DT says otherwise.
 
 def lines_of(values, per_line=5):
     texts = [repr(float(value)) for value in numpy.ravel(values)]
     return "\n".join(" ".join(texts[at:at + per_line]) for at in range(0, len(texts), per_line)) + "\n"
 
 
-def tecplot(folder, kind="ordered", packing="POINT", names=("T",), take=0, steps=1, location="", zones=1, options=(), **said):
+def tecplot(folder, kind="ordered", packing="POINT", names=("T",), take=0, steps=1, location="", zones=1, double=False, options=(), **said):
+    said.setdefault("place_slack", 0 if double else 1.2e-7)
+    more = ", DT=(" + " ".join(["DOUBLE"] * (3 + len(names))) + ")" if double else ""
     text = 'TITLE = "bench"\nVARIABLES = "X", "Y", "Z", ' + ", ".join(f'"{name}"' for name in names) + "\n"
     kept = None
     if kind == "ordered":
@@ -342,7 +344,7 @@ def tecplot(folder, kind="ordered", packing="POINT", names=("T",), take=0, steps
                 columns = [whole.places[:, :, part, axis].transpose(2, 1, 0).ravel() for axis in range(3)] \
                     + [values[:, :, part].transpose(2, 1, 0).ravel() for values in arrays]
                 depth = whole.values[:, :, part].shape[2]
-                text += f'ZONE T="z", I={SIZE[0]}, J={SIZE[1]}, K={depth}, DATAPACKING={packing}'
+                text += f'ZONE T="z", I={SIZE[0]}, J={SIZE[1]}, K={depth}, DATAPACKING={packing}{more}'
                 text += f", STRANDID=1, SOLUTIONTIME={step / 2}\n" if steps > 1 else "\n"
                 text += lines_of(numpy.stack(columns, axis=1), len(columns)) if packing == "POINT" else "".join(map(lines_of, columns))
             if step == take // 10:
@@ -356,7 +358,7 @@ def tecplot(folder, kind="ordered", packing="POINT", names=("T",), take=0, steps
         place = points[cells].mean(axis=1) if location else points
         for step in range(steps):
             arrays = [numbers(wave(place, number * 3 + step), "f8") for number in range(len(names))]
-            text += f"ZONE N={len(points)}, E={len(cells)}, ZONETYPE={shape}, DATAPACKING={packing}{location}"
+            text += f"ZONE N={len(points)}, E={len(cells)}, ZONETYPE={shape}, DATAPACKING={packing}{location}{more}"
             text += f", STRANDID=1, SOLUTIONTIME={step / 2}\n" if steps > 1 else "\n"
             text += lines_of(numpy.column_stack([points, *arrays]), 3 + len(arrays)) if packing == "POINT" else "".join(map(lines_of, [*points.T, *arrays]))
             text += "\n".join(" ".join(str(number + 1) for number in cell) for cell in cells.tolist()) + "\n"
@@ -375,6 +377,8 @@ for packing in ("POINT", "BLOCK"):
 add("Tecplot", "arrays", "values of cells", tecplot, kind="hexahedra", packing="BLOCK", location=", VARLOCATION=([4]=CELLCENTERED)")
 add("Tecplot", "arrays", "values of cells, blanks", tecplot, kind="tetrahedra", packing="BLOCK", location=", VARLOCATION = ([4] = CELLCENTERED)")
 add("Tecplot", "arrays", "the second of two", tecplot, names=("T", "P"), take=1, options=("--array", "P"), taken={"array": "P"})
+for kind in ("ordered", "hexahedra"):
+    add("Tecplot", "numbers", f"double, {kind}", tecplot, kind=kind, double=True)
 add("Tecplot", "places", "two zones that meet", tecplot, zones=2)
 for kind in ("ordered", "tetrahedra"):
     add("Tecplot", "steps", f"a zone a time, {kind}, the first of 3", tecplot, kind=kind, steps=3, taken={"step": "1 of 3"}, guessed=("step",))
