@@ -133,6 +133,22 @@ std::uint64_t pointCountOf(const Plot3dFile& file, std::size_t grid)
     return plot3dBlock(file.layout, file.kind, grid).points;
 }
 
+namespace {
+
+/// Of a binary file, from an offset in bytes.
+void readReals(const Plot3dFile& file, std::uint64_t offset, std::span<double> to)
+{
+    const std::uint32_t realBytes = file.layout.realBytes;
+    const std::byte* place = file.source.file->bytes().data() + offset;
+    for (double& real : to) {
+        real = realBytes == 4 ? realAt<float, std::uint32_t>(place, file.layout.order)
+                              : realAt<double, std::uint64_t>(place, file.layout.order);
+        place += realBytes;
+    }
+}
+
+} // namespace
+
 Status readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number, std::uint64_t first,
                      std::span<double> to)
 {
@@ -142,14 +158,19 @@ Status readComponent(const Plot3dFile& file, std::size_t grid, std::size_t numbe
         std::copy_n(file.source.text->numbers.data() + block.reals + begin, to.size(), to.begin());
         return {};
     }
-    const std::uint32_t realBytes = file.layout.realBytes;
-    const std::byte* place = file.source.file->bytes().data() + block.reals + begin * realBytes;
-    for (double& real : to) {
-        real = realBytes == 4 ? realAt<float, std::uint32_t>(place, file.layout.order)
-                              : realAt<double, std::uint64_t>(place, file.layout.order);
-        place += realBytes;
-    }
+    readReals(file, block.reals + begin * file.layout.realBytes, to);
     return file.source.file->damaged() ? Status(changedMeanwhile(file.path())) : Status();
+}
+
+std::array<double, 4> flowState(const Plot3dFile& solution, std::size_t grid)
+{
+    std::array<double, 4> state{};
+    const std::uint64_t begin = plot3dBlock(solution.layout, solution.kind, grid).state;
+    if (solution.source.text)
+        std::copy_n(solution.source.text->numbers.data() + begin, state.size(), state.begin());
+    else
+        readReals(solution, begin, state);
+    return state;
 }
 
 std::vector<std::uint8_t> blankedPoints(const Plot3dFile& file, std::size_t grid)

@@ -6,6 +6,7 @@
 #include <tan/base.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -48,6 +49,9 @@ std::uint64_t pointCountOf(const Plot3dFile& file, std::size_t grid);
 /// solution file 0 to 4 density, the three momenta and energy. Error: damaged while it was read.
 Status readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number, std::uint64_t first,
                      std::span<double> to);
+
+/// What a solution says of a grid's flow: Mach number, angle of attack, Reynolds number, time.
+std::array<double, 4> flowState(const Plot3dFile& solution, std::size_t grid);
 
 /// Calls visit(first, count), which gives a Status, for all points of a grid, some at a time. Errors: its first one,
 /// cancelled.

@@ -255,6 +255,7 @@ Plot3dBlock plot3dBlock(const Plot3dLayout& layout, Plot3dKind kind, std::size_t
     Plot3dBlock block;
     block.points = pointsOf(layout.sizes[grid]);
     block.reals = offset + mark + (kind == Plot3dKind::Solution ? numbersOfAState * real + 2 * mark : 0);
+    block.state = offset + mark;
     if (layout.iblank)
         block.iblank = block.reals + coordinates * block.points * real;
     return block;

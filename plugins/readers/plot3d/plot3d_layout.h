@@ -40,6 +40,7 @@ struct Plot3dBlock {
     std::uint64_t points = 0;
     std::uint64_t reals = 0;  ///< of the coordinates, or of the five quantities
     std::uint64_t iblank = 0; ///< 0 if there is none
+    std::uint64_t state = 0;  ///< of a solution its four numbers
 };
 
 /// The block of grid number `grid`. The file holds it if it fits the layout.

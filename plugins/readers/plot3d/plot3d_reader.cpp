@@ -137,6 +137,17 @@ std::shared_ptr<const std::vector<GridCell>> cellsWithout(std::span<const std::u
     return std::make_shared<const std::vector<GridCell>>(std::move(cells));
 }
 
+/// Of the flow; of several grids that of the first, as a rule that of all.
+void tellState(const OpenPair& pair, std::vector<Message>& leftOut)
+{
+    const std::array<double, 4> state = flowState(pair.solution, pair.numbers.front());
+    if (std::ranges::any_of(state, [](double number) { return std::isfinite(number) && std::abs(number) > 0; }))
+        leftOut.push_back(Message::say("The solution says: Mach number %1, angle of attack %2, Reynolds number %3, "
+                                       "time %4. They are not used.",
+                                       formatNumber(state[0]), formatNumber(state[1]), formatNumber(state[2]),
+                                       formatNumber(state[3])));
+}
+
 /// What was taken of what the two files offer.
 void tellChoices(const OpenPair& pair, std::int64_t wanted, const std::string& arrayName, const std::string& taken,
                  std::vector<Taken>& choices, std::vector<Message>& leftOut)
@@ -144,6 +155,7 @@ void tellChoices(const OpenPair& pair, std::int64_t wanted, const std::string& a
     const std::size_t count = pair.grid.layout.sizes.size();
     if (!taken.empty())
         choices.push_back({TakenPart::Array, taken, arrayName == "automatic"});
+    tellState(pair, leftOut);
     if (count == 1)
         return;
     choices.push_back({TakenPart::Block, wanted == 0 ? Message::say("all %1 grids", count)
