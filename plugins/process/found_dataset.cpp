@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/process/found_dataset.h"
 
+#include "plugins/api/cells_parameters.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -98,18 +100,20 @@ Result<Dataset> cellsDataset(FileFindings& found, const Source& source,
 {
     const ComplexValues values{doublesOf(found), found.perCell, found.type};
     found.samples = {};
-    const CellComplex complex{std::move(found.positions), std::move(found.shapes),  std::move(found.offsets),
-                              std::move(found.corners),   std::move(found.blanked), region};
+    CellComplex complex{std::move(found.positions), std::move(found.shapes),  std::move(found.offsets),
+                        std::move(found.corners),   std::move(found.blanked), region};
+    if (const Status understood = applyCellsParameters(choices, complex); !understood)
+        return understood.error();
     return irregularDataset(complex, values, source, progress);
 }
 
 } // namespace
 
 Result<Dataset> datasetOf(FileFindings findings, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
-                          const Progress& progress)
+                          const Progress& progress, const ParameterValues& values)
 {
     const std::vector<Message> remarks = std::move(findings.remarks);
-    auto dataset = findings.kind == FoundKind::Cells    ? cellsDataset(findings, source, region, progress)
+    auto dataset = findings.kind == FoundKind::Cells    ? cellsDataset(findings, source, region, progress, values)
                    : findings.kind == FoundKind::Points ? pointsDataset(findings, source)
                                                         : gridDataset(findings, progress);
     if (!dataset)

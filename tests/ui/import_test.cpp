@@ -97,8 +97,8 @@ private slots:
         several.blocks = {"1: 5 x 5 x 5", "2: 6 x 6 x 6"};
         several.arrays = {{.name = "density"}, {.name = "mach"}};
         const ImportForm form = importForm(parameters, several, {}, false);
-        QCOMPARE(form.choices.at("grid").size(), std::size_t(2));
-        QCOMPARE(form.choices.at("grid")[1].value, ParameterValue(std::int64_t(2)));
+        QCOMPARE(form.choices.at("grid").size(), std::size_t(3)); // with all of them
+        QCOMPARE(form.choices.at("grid")[2].value, ParameterValue(std::int64_t(2)));
         QCOMPARE(form.choices.at("array").size(), std::size_t(3)); // with "automatic"
         several.blocks.clear();
         const ImportForm one = importForm(parameters, several, {}, false);

@@ -19,6 +19,7 @@ class ImportForms {
 
 constexpr std::array<std::string_view, 4> layoutIds = {"size", "type", "byte-order", "skip"};
 constexpr std::array<std::string_view, 3> placeIds = {"spacing", "origin", "unit"};
+constexpr std::array<std::string_view, 2> cellIds = {"faulty", "polyhedra"};
 constexpr std::array<std::string_view, 3> blockIds = {"part", "block", "grid"};
 
 template <std::size_t Count> bool isOneOf(const std::array<std::string_view, Count>& ids, const std::string& id)
@@ -91,7 +92,7 @@ std::vector<ParameterChoice> timeChoices(const FileContents& contents)
 std::vector<ParameterChoice> blockChoices(const Parameter& parameter, const FileContents& contents)
 {
     std::vector<ParameterChoice> choices;
-    if (isText(parameter))
+    if (isText(parameter) || parameter.defaultValue == ParameterValue(std::int64_t(0)))
         choices.push_back({parameter.defaultValue, ImportForms::tr("All that fit together")});
     for (std::size_t block = 0; block < contents.blocks.size(); ++block) {
         const std::string& name = contents.blocks[block];
@@ -130,6 +131,9 @@ std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileCon
     if (parameter.id == "channel" && isText(parameter))
         return contents.channels.size() > 1 ? nameChoices(parameter, contents.channels)
                                             : std::vector<ParameterChoice>(1);
+    if (isOneOf(cellIds, parameter.id) && contents.domain && contents.domain != DomainClass::Irregular &&
+        contents.blocks.size() < 2)
+        return std::vector<ParameterChoice>(1);
     if (isOneOf(blockIds, parameter.id))
         return contents.blocks.size() > 1 ? blockChoices(parameter, contents) : std::vector<ParameterChoice>(1);
     return {};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/cells_reader.h"
 
+#include "plugins/api/cells_parameters.h"
 #include "plugins/api/placement_parameters.h"
 #include "plugins/readers/cells/cells_file.h"
-#include "plugins/readers/cells/cells_parameters.h"
 
 #include <algorithm>
 #include <iterator>

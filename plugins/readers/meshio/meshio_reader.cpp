@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/meshio/meshio_reader.h"
 
+#include "plugins/api/cells_parameters.h"
 #include "plugins/api/placement_parameters.h"
 #include "plugins/process/found_dataset.h"
 #include "plugins/process/process_limits.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 namespace tetra {
@@ -113,7 +115,7 @@ Result<Dataset> readMesh(const fs::path& script, const std::optional<Eigen::Alig
         return answer.error();
     auto& found = std::get<FileFindings>(*answer);
     const Source source{path.filename().string() + ", " + printable(found.arrayName), path, 0, found.arrayName};
-    auto dataset = datasetOf(std::move(found), source, region, progress.part(untilFound, 1));
+    auto dataset = datasetOf(std::move(found), source, region, progress.part(untilFound, 1), values);
     if (dataset)
         dataset->lengthUnit = placementText(values, "unit");
     return dataset;
@@ -172,15 +174,18 @@ std::vector<Parameter> MeshioReader::parameters() const
     time.defaultValue = std::int64_t(1);
     time.minimum = 1;
     time.maximum = 1e9;
-    return {textParameter("array", Message::marked("Values"),
-                          Message::marked("The values to take, by name or number; 'automatic' takes the first there "
-                                          "are."),
-                          "automatic"),
-            textParameter("component", Message::marked("Component"),
-                          Message::marked("Of arrays with several components: the number of one, from 0, or "
-                                          "'magnitude'."),
-                          "magnitude"),
-            time, unitParameter()};
+    std::vector<Parameter> all = {
+        textParameter("array", Message::marked("Values"),
+                      Message::marked("The values to take, by name or number; 'automatic' takes the first there "
+                                      "are."),
+                      "automatic"),
+        textParameter("component", Message::marked("Component"),
+                      Message::marked("Of arrays with several components: the number of one, from 0, or "
+                                      "'magnitude'."),
+                      "magnitude"),
+        time, unitParameter()};
+    std::ranges::move(cellsParameters(), std::back_inserter(all));
+    return all;
 }
 
 Result<Dataset> MeshioReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const

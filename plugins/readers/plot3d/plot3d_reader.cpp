@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/plot3d/plot3d_reader.h"
 
+#include "plugins/api/cells_parameters.h"
 #include "plugins/api/placement_parameters.h"
 #include "plugins/readers/plot3d/plot3d_arrays.h"
 #include "plugins/readers/plot3d/plot3d_names.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -182,9 +184,17 @@ Result<Dataset> zoneOf(const OpenPair& pair, const Plot3dGrid& grid, const Scala
     return zone;
 }
 
-/// All grids as one mesh. `region`: CellComplex's.
+/// What the user asks for.
+struct Wanted {
+    std::int64_t grid = 0;
+    std::string array;
+    ParameterValues values;                      ///< of which those of cellsParameters() count for a mesh
+    std::optional<Eigen::AlignedBox3d> region{}; ///< of a mesh
+};
+
+/// All grids as one mesh.
 Result<Dataset> meshOf(const OpenPair& pair, const std::vector<Dataset>& zones, const Source& source,
-                       const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
+                       const Wanted& wanted, const Progress& progress)
 {
     constexpr double joined = 0.3;
     const auto refused = [&](const Error& error) {
@@ -198,20 +208,15 @@ Result<Dataset> meshOf(const OpenPair& pair, const std::vector<Dataset>& zones, 
     auto together = joinZones(zones, progress.part(0, joined));
     if (!together)
         return refused(together.error());
-    together->complex.region = region;
+    together->complex.region = wanted.region;
+    if (const Status understood = applyCellsParameters(wanted.values, together->complex); !understood)
+        return understood.error();
     auto mesh = irregularDataset(together->complex, together->values, source, progress.part(joined, 1));
     if (!mesh)
         return refused(mesh.error());
     mesh->remarks.insert(mesh->remarks.begin(), together->remarks.begin(), together->remarks.end());
     return mesh;
 }
-
-/// What the user asks for.
-struct Wanted {
-    std::int64_t grid = 0;
-    std::string array;
-    std::optional<Eigen::AlignedBox3d> region{}; ///< of a mesh
-};
 
 Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const Wanted& wanted, const Progress& progress)
 {
@@ -233,7 +238,7 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const Wa
         zones.push_back(*std::move(zone));
     }
     if (zones.size() > 1)
-        return meshOf(pair, zones, source, wanted.region, progress.part(haveZones, 1));
+        return meshOf(pair, zones, source, wanted, progress.part(haveZones, 1));
     Dataset dataset = std::move(zones.front());
     dataset.source = std::move(source);
     if (const Status usable = hasHoles(dataset) ? Status() : checkGrid(dataset); !usable)
@@ -364,7 +369,9 @@ std::vector<Parameter> Plot3dReader::parameters() const
     grid.defaultValue = std::int64_t(0);
     grid.minimum = 0;
     grid.maximum = 10000;
-    return {array, solution, grid, unitParameter()};
+    std::vector<Parameter> all = {array, solution, grid, unitParameter()};
+    std::ranges::move(cellsParameters(), std::back_inserter(all));
+    return all;
 }
 
 namespace {
@@ -373,7 +380,7 @@ Result<Dataset> readPair(const std::vector<Parameter>& all, const fs::path& path
                          const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
 {
     const Wanted wanted{parameterValue<std::int64_t>(all, values, "grid"),
-                        parameterValue<std::string>(all, values, "array"), region};
+                        parameterValue<std::string>(all, values, "array"), values, region};
     const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"), progress.part(0, 0.2));
     if (!pair)
         return pair.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_parameters.h"
 
+#include "plugins/api/cells_parameters.h"
 #include "plugins/api/placement_parameters.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ std::vector<Parameter> vtkParameters()
                         "irregular meshes that have the values, or the first grid."),
         "");
     std::vector<Parameter> all{array, component, time, part};
+    std::ranges::move(cellsParameters(), std::back_inserter(all));
     std::ranges::move(placementParameters(), std::back_inserter(all));
     return all;
 }

@@ -40,10 +40,10 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
 }
 
 Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const std::optional<Eigen::AlignedBox3d>& region,
-                          const Progress& progress)
+                          const ParameterValues& values, const Progress& progress)
 {
     const Source source{path.filename().string() + ", " + findings.arrayName, path, 0, findings.arrayName};
-    auto dataset = datasetOf(std::move(findings), source, region, progress);
+    auto dataset = datasetOf(std::move(findings), source, region, progress, values);
     if (!dataset)
         return dataset.error();
     progress.report(1, Message::marked("Reading"));
@@ -130,7 +130,7 @@ Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& reg
     if (findings.kind == VtkDataKind::Lattice)
         std::ranges::move(remarkOnSpacing(values, findings.untold, findings.lattice),
                           std::back_inserter(findings.remarks));
-    return toDataset(std::move(findings), path, region, progress.part(untilFound, 1));
+    return toDataset(std::move(findings), path, region, values, progress.part(untilFound, 1));
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,
