@@ -192,7 +192,7 @@ Status takeDataPlace(DxReading& words, DxArray& array)
         words.next();
         return {};
     }
-    const bool isElsewhere = words.peek().is("file");
+    const bool isElsewhere = !words.atEnd() && words.peek().is("file");
     if (isElsewhere) {
         words.next();
         array.file = std::string(words.next().text);

@@ -290,7 +290,8 @@ private slots:
             {"finite"});
         row("too few items", grid + dxArray(119, "float", "data follows\n") + text + dxField,
             {"119 items", "120 points"});
-        row("too few numbers", grid + dxArray(120, "float", "data follows\n") + text.left(text.size() - 30) + dxField,
+        row("too few numbers",
+            grid + dxArray(120, "float", "data follows\n") + text.left(text.size() - 30) + "\n" + dxField,
             {"only 119 numbers"});
         row("too many numbers", grid + dxArray(120, "float", "data follows\n") + text + "5\n" + dxField,
             {"more than the 120 numbers"});
