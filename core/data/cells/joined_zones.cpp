@@ -322,9 +322,11 @@ Result<JoinedZones> joinZones(std::span<const Dataset> zones, const Progress& pr
     const Meeting meeting = meetingOf(all, progress.part(added, 1));
     if (progress.cancelled())
         return cancelledError(joiningZones);
-    return JoinedZones{std::move(all.complex),
-                       {.values = std::move(all.values), .perCell = false, .type = commonType(*solid)},
-                       remarksOn(solid->size(), zones.size() - solid->size(), meeting)};
+    JoinedZones joined;
+    joined.complex = std::move(all.complex);
+    joined.values = {.values = std::move(all.values), .perCell = false, .type = commonType(*solid)};
+    joined.remarks = remarksOn(solid->size(), zones.size() - solid->size(), meeting);
+    return joined;
 }
 
 } // namespace tetra

@@ -15,21 +15,7 @@
 
 namespace tetra {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-std::string extension(const fs::path& path)
-{
-    return lowerCase(path.extension().string());
-}
-
-std::string_view asText(std::span<const std::byte> bytes)
-{
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-} // namespace
 
 HeaderFormat formatBySignature(const fs::path& path, std::span<const std::byte> firstBytes)
 {

@@ -28,16 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 using File = std::shared_ptr<const MappedFile>;
 
-std::string_view asText(std::span<const std::byte> bytes)
-{
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-std::string extension(const fs::path& path)
-{
-    return lowerCase(path.extension().string());
-}
-
 bool isNrrdName(const fs::path& path)
 {
     return extension(path) == ".nrrd" || extension(path) == ".nhdr";

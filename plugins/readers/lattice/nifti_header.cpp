@@ -56,9 +56,9 @@ std::optional<Beginning> beginningOf(Bytes bytes)
 }
 
 /// Reads numbers one after the other.
-class Numbers {
+class HeaderNumbers {
 public:
-    Numbers(Bytes bytes, std::endian order) : bytes_(bytes), order_(order) {}
+    HeaderNumbers(Bytes bytes, std::endian order) : bytes_(bytes), order_(order) {}
 
     template <class T> T at(std::size_t place) const { return numberAt<T>(bytes_, place, order_); }
     template <class T> double real(std::size_t place) const { return static_cast<double>(at<T>(place)); }
@@ -85,7 +85,7 @@ private:
     std::endian order_;
 };
 
-void readCommon(const Numbers& numbers, NiftiHeader& header)
+void readCommon(const HeaderNumbers& numbers, NiftiHeader& header)
 {
     numbers.all<std::int16_t>(40, header.dim);
     header.datatype = numbers.at<std::int16_t>(70);
@@ -94,7 +94,7 @@ void readCommon(const Numbers& numbers, NiftiHeader& header)
     header.slope = numbers.real<float>(112);
 }
 
-void readFirst(const Numbers& numbers, NiftiHeader& header)
+void readFirst(const HeaderNumbers& numbers, NiftiHeader& header)
 {
     readCommon(numbers, header);
     header.intent = numbers.at<std::int16_t>(68);
@@ -108,7 +108,7 @@ void readFirst(const Numbers& numbers, NiftiHeader& header)
     header.sRows = numbers.rows<float>(280);
 }
 
-void readSecond(const Numbers& numbers, NiftiHeader& header)
+void readSecond(const HeaderNumbers& numbers, NiftiHeader& header)
 {
     header.datatype = numbers.at<std::int16_t>(12);
     numbers.all<std::int64_t>(16, header.dim);
@@ -126,7 +126,7 @@ void readSecond(const Numbers& numbers, NiftiHeader& header)
     header.intent = numbers.at<std::int32_t>(504);
 }
 
-void readAnalyze(const Numbers& numbers, Bytes bytes, NiftiHeader& header)
+void readAnalyze(const HeaderNumbers& numbers, Bytes bytes, NiftiHeader& header)
 {
     constexpr std::size_t unitPlace = 56, unitLength = 4;
     readCommon(numbers, header);
@@ -164,7 +164,7 @@ Result<NiftiHeader> parseNiftiHeader(std::span<const std::byte> file)
                                   "format: copy the file again.",
                                   file.size(), size)};
     NiftiHeader header{.version = beginning->version, .order = beginning->order, .isPair = beginning->isPair};
-    const Numbers numbers(file, beginning->order);
+    const HeaderNumbers numbers(file, beginning->order);
     switch (beginning->version) {
     case NiftiVersion::Analyze: readAnalyze(numbers, file, header); break;
     case NiftiVersion::One: readFirst(numbers, header); break;
