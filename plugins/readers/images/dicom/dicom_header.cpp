@@ -2,6 +2,8 @@
 // The format: DICOM PS3.3 (what the elements mean), PS3.5 (encoding), PS3.10 (files).
 #include "plugins/readers/images/dicom/dicom_header.h"
 
+#include "plugins/readers/images/dicom/dicom_extent.h"
+
 #include <gdcmByteValue.h>
 #include <gdcmDataSet.h>
 #include <gdcmReader.h>
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <string_view>
 
 namespace tetra {
@@ -455,6 +458,12 @@ DicomHeader dicomHeader(const fs::path& path)
     std::ifstream stream(path, std::ios::binary);
     if (problem || !stream) {
         header.fault = Message::say("it cannot be read.");
+        return header;
+    }
+    const auto mapped = MappedFile::open(path);
+    const auto bytes = mapped ? (*mapped)->bytes() : std::span<const std::byte>();
+    if (!hasWholeElements({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
+        header.fault = endsTooEarly().message;
         return header;
     }
     gdcm::Reader reader;

@@ -72,10 +72,8 @@ Result<DicomFolder> dicomFolder(const fs::path& path, const TellProgress& progre
     DicomHeader own = dicomHeader(path);
     if (!own.fault.empty())
         return Error{ErrorKind::BadInput, own.fault};
-    const Message noPictures = whyNoPictures(own);
-    if (own.kind == tableOfDisk || own.series.empty())
-        if (!noPictures.empty())
-            return Error{ErrorKind::BadInput, noPictures};
+    if (const Message noPictures = whyNoPictures(own); !noPictures.empty())
+        return Error{ErrorKind::BadInput, noPictures};
     std::error_code problem;
     const std::vector<fs::path> beside = pathsIn(path.parent_path(), problem);
     const std::vector<fs::path> numbered = numberedBeside(path);
@@ -101,6 +99,8 @@ Result<DicomFolder> dicomFolder(const fs::path& path, const TellProgress& progre
             continue;
         }
         DicomHeader header = dicomHeader(beside[at]);
+        if (header.fault.empty() && header.rows > 0 && !header.hasPixels && !header.hasFloats)
+            header.fault = whyNoPictures(header); // it is cut right before its pixels
         if (!header.fault.empty()) {
             if (isAlike || header.series == series)
                 return Error{ErrorKind::BadInput, Message::say("the file '%1' of its series: %2", name, header.fault)};
@@ -108,11 +108,6 @@ Result<DicomFolder> dicomFolder(const fs::path& path, const TellProgress& progre
         } else if (whyNoPictures(header).empty()) {
             bySeries[header.series].push_back(std::move(header));
         }
-    }
-    if (!noPictures.empty()) { // another series may be asked for
-        bySeries[series].erase(bySeries[series].begin());
-        if (bySeries[series].empty())
-            return Error{ErrorKind::BadInput, noPictures};
     }
     for (auto& [name, headers] : bySeries) // in no order of the folder
         std::ranges::sort(headers, {}, &DicomHeader::path);

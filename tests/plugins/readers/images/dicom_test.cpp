@@ -379,7 +379,7 @@ private slots:
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<double>("scale");
-        for (const char* file : {"ct_two/aa004.dcm", "ct_gap/one003.dcm", "ct_overlap/one003.dcm", "multiframe/a.dcm"})
+        for (const char* file : {"ct_two/aa004.dcm", "ct_gap/one003.dcm", "ct_overlap/one003.dcm"})
             QTest::newRow(file) << file << 20.0;
     }
     void sharedCases()
@@ -394,6 +394,20 @@ private slots:
         const double far =
             distance(*dataset, [&](const Eigen::Vector3d& place) { return scale * worldFunction(place, 10); });
         QVERIFY2(far <= 1, std::to_string(far).c_str());
+    }
+
+    /// A file of frames without places says how large pixels are, and how thick slices.
+    void sharedFrames()
+    {
+        const fs::path path = tetra::sharedCases() / "dicom" / "multiframe" / "a.dcm";
+        if (!fs::exists(path))
+            QSKIP_WITHOUT("../shared/cases");
+        const auto dataset = readFile(path);
+        VERIFY_OK(dataset);
+        QVERIFY((dataset->lattice.size == std::array<std::uint32_t, 3>{9, 11, 13}));
+        QVERIFY(dataset->lattice.spacing == Eigen::Vector3d(0.3, 0.3, 0.3));
+        QVERIFY(dataset->values.at(0) == 1039);
+        QVERIFY(takenOf(dataset->source.taken, TakenPart::Frame).find("guess") != std::string::npos);
     }
 };
 
