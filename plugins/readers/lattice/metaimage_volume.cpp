@@ -98,7 +98,7 @@ StoredPacking packingOf(const MetaHeader& header)
 /// Where a field does not say it, it is the order of the machine that reads.
 void setOrder(const MetaHeader& header, StoredPacking packing, StoredVolume& volume)
 {
-    constexpr std::array names = {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}; // the last counts
+    constexpr std::array names = {"ElementByteOrderMSB", "BinaryDataByteOrderMSB"}; // the last counts
     bool isTold = storedSize(volume.type) == 1 || packing == StoredPacking::Text;
     for (const char* name : names)
         if (header.has(name)) {

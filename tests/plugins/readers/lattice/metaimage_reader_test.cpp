@@ -100,7 +100,8 @@ std::map<QByteArray, Arrangement> arrangements()
         {"big endian",
          {metaHeader("BinaryDataByteOrderMSB = True\n") + testSamples(SampleType::Float32, std::endian::big)}},
         {"by its other name",
-         {metaHeader("ElementByteOrderMSB = True\n") + testSamples(SampleType::Float32, std::endian::big)}},
+         {metaHeader("ElementByteOrderMSB = True\n").replace("BinaryDataByteOrderMSB = False\n", "") +
+          testSamples(SampleType::Float32, std::endian::big)}},
     };
 }
 
