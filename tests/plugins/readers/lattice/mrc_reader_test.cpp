@@ -57,7 +57,8 @@ private slots:
             const auto [i, j, k] = dataset->lattice.coordinates(point);
             QVERIFY(std::abs(dataset->values.at(point) -
                              worldFunction(Eigen::Vector3d(4.0 * i, 3.0 * j, 2.0 * k), 10)) < 1e-4);
-            QVERIFY((dataset->position(point) - Eigen::Vector3d(4.0 * i, 0, 2.0 * k) - leaning * j).norm() < 1e-9);
+            QVERIFY((dataset->position(point) - Eigen::Vector3d(4.0 * i, 0, 2.0 * k) - leaning * static_cast<double>(j))
+                        .norm() < 1e-9);
         }
     }
 
