@@ -37,6 +37,7 @@ file(GLOB ours "${prefix}/${library_folder}/libtan-*.so.*" "${libraries}/libtan-
 file(GET_RUNTIME_DEPENDENCIES RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDENCIES_VAR missing
     EXECUTABLES "${prefix}/bin/tan" "${prefix}/bin/tan-desktop" "${libraries}/plugins/tan-read-vtk"
         "${libraries}/plugins/tan-read-images"
+        "${libraries}/plugins/tan-read-netcdf"
     LIBRARIES ${ours} ${plugin_files} PRE_EXCLUDE_REGEXES ${of_the_machine})
 if(missing)
     message(FATAL_ERROR "The bundle lacks ${missing}")

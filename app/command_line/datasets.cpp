@@ -310,6 +310,8 @@ void addContents(const FileContents& contents, Outcome& outcome)
     QJsonArray arrays, steps;
     std::vector<std::string> lines, times;
     for (const FileArray& array : contents.arrays) {
+        if (array.name.empty() && array.components == 1)
+            continue; // the only one, of which there is nothing to tell
         QJsonObject figures{{"name", QString::fromStdString(array.name)},
                             {"components", array.components},
                             {"on", array.perCell ? "cells" : "points"}};

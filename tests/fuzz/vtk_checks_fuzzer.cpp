@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 {
     using namespace tetra;
     using enum VtkFormat;
-    constexpr std::array formats = {Xml, Legacy, Hdf, NetCdf, Fluent, EnSight, EnSight, Tecplot};
+    constexpr std::array formats = {Xml, Legacy, Hdf, Fluent, EnSight, EnSight, Tecplot};
     constexpr std::size_t headBytes = 3;
     if (size < headBytes)
         return 0;

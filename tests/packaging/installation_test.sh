@@ -36,6 +36,7 @@ check test "$(ls "$place/include")" = "$(printf 'tan\ntan-plugin')"
 check test ! -e "$place/include/tan-plugin/plugins/host"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-vtk"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-images"
+check test ! -e "$place/$libraries/tan/plugins/tan-read-netcdf"
 
 # Every plugin of the build is there, and is found beside the program.
 mv "$place" "$scratch/another place"

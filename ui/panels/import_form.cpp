@@ -79,11 +79,15 @@ std::vector<ParameterChoice> componentChoices(int components)
     return choices;
 }
 
-std::vector<ParameterChoice> timeChoices(const FileContents& contents)
+/// A default of 0 is the reader's own choice.
+std::vector<ParameterChoice> timeChoices(const Parameter& parameter, const FileContents& contents)
 {
     std::vector<ParameterChoice> choices;
+    if (parameter.defaultValue == ParameterValue(std::int64_t(0)))
+        choices.push_back({parameter.defaultValue, ImportForms::tr("Automatic")});
+    std::int64_t number = 0;
     for (const double time : contents.timeSteps) {
-        const auto number = static_cast<std::int64_t>(choices.size()) + 1;
+        ++number;
         choices.push_back({number, ImportForms::tr("%1: t = %2").arg(number).arg(QLocale().toString(time, 'g', 6))});
     }
     return choices;
@@ -116,6 +120,9 @@ std::vector<ParameterChoice> nameChoices(const Parameter& parameter, std::span<c
 std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileContents& contents,
                                        const ParameterValues& values)
 {
+    const bool hasNames = std::ranges::any_of(contents.arrays, [](const FileArray& one) { return !one.name.empty(); });
+    if (parameter.id == "array" && isText(parameter) && contents.domain && !hasNames)
+        return std::vector<ParameterChoice>(1); // the file has one, and no name for it
     if (parameter.id == "array" && isText(parameter) && !contents.arrays.empty())
         return arrayChoices(parameter, contents);
     if (parameter.id == "component" && isText(parameter) && !contents.arrays.empty()) {
@@ -123,7 +130,7 @@ std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileCon
         return components > 1 ? componentChoices(components) : std::vector<ParameterChoice>(1);
     }
     if (parameter.id == "time" && std::holds_alternative<std::int64_t>(parameter.defaultValue))
-        return contents.timeSteps.size() > 1 ? timeChoices(contents) : std::vector<ParameterChoice>(1);
+        return contents.timeSteps.size() > 1 ? timeChoices(parameter, contents) : std::vector<ParameterChoice>(1);
     if (parameter.id == "solution" && contents.domain && contents.domain != DomainClass::Curvilinear)
         return std::vector<ParameterChoice>(1);
     if (parameter.id == "series" && isText(parameter))

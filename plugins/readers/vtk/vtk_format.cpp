@@ -17,15 +17,14 @@ struct FormatEntry {
 };
 
 /// Names that other readers claim too have a score that leaves those the first choice.
-constexpr std::array<FormatEntry, 12> formats = {{
+constexpr std::array<FormatEntry, 10> formats = {{
+constexpr std::array<FormatEntry, 10> formats = {{
     {VtkFormat::Xml,
      Message::marked("VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
     {VtkFormat::Legacy, Message::marked("VTK legacy (*.vtk)"), 0.6},
     {VtkFormat::Hdf, Message::marked("VTK HDF (*.vtkhdf *.hdf)"), 0.6},
     {VtkFormat::Series, Message::marked("Lists of VTK files (*.pvd *.series)"), 0.8},
-    {VtkFormat::Exodus, Message::marked("Exodus II (*.ex2 *.exo *.exii *.e *.g)"), 0.6},
     {VtkFormat::EnSight, Message::marked("EnSight (*.case *.encas)"), 0.8},
-    {VtkFormat::NetCdf, Message::marked("NetCDF, CF conventions (*.nc *.cdf)"), 0.6},
     {VtkFormat::Cgns, Message::marked("CGNS (*.cgns)"), 0.8},
     {VtkFormat::Gambit, Message::marked("GAMBIT (*.neu)"), 0.8},
     {VtkFormat::Fluent, Message::marked("Fluent (*.cas)"), 0.8},
@@ -94,13 +93,7 @@ VtkFormat bySignature(std::string_view bytes)
 /// Whether the name alone would send a file to a reader for which its beginning is nothing.
 bool isOutOfQuestion(VtkFormat format, std::string_view bytes)
 {
-    const bool isNetCdf = hasAt(bytes, 0, "CDF") || hasAt(bytes, 0, "\x89HDF");
-    switch (format) {
-    case VtkFormat::Exodus:
-    case VtkFormat::NetCdf: return !isNetCdf;
-    case VtkFormat::Hdf: return !hasAt(bytes, 0, "\x89HDF");
-    default: return false;
-    }
+    return format == VtkFormat::Hdf && !hasAt(bytes, 0, "\x89HDF");
 }
 
 } // namespace

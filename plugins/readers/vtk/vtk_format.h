@@ -16,9 +16,7 @@ enum class VtkFormat : std::uint8_t {
     Xml,    ///< vti, vtr, vts, vtp, the parallel ones, those of vtu too, vtm
     Legacy, ///< vtk
     Hdf,
-    Exodus,
     EnSight,
-    NetCdf,
     Cgns,
     Gambit,
     Fluent,

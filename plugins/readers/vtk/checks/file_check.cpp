@@ -44,8 +44,6 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     switch (request.format) {
     case VtkFormat::Xml: return checkXml(path);
     case VtkFormat::Legacy: return checkLegacy(path);
-    case VtkFormat::Exodus:
-    case VtkFormat::NetCdf: return checkNetCdf(path);
     case VtkFormat::EnSight: return checkEnSight(path, std::max<std::int64_t>(1, request.timeStep));
     case VtkFormat::OpenFoam: return CheckedFile{.bytes = folderBytes(path.parent_path())};
     case VtkFormat::Fluent: return checkFluent(path);

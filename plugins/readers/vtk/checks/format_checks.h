@@ -27,12 +27,6 @@ std::string xmlType(const std::filesystem::path& path);
 /// show. Remarks a text that ends within its last number, or right behind it. Reads the first lines and the last byte.
 Result<CheckedFile> checkLegacy(const std::filesystem::path& path);
 
-/// Holds the header of a NetCDF file in one of the classic formats (CDF-1, 64-bit offset, CDF-5; Exodus too) against
-/// the size of the file: its lists must lie in it, and so must the end of every variable, over all records. The library
-/// of NetCDF gives zeros for what lies behind the end, and memory for any number that a header names. Other files
-/// (NetCDF-4 is HDF5, whose library looks by itself) are only measured. Linear in the header; the data are not read.
-Result<CheckedFile> checkNetCdf(const std::filesystem::path& path);
-
 /// Goes through the text files of an EnSight case (6 and Gold) that VTK would read for a time step (from 1): geometry,
 /// measured points, variables. Every number that sizes and parts ask for must be there, and every file. VTK's reader
 /// takes the last line again and again where a file ends too early, and reads for ever where a keyword is unknown to

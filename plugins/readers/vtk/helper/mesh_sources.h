@@ -5,7 +5,7 @@
 
 namespace tetra {
 
-/// Readers of simulation results: Exodus, EnSight, NetCDF, CGNS, GAMBIT, Fluent, OpenFOAM, Tecplot.
+/// Readers of simulation results: EnSight, CGNS, GAMBIT, Fluent, OpenFOAM, Tecplot.
 Result<VtkSource> makeMeshSource(const VtkRequest& request);
 
 } // namespace tetra

@@ -27,7 +27,7 @@ private slots:
     {
         QVERIFY(guess("a.bin", vtiText()).format == VtkFormat::Xml);
         QVERIFY(guess("a.dat", legacyText()).format == VtkFormat::Legacy);
-        QVERIFY(guess("a.ex2", "CDF\1").format == VtkFormat::Exodus);
+        QVERIFY(guess("a.ex2", "CDF\1").format == VtkFormat::None); // of another reader
         for (const char* start :
              {"TITLE = \"a\"\nVARIABLES = \"X\"", "# by hand\n\nVariables=X, Y\nZONE", "TITLE=\"\"\r\nvariables = X"})
             QVERIFY2(guess("flow.dat", start).format == VtkFormat::Tecplot, start);
@@ -54,9 +54,8 @@ private slots:
         for (const QByteArray& text :
              {vtuText(), QByteArray("whatever"), QByteArray("<VTKFile type='UnstructuredGrid'")})
             QCOMPARE(guess("a.vtu", text).score, 0.);
-        QVERIFY(guess("a.g", "PLOT3D?").score < 0.2);
+        QCOMPARE(guess("a.g", "PLOT3D?").score, 0.);
         QCOMPARE(guess("a.xyz", "3 4 5\n0.1 0.2\n").score, 0.);
-        QVERIFY(guess("a.e", "no NetCDF").score < 0.2);
         QCOMPARE(guess("a.nrrd", "NRRD0004").score, 0.);
     }
 
@@ -78,16 +77,14 @@ private slots:
         const std::map<QString, VtkFormat> expected{{"VTK XML", VtkFormat::Xml},
                                                     {"VTK legacy", VtkFormat::Legacy},
                                                     {"VTK HDF", VtkFormat::Hdf},
-                                                    {"Exodus II", VtkFormat::Exodus},
                                                     {"EnSight", VtkFormat::EnSight},
-                                                    {"NetCDF, CF conventions", VtkFormat::NetCdf},
                                                     {"CGNS", VtkFormat::Cgns},
                                                     {"GAMBIT", VtkFormat::Gambit},
                                                     {"Fluent", VtkFormat::Fluent},
                                                     {"OpenFOAM", VtkFormat::OpenFoam},
                                                     {"Tecplot text", VtkFormat::Tecplot},
                                                     {"Lists of VTK files", VtkFormat::Series}};
-        std::set<QString> found, patterns;
+        {"VTK HDF", VtkFormat::Hdf}, {"EnSight", VtkFormat::EnSight}, std::set<QString> found, patterns;
         for (const std::string& text : VtkReader().nameFilters()) {
             const QString filter = QString::fromStdString(text), name = filter.section(" (", 0, 0);
             QVERIFY2(filter.endsWith(')') && filter.count('(') == 1, text.c_str());

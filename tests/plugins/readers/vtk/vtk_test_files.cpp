@@ -5,6 +5,7 @@
 #include "plugins/process/reading_process.h"
 #include "plugins/readers/cells/cells_reader.h"
 #include "plugins/readers/lattice/lattice_reader.h"
+#include "plugins/readers/netcdf/netcdf_reader.h"
 #include "plugins/readers/plot3d/plot3d_reader.h"
 #include "plugins/readers/vtk/vtk_findings.h"
 #include "tests/plugins/as_loaded.h"
@@ -94,9 +95,22 @@ QString leftOutOf(const std::vector<Message>& leftOut)
     return text;
 }
 
+namespace {
+
+const Reader& builtNetCdfReader()
+{
+    static const NetCdfReader reader(std::filesystem::path(TAN_BINARY_DIR) / "lib/tan/plugins/tan-read-netcdf");
+    static const auto guard = guarded(reader, {"netcdf", [](const Error&) {}});
+    return *guard;
+}
+
+} // namespace
+
 const Reader& readerOf(const std::filesystem::path& path)
 {
     const std::string ending = fileEnding(path);
+    if (ending == ".nc" || ending == ".ex2")
+        return builtNetCdfReader();
     if (ending == ".vtu")
         return asLoaded<CellsReader>();
     if (ending == ".mha" || ending == ".mhd" || ending == ".nii" || ending == ".mrc")

@@ -25,8 +25,8 @@ Result<FileFindings> foundByHelper(VtkFormat format, const std::filesystem::path
 /// The reader with that, as the program has it.
 const Reader& builtVtkReader();
 
-/// The reader that the program takes for a file of VTK's: builtVtkReader(), or for .vtu and PLOT3D files one of our
-/// own.
+/// The reader that the program takes for a file of VTK's: builtVtkReader(), or for .vtu, PLOT3D, NetCDF and Exodus
+/// files another one.
 const Reader& readerOf(const std::filesystem::path& path);
 
 /// "array: a (a guess); time step: 1 of 2, time 0": Source::taken in one text.

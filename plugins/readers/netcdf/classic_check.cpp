@@ -1,15 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format: https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html
-#include "plugins/readers/vtk/checks/format_checks.h"
+#include "plugins/readers/netcdf/classic_check.h"
 
+#include <array>
 #include <optional>
-#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetra {
 namespace {
 
 constexpr std::uint64_t noNumber = ~std::uint64_t(0);
+
+/// A product that stays noNumber where it would be larger than any file: what headers ask for may overflow.
+std::uint64_t boundedProduct(std::uint64_t a, std::uint64_t b)
+{
+    constexpr std::uint64_t most = std::uint64_t(1) << 62;
+    return b != 0 && a > most / b ? noNumber : a * b;
+}
+
+std::uint64_t boundedSum(std::uint64_t a, std::uint64_t b)
+{
+    return a > noNumber - b ? noNumber : a + b;
+}
+
+/// A header that cannot be right; `what` is a sentence.
+Error wrongHeader(const Message& what)
+{
+    return {ErrorKind::BadInput, Message::say("%1 The file is damaged: copy or export it again.", what)};
+}
 
 /// Bytes of a value of the external type; 0 for what is no type.
 std::uint64_t netCdfTypeSize(std::uint64_t type)
@@ -23,7 +43,7 @@ std::uint64_t padded(std::uint64_t bytes)
     return bytes > noNumber - 3 ? noNumber : (bytes + 3) / 4 * 4;
 }
 
-struct NetCdfVariable {
+struct ClassicVariable {
     std::string name;
     bool hasRecords = false;
     std::uint64_t bytes = 0; ///< of all of it, or of one record; not padded
@@ -150,7 +170,7 @@ private:
 
     Status variable()
     {
-        NetCdfVariable variable{.name = name()};
+        ClassicVariable variable{.name = name()};
         const std::uint64_t rank = count();
         if (boundedProduct(rank, 4) > bytes_.size() - at_)
             return noHeader();
@@ -187,14 +207,14 @@ private:
     {
         std::uint64_t sum = 0;
         std::size_t parts = 0;
-        for (const NetCdfVariable& variable : variables_)
+        for (const ClassicVariable& variable : variables_)
             if (variable.hasRecords) {
                 const std::uint64_t bytes = padded(variable.bytes);
                 sum = boundedSum(sum, bytes);
                 ++parts;
             }
         if (parts == 1)
-            for (const NetCdfVariable& variable : variables_)
+            for (const ClassicVariable& variable : variables_)
                 if (variable.hasRecords)
                     return variable.bytes;
         return sum;
@@ -203,7 +223,7 @@ private:
     Status endOfAll(std::uint64_t records) const
     {
         const std::uint64_t stride = recordBytes();
-        for (const NetCdfVariable& variable : variables_) {
+        for (const ClassicVariable& variable : variables_) {
             std::uint64_t bytes = variable.bytes;
             if (variable.hasRecords)
                 bytes = records == 0 ? 0 : boundedProduct(records - 1, stride);
@@ -233,28 +253,27 @@ private:
     std::size_t at_ = 0;
     bool ended_ = false;
     std::vector<std::uint64_t> lengths_; ///< of the dimensions; 0 for the one of the records
-    std::vector<NetCdfVariable> variables_;
+    std::vector<ClassicVariable> variables_;
 };
-
-bool isClassicNetCdf(std::span<const std::byte> bytes)
-{
-    return bytes.size() >= 4 && std::string_view(reinterpret_cast<const char*>(bytes.data()), 3) == "CDF" &&
-           (bytes[3] == std::byte(1) || bytes[3] == std::byte(2) || bytes[3] == std::byte(5));
-}
 
 } // namespace
 
-Result<CheckedFile> checkNetCdf(const std::filesystem::path& path)
+bool isClassicNetCdf(std::span<const std::byte> firstBytes) noexcept
+{
+    return firstBytes.size() >= 4 && std::string_view(reinterpret_cast<const char*>(firstBytes.data()), 3) == "CDF" &&
+           (firstBytes[3] == std::byte(1) || firstBytes[3] == std::byte(2) || firstBytes[3] == std::byte(5));
+}
+
+Result<std::uint64_t> checkClassicNetCdf(const std::filesystem::path& path)
 {
     const auto file = MappedFile::open(path);
     if (!file)
         return file.error();
     const auto bytes = (*file)->bytes();
-    if (!isClassicNetCdf(bytes))
-        return CheckedFile{.bytes = bytes.size(), .unpackedBytes = boundedProduct(usualPacking, bytes.size())};
-    if (const Status fits = NetCdfHeader(bytes).check(); !fits)
-        return fits.error();
-    return CheckedFile{.bytes = bytes.size()};
+    if (isClassicNetCdf(bytes))
+        if (const Status fits = NetCdfHeader(bytes).check(); !fits)
+            return fits.error();
+    return std::uint64_t(bytes.size());
 }
 
 } // namespace tetra
