@@ -96,7 +96,8 @@ Result<Dataset> pointsDataset(FileFindings& found, const Source& source)
 }
 
 Result<Dataset> cellsDataset(FileFindings& found, const Source& source,
-                             const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
+                             const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress,
+                             const ParameterValues& choices)
 {
     const ComplexValues values{doublesOf(found), found.perCell, found.type};
     found.samples = {};

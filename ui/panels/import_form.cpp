@@ -125,7 +125,7 @@ std::vector<ParameterChoice> choicesOf(const Parameter& parameter, const FileCon
         return std::vector<ParameterChoice>(1); // the file has one, and no name for it
     if (parameter.id == "array" && isText(parameter) && !contents.arrays.empty())
         return arrayChoices(parameter, contents);
-    if (parameter.id == "component" && isText(parameter) && !contents.arrays.empty()) {
+    if (parameter.id == "component" && isText(parameter) && (contents.domain || !contents.arrays.empty())) {
         const int components = componentsOf(contents, values);
         return components > 1 ? componentChoices(components) : std::vector<ParameterChoice>(1);
     }
