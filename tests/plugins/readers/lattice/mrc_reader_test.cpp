@@ -161,8 +161,8 @@ private slots:
 
     void everyModeInBothOrders()
     {
-        constexpr std::array modes = {
-            std::pair{0, SampleType::Int8}, {1, SampleType::Int16}, {2, SampleType::Float32}, {6, SampleType::UInt16}};
+        constexpr std::array<std::pair<int, SampleType>, 4> modes = {
+            {{0, SampleType::Int8}, {1, SampleType::Int16}, {2, SampleType::Float32}, {6, SampleType::UInt16}}};
         for (const auto& [mode, type] : modes)
             for (const std::endian order : {std::endian::little, std::endian::big}) {
                 const auto dataset = read(mrcHeader({.order = order, .mode = mode, .extension = QByteArray(160, 'x')}) +
