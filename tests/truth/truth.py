@@ -7,6 +7,7 @@ manual (docs/formats.md). Exit code 77: nothing failed, but jobs were skipped, s
 import argparse
 import collections
 import concurrent.futures
+import multiprocessing
 import os
 import pathlib
 import sys
@@ -28,6 +29,10 @@ import tables  # noqa: F401
 import vtk_files  # noqa: F401
 
 FAILED = ("refused", "wrong", "not told")
+
+
+def judged(number, tan):
+    return bench.judged(bench.BENCH[number], tan)
 
 
 def line(job):
@@ -66,8 +71,9 @@ def main():
         print("\n".join(map(line, jobs)))
         return 0
     tan = given.build.resolve() / "bin/tan"
-    with concurrent.futures.ProcessPoolExecutor(given.processes) as pool:
-        running = [pool.submit(bench.judged, job, tan) for job in jobs]
+    # Processes that have the jobs since they are forked: functions without a name cannot be sent.
+    with concurrent.futures.ProcessPoolExecutor(given.processes, multiprocessing.get_context("fork")) as pool:
+        running = [pool.submit(judged, bench.BENCH.index(job), tan) for job in jobs]
         outcomes = []
         for job, each in zip(jobs, running):
             outcomes.append(each.result())
