@@ -18,7 +18,6 @@ struct FormatEntry {
 
 /// Names that other readers claim too have a score that leaves those the first choice.
 constexpr std::array<FormatEntry, 10> formats = {{
-constexpr std::array<FormatEntry, 10> formats = {{
     {VtkFormat::Xml,
      Message::marked("VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
     {VtkFormat::Legacy, Message::marked("VTK legacy (*.vtk)"), 0.6},

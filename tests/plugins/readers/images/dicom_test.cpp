@@ -26,7 +26,7 @@ double distance(const Dataset& dataset, const std::function<double(const Eigen::
 }
 
 /// Slices along a step, written in an order that says nothing.
-struct Volume {
+struct SliceStack {
     DicomSlice slice{};
     Eigen::Vector3d step{0, 0, 0.6};
     int count = 6;
@@ -66,7 +66,7 @@ QByteArray functional(quint32 sequence, const QByteArray& element)
 }
 
 /// All slices in one file, with what each says of itself in functional groups.
-QByteArray multiFrame(const Volume& volume, const std::vector<int>& times)
+QByteArray multiFrame(const SliceStack& volume, const std::vector<int>& times)
 {
     const DicomSlice& slice = volume.slice;
     DicomElements elements = slice.elements(world);
@@ -119,7 +119,7 @@ private slots:
         QFETCH(bool, isBackwards);
         const Eigen::Matrix3d turned =
             Eigen::AngleAxisd(turn, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-        Volume volume;
+        SliceStack volume;
         volume.slice.position = {10, -20, 30};
         volume.slice.row = turned.col(0) * (isBackwards ? -1 : 1);
         volume.slice.column = turned.col(1);
@@ -138,7 +138,7 @@ private slots:
 
     void aMissingSliceStaysAGap()
     {
-        Volume volume;
+        SliceStack volume;
         volume.missing = {3};
         const PictureFolder folder;
         const auto dataset = readFile(volume.write(folder));
@@ -152,7 +152,7 @@ private slots:
 
     void unevenSlicesStayWhereTheyAre()
     {
-        Volume volume;
+        SliceStack volume;
         volume.change = [](int k, DicomElements& elements) {
             if (k != 2)
                 return;
@@ -171,7 +171,7 @@ private slots:
 
     void theSeriesOfTheOpenedFile()
     {
-        Volume first, second;
+        SliceStack first, second;
         second.name = "b";
         second.slice.series = "1.2.4";
         second.function = [](const Eigen::Vector3d& place) { return -world(place); };
@@ -196,7 +196,7 @@ private slots:
 
     void overviewsAndCopiesAreLeftOut()
     {
-        Volume volume;
+        SliceStack volume;
         volume.change = [](int k, DicomElements& elements) {
             elements[0x00080018] = dicomText(0x00080018, "UI", "9." + QByteArray::number(k));
         };
@@ -222,7 +222,7 @@ private slots:
     void severalVolumesOnOnePlace()
     {
         for (const bool areMarked : {true, false}) {
-            Volume first, second;
+            SliceStack first, second;
             second.name = "b";
             second.function = [](const Eigen::Vector3d& place) { return world(place) + 1000; };
             if (areMarked) {
@@ -248,7 +248,7 @@ private slots:
 
     void onePlaceTwiceIsRefused()
     {
-        Volume volume;
+        SliceStack volume;
         const PictureFolder folder;
         const fs::path path = volume.write(folder);
         DicomSlice twice;
@@ -261,7 +261,7 @@ private slots:
 
     void valuesAreScaled()
     {
-        Volume volume;
+        SliceStack volume;
         volume.slope = 0.25;
         volume.intercept = -100;
         volume.change = [](int k, DicomElements& elements) {
@@ -284,7 +284,7 @@ private slots:
     /// Bits above those that count hold something else.
     void fewerBitsThanTheyTake()
     {
-        Volume volume;
+        SliceStack volume;
         volume.function = [](const Eigen::Vector3d& place) { return std::round(world(place) / 4) - 100; };
         volume.change = [](int, DicomElements& elements) {
             QByteArray& pixels = elements[0x7fe00010];
@@ -309,7 +309,7 @@ private slots:
     void framesOfOneFile()
     {
         const PictureFolder folder;
-        Volume volume;
+        SliceStack volume;
         volume.slice.row = {0, 1, 0};
         volume.slice.column = {0, 0, -1};
         volume.step = {-0.6, 0, 0};
@@ -331,7 +331,7 @@ private slots:
     /// Without positions slices follow their numbers, and their thickness is a guess.
     void slicesWithoutPlaces()
     {
-        Volume volume;
+        SliceStack volume;
         volume.change = [](int k, DicomElements& elements) {
             elements.erase(0x00200032);
             elements[0x00180050] = dicomText(0x00180050, "DS", "0.6");
@@ -367,7 +367,7 @@ private slots:
         QFETCH(quint32, tag);
         QFETCH(QByteArray, element);
         QFETCH(QString, said);
-        Volume volume;
+        SliceStack volume;
         volume.change = [&](int, DicomElements& elements) { elements[tag] = element; };
         const PictureFolder folder;
         const auto dataset = readFile(volume.write(folder));
