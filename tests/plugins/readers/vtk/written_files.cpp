@@ -74,11 +74,6 @@ QByteArray index10(qint64 number)
     return QByteArray::number(number).rightJustified(10);
 }
 
-QByteArray packedBytes(const QByteArray& bytes)
-{
-    return qCompress(bytes, 9).mid(4); // without its own length before the zlib stream
-}
-
 class FormatWriter {
 public:
     explicit FormatWriter(fs::path folder) : folder_(std::move(folder)) {}
@@ -361,7 +356,7 @@ void addTecplot(const fs::path& folder, std::vector<WrittenFiles>& all)
         const fs::path path =
             FormatWriter(folder / name)
                 .write("flow.tec", "TITLE = \"a test\"\nVARIABLES = \"X\", \"Y\", \"Z\", \"P (Pa)\"\n" + zone);
-        all.push_back({std::string("Tecplot, ") + what, path, {path}, gridPoints, false, perCell});
+        all.push_back({std::string("Tecplot, ") + what, path, {path}, gridPoints, perCell});
     };
     QByteArray byPoints, byBlocks, corners;
     for (int n = 0; n < gridPoints; ++n) {
@@ -389,11 +384,6 @@ void addTecplot(const fs::path& folder, std::vector<WrittenFiles>& all)
         "ZONE " + elements + "ZONETYPE=FEBRICK, DATAPACKING=BLOCK, VARLOCATION=([4]=CELLCENTERED)\n" + byBlocks +
             values(gridCells) + "\n" + corners,
         true);
-}
-
-{}
-
-{
 }
 
 /// A face of the grid: its corners, the cell whose outside it shows, and the one behind it or -1.
