@@ -378,15 +378,15 @@ void SentencesTest::whatReadersRemark()
     QFETCH(QString, language);
     const Speaking speaking(language);
     for (const std::uint64_t count : {1, 3}) {
-        Repairs repairs{count, count, count, count, count, count, 0,    count,
-                        count, count, count, count, count, count, true, {}};
+        Repairs repairs{count, count, count, count, count, count, 0,     count, count, count, count,
+                        count, count, count, count, count, false, count, count, true,  {}};
         for (const CellFault fault : {CellFault::CrowdedFace, CellFault::Folded, CellFault::Overlap})
             for (std::uint64_t cell = 0; cell < count; ++cell)
                 repairs.faulty.push_back({cell, fault});
         for (const std::uint64_t cells : {count, count + 1}) { // all turned over, and some
             repairs.cells = cells;
             const auto remarks = repairRemarks(repairs);
-            QCOMPARE(remarks.size(), std::size_t(17));
+            QCOMPARE(remarks.size(), std::size_t(20));
             for (const Message& remark : remarks) {
                 const QString told = translatedMessage(remark);
                 QVERIFY2((told == QString::fromStdString(remark.text())) == (language == "en"), qPrintable(told));
