@@ -84,7 +84,7 @@ private slots:
                                                     {"OpenFOAM", VtkFormat::OpenFoam},
                                                     {"Tecplot text", VtkFormat::Tecplot},
                                                     {"Lists of VTK files", VtkFormat::Series}};
-        {"VTK HDF", VtkFormat::Hdf}, {"EnSight", VtkFormat::EnSight}, std::set<QString> found, patterns;
+        std::set<QString> found, patterns;
         for (const std::string& text : VtkReader().nameFilters()) {
             const QString filter = QString::fromStdString(text), name = filter.section(" (", 0, 0);
             QVERIFY2(filter.endsWith(')') && filter.count('(') == 1, text.c_str());
