@@ -710,6 +710,10 @@
         <source>%1, %2 components</source>
         <translation>%1, %2 Komponenten</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
 </context>
 <context>
     <name>ImportTexts</name>
@@ -1153,6 +1157,14 @@
     <message>
         <source>Faulty cells outlined</source>
         <translation>Davon umrissen</translation>
+    </message>
+    <message>
+        <source>Taken of the file</source>
+        <translation>Aus der Datei genommen</translation>
+    </message>
+    <message>
+        <source>Not used of it</source>
+        <translation>Nicht daraus benutzt</translation>
     </message>
 </context>
 <context>
@@ -2475,6 +2487,10 @@ beliebige Verwerfung</translation>
         <source>An upper bound; a model with less detail takes less.</source>
         <translation>Eine obere Schranke; ein Modell mit geringerem Detailgrad braucht weniger.</translation>
     </message>
+    <message>
+        <source>What would be taken of the file with these options, and what it says and is not used</source>
+        <translation>Was mit diesen Optionen aus der Datei genommen würde, und was sie angibt und nicht benutzt wird</translation>
+    </message>
 </context>
 <context>
     <name>tetra::ImportRegion</name>
@@ -3173,10 +3189,6 @@ beliebige Verwerfung</translation>
         <translation>Kein gültiges JSON: %1 (%2).</translation>
     </message>
     <message>
-        <source>%1 cells are folded or so warped that no tetrahedra fill them; the first is cell %2 at (%3, %4, %5). Repair the mesh in the program that made it.</source>
-        <translation>%1 Zellen sind gefaltet oder so verwunden, dass keine Tetraeder sie füllen; die erste ist Zelle %2 bei (%3, %4, %5). Reparieren Sie das Netz in dem Programm, das es erzeugt hat.</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>
@@ -3771,10 +3783,6 @@ beliebige Verwerfung</translation>
     <message>
         <source>Cells have another number of corners than their shape (%1 in all, the first is cell %2). The file is damaged.</source>
         <translation>Zellen haben eine andere Zahl von Ecken als ihre Form (%1 insgesamt, die erste ist Zelle %2). Die Datei ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>Cells are polyhedra with any number of faces (%1 in all, the first is cell %2). Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).</source>
-        <translation>Zellen sind Polyeder mit beliebig vielen Seiten (%1 insgesamt, die erste ist Zelle %2). Zerlegen Sie sie zuerst in Tetraeder (in ParaView mit dem Filter Tetrahedralize).</translation>
     </message>
     <message>
         <source>Cells have a corner whose place is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
@@ -6253,10 +6261,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Bytes zu viel stehen hinter ihren Daten. Prüfen Sie, ob sie eine PLOT3D-Datei ist.</translation>
     </message>
     <message>
-        <source>it holds %1 grids, and a model is of one. Choose which: &apos;grid&apos; from 1 to %2.</source>
-        <translation>Sie enthält %1 Gitter, und ein Modell ist von einem. Wählen Sie, von welchem: „grid“ von 1 bis %2.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; has no grid %2: it holds %3.</source>
         <translation>„%1“ hat kein Gitter %2: Es enthält %3.</translation>
     </message>
@@ -6317,10 +6321,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Gitter</translation>
     </message>
     <message>
-        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
-        <translation>Welches Gitter einer PLOT3D-Datei mit mehreren, von 1 an; 0 nimmt das einzige.</translation>
-    </message>
-    <message>
         <source>PLOT3D files hold points on a grid, and &apos;%1&apos; is not. Give the file another ending, such as .csv for scattered points.</source>
         <translation>PLOT3D-Dateien enthalten Punkte auf einem Gitter, und „%1“ nicht. Geben Sie der Datei eine andere Endung, etwa .csv für verstreute Punkte.</translation>
     </message>
@@ -6355,10 +6355,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Positions</source>
         <translation>Orte</translation>
-    </message>
-    <message>
-        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
-        <translation>Tabellen von Punkten: die Spalten für x, y und z, nach Name oder Nummer, wie lon,lat,depth oder 1,2,3; &apos;automatic&apos; nimmt die mit den Namen x, y und z, sonst die ersten drei.</translation>
     </message>
     <message>
         <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
@@ -6425,36 +6421,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>it has no pixels. It is cut short, or no image: copy it again, or take it out of the folder.</source>
-        <translation>Sie hat keine Pixel. Sie ist abgeschnitten oder kein Bild: Kopieren Sie sie noch einmal, oder nehmen Sie sie aus dem Ordner.</translation>
-    </message>
-    <message>
-        <source>its pixels are compressed, which VTK does not read. Unpack it first, for instance with &apos;gdcmconv --raw IN OUT&apos; or &apos;dcmdjpeg IN OUT&apos;.</source>
-        <translation>Ihre Pixel sind komprimiert, was VTK nicht liest. Entpacken Sie sie zuerst, etwa mit „gdcmconv --raw IN OUT“ oder „dcmdjpeg IN OUT“.</translation>
-    </message>
-    <message>
-        <source>its pixels have %1 bits, and VTK reads those of 8 or 16. Write them with 16.</source>
-        <translation>Ihre Pixel haben %1 Bit, und VTK liest solche mit 8 oder 16. Schreiben Sie sie mit 16.</translation>
-    </message>
-    <message>
-        <source>it has no rows or columns.</source>
-        <translation>Sie hat keine Zeilen oder Spalten.</translation>
-    </message>
-    <message>
         <source>it has %1 bytes of pixels of %2 (of %3 in all). It is damaged: copy the file again.</source>
         <translation>Sie hat %1 Bytes für Pixel statt %2 (von %3 insgesamt). Sie ist beschädigt: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>the file %1 of its series: %2</source>
-        <translation>Die Datei %1 ihrer Serie: %2</translation>
-    </message>
-    <message>
         <source>it ends too early. Copy the file again.</source>
         <translation>Sie endet zu früh. Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>its folder holds images of several sizes or types, such as %1 and %2. Put the images of one series alone into a folder.</source>
-        <translation>Ihr Ordner enthält Bilder verschiedener Größe oder Art, etwa %1 und %2. Legen Sie die Bilder einer Serie allein in einen Ordner.</translation>
     </message>
     <message>
         <source>ends in line %1, before the last %2. It is cut short: copy the file again.</source>
@@ -6729,20 +6701,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Kopf hat kein NDims.</translation>
     </message>
     <message>
-        <source>it has %1 dimensions. Write a part of it with three.</source>
-        <translation>Sie hat %1 Dimensionen. Schreiben Sie einen Teil davon mit dreien.</translation>
-    </message>
-    <message>
         <source>its DimSize is &apos;%1&apos; and not %2 numbers of points.</source>
         <translation>Ihre DimSize ist „%1“ und nicht %2 Anzahlen von Punkten.</translation>
     </message>
     <message>
         <source>its ElementNumberOfChannels is &apos;%1&apos;.</source>
         <translation>Ihre ElementNumberOfChannels ist „%1“.</translation>
-    </message>
-    <message>
-        <source>its samples are a text with several channels, of which VTK reads a part only. Write them with BinaryData = True.</source>
-        <translation>Ihre Abtastwerte sind ein Text mit mehreren Kanälen, von dem VTK nur einen Teil liest. Schreiben Sie sie mit BinaryData = True.</translation>
     </message>
     <message>
         <source>its HeaderSize is &apos;%1&apos;.</source>
@@ -6753,32 +6717,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre HeaderSize ist -1, was bei gepackten Abtastwerten oder Text nichts sagt.</translation>
     </message>
     <message>
-        <source>%1 unpacks to %2 bytes, and its header asks for %3. It is damaged or cut short: copy the file again.</source>
-        <translation>%1 entpackt sich zu %2 Bytes, und ihr Kopf verlangt %3. Sie ist beschädigt oder abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be unpacked to its end. It is damaged or cut short: copy the file again.</source>
-        <translation>%1 kann nicht bis zum Ende entpackt werden. Sie ist beschädigt oder abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 has not the %2 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short or damaged: copy the file again.</source>
-        <translation>%1 hat nicht die %2 Zahlen, die ihr Kopf verlangt, jede mit einem Leerzeichen oder Zeilenende dahinter. Sie ist abgeschnitten oder beschädigt: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>its header has no line &apos;ElementDataFile = ...&apos;, so that it is cut short or no MetaImage. Copy the file again.</source>
         <translation>Ihr Kopf hat keine Zeile „ElementDataFile = ...“, ist also abgeschnitten oder kein MetaImage. Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>its header does not say the CompressedDataSize.</source>
-        <translation>Ihr Kopf nennt keine CompressedDataSize.</translation>
-    </message>
-    <message>
         <source>its data file %1 is missing. Copy it into the folder of this one: the two belong together.</source>
         <translation>Ihre Datendatei %1 fehlt. Kopieren Sie sie in den Ordner dieser Datei: Die beiden gehören zusammen.</translation>
-    </message>
-    <message>
-        <source>its data file %1</source>
-        <translation>Ihre Datendatei %1</translation>
     </message>
     <message>
         <source>it should name %1 data files, each in a line of its own that ends, and names %2. It is cut short: copy the file again.</source>
@@ -6795,22 +6739,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>its ElementDataFile &apos;%1&apos; is no name with a number as &apos;%03d&apos;.</source>
         <translation>Ihr ElementDataFile „%1“ ist kein Name mit einer Nummer wie „%03d“.</translation>
-    </message>
-    <message>
-        <source>its numbers have the byte order of other machines (big endian), which VTK reads wrongly. Write it anew on this machine.</source>
-        <translation>Ihre Zahlen haben die Bytefolge anderer Rechner (Big-Endian), was VTK falsch liest. Schreiben Sie sie auf diesem Rechner neu.</translation>
-    </message>
-    <message>
-        <source>its header says that it has %1 points along an axis.</source>
-        <translation>Ihr Kopf sagt, dass sie entlang einer Achse %1 Punkte hat.</translation>
-    </message>
-    <message>
-        <source>its samples are of mode %1, which VTK does not read. Write it with mode 2 (floating point).</source>
-        <translation>Ihre Abtastwerte haben den Modus %1, den VTK nicht liest. Schreiben Sie sie mit Modus 2 (Gleitkomma).</translation>
-    </message>
-    <message>
-        <source>its header says that an extension of less than no bytes follows.</source>
-        <translation>Ihr Kopf sagt, dass eine Erweiterung von weniger als null Bytes folgt.</translation>
     </message>
     <message>
         <source>it ends within its header. It is cut short: copy the file again.</source>
@@ -6849,14 +6777,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Variable „%1“ beginnt innerhalb des Kopfes.</translation>
     </message>
     <message>
-        <source>it does not begin as a TIFF file does.</source>
-        <translation>Sie beginnt nicht wie eine TIFF-Datei.</translation>
-    </message>
-    <message>
-        <source>its pages name one another in a circle.</source>
-        <translation>Ihre Seiten nennen einander im Kreis.</translation>
-    </message>
-    <message>
         <source>page %1</source>
         <translation>Seite %1</translation>
     </message>
@@ -6865,24 +6785,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 liegt hinter ihrem Ende, bei %2 Bytes. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>an entry of %1</source>
-        <translation>ein Eintrag (%1)</translation>
-    </message>
-    <message>
         <source>%1 has no size.</source>
         <translation>%1 hat keine Größe.</translation>
-    </message>
-    <message>
-        <source>%1 does not say where its pixels are.</source>
-        <translation>%1 sagt nicht, wo ihre Pixel sind.</translation>
-    </message>
-    <message>
-        <source>%1 is divided into pieces of no size.</source>
-        <translation>%1 ist in Stücke ohne Größe geteilt.</translation>
-    </message>
-    <message>
-        <source>%1 has %2 of its %3 pieces.</source>
-        <translation>%1 hat %2 von %3 Stücken.</translation>
     </message>
     <message>
         <source>a piece of %1 has %2 bytes and should have %3.</source>
@@ -6891,26 +6795,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>a piece of %1</source>
         <translation>ein Stück (%1)</translation>
-    </message>
-    <message>
-        <source>its pages have two samples for each pixel, of which VTK reads the first page only. Write it with one sample.</source>
-        <translation>Ihre Seiten haben zwei Werte für jedes Pixel, wovon VTK nur die erste Seite liest. Schreiben Sie sie mit einem Wert.</translation>
-    </message>
-    <message>
-        <source>some of its pages say that they are part of the volume, and page %1 does not.</source>
-        <translation>Einige ihrer Seiten sagen, dass sie zum Volumen gehören, und Seite %1 nicht.</translation>
-    </message>
-    <message>
-        <source>page %1 is of another size or type than page 1. Write a file whose pages are layers of one volume.</source>
-        <translation>Seite %1 hat eine andere Größe oder Art als Seite 1. Schreiben Sie eine Datei, deren Seiten Schichten eines Volumens sind.</translation>
-    </message>
-    <message>
-        <source>its file %1: %2</source>
-        <translation>Ihre Datei %1: %2</translation>
-    </message>
-    <message>
-        <source>it is of another size or type than the first file of its stack, &apos;%1&apos;. Put the layers of one volume alone into a folder.</source>
-        <translation>Sie hat eine andere Größe oder Art als die erste Datei ihres Stapels, „%1“. Legen Sie die Schichten eines Volumens allein in einen Ordner.</translation>
     </message>
     <message>
         <source>%1 It is damaged, or written by a faulty program: export it again.</source>
@@ -7021,28 +6905,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Was ihre Punkte verbindet (Linien, Polygone), wurde weggelassen: Es sind verstreute Punkte.</translation>
     </message>
     <message>
-        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
-        <translation>%1 ihrer Teile haben kein „%2“ und wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
-        <translation>Sie enthält %1 Teile; dies ist der namens „%2“. Einen anderen wählt „Teil“.</translation>
-    </message>
-    <message>
-        <source>%1 of its parts are no irregular meshes and were left out.</source>
-        <translation>%1 ihrer Teile sind keine unregelmäßigen Netze und wurden weggelassen.</translation>
-    </message>
-    <message>
         <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
         <translation>Die Werte der Zellen wurden zu den Punkten gebracht, als Mittel der Zellen ringsum.</translation>
-    </message>
-    <message>
-        <source>The samples were multiplied and shifted as the header of the file asks.</source>
-        <translation>Die Abtastwerte wurden multipliziert und verschoben, wie der Kopf der Datei es verlangt.</translation>
-    </message>
-    <message>
-        <source>its header is not that of a NIfTI file.</source>
-        <translation>Ihr Kopf ist nicht der einer NIfTI-Datei.</translation>
     </message>
     <message>
         <source>it has no part &apos;%1&apos;. %2</source>
@@ -7057,32 +6921,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>VTK meldet: %1</translation>
     </message>
     <message>
-        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
-        <translation>Zeitschritt %1 von %2. Einen anderen wählt „Zeitschritt“.</translation>
-    </message>
-    <message>
         <source>it says that it holds more than any machine can. It is damaged.</source>
         <translation>Sie will mehr enthalten, als irgendein Rechner fasst. Sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>VTK says: %1. It is damaged.</source>
-        <translation>VTK sagt: %1. Sie ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>VTK says: %1. The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
-        <translation>VTK sagt: %1. Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
         <source>it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with &apos;time&apos;.</source>
         <translation>Sie hat %1 Zeitschritte, und verlangt ist Nummer %2. Wählen Sie mit „time“ einen von 1 bis %3.</translation>
-    </message>
-    <message>
-        <source>VTK finds nothing in it. It is damaged, or of another format.</source>
-        <translation>VTK findet nichts darin. Sie ist beschädigt oder von einem anderen Format.</translation>
-    </message>
-    <message>
-        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
-        <translation>VTK meldet: %1 Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
         <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
@@ -7095,54 +6939,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Install VTK with &apos;apt install libvtk9.1&apos; (other systems: VTK 9).</source>
         <translation>Installieren Sie VTK mit „apt install libvtk9.1“ (andere Systeme: VTK 9).</translation>
-    </message>
-    <message>
-        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
-        <translation>Speicher, Prozesse oder offene Dateien reichen nicht, um die VTK-Leser zu starten (%1). Schließen Sie andere Programme, oder erhöhen Sie die Grenze (ulimit).</translation>
-    </message>
-    <message>
-        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
-        <translation>Die VTK-Leser sind nicht installiert. Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“ dort, wo die Datei liegt (bei einem eigenen Bau: nach „apt install libvtk9-dev“ neu bauen), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
-    </message>
-    <message>
-        <source>The VTK readers cannot be started: &apos;%1&apos;: %2</source>
-        <translation>Die VTK-Leser können nicht gestartet werden: „%1“: %2</translation>
-    </message>
-    <message>
-        <source>The VTK readers are not installed: %1. %2</source>
-        <translation>Die VTK-Leser sind nicht installiert: %1. %2</translation>
-    </message>
-    <message>
-        <source>The VTK readers are installed badly: %1. %2</source>
-        <translation>Die VTK-Leser sind falsch installiert: %1. %2</translation>
-    </message>
-    <message>
-        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
-        <translation>Das System hat VTK beendet, was es tut, wenn der Speicher ausgeht. Schließen Sie andere Programme, oder nehmen Sie einen Teil der Datei.</translation>
-    </message>
-    <message>
-        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
-        <translation>Der Leser von VTK ist abgestürzt. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die VTK schlecht liest. Exportieren Sie sie neu oder in einem anderen Format (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
-        <translation>VTK hat minutenlang auf seinen Datenträger gewartet. Sehen Sie nach, ob er antwortet, oder kopieren Sie die Datei auf einen anderen.</translation>
-    </message>
-    <message>
-        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
-        <translation>VTK braucht für sie mehr Speicher als die %1, die Programme hier nehmen dürfen. Erhöhen Sie die Grenze (ulimit -v).</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
-        <translation>VTK braucht für sie mehr als %1 Speicher, die Hälfte dessen, was dieser Rechner hat. Sie ist beschädigt oder zu groß für diesen Rechner: Nehmen Sie einen Teil davon.</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK braucht für sie mehr als %1 Speicher, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK braucht für sie mehr als %1 Sekunden des Prozessors, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
     </message>
     <message>
         <source>it has no zone. It is cut short, or no Tecplot text.</source>
@@ -7289,24 +7085,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>EnSight (*.case *.encas)</translation>
     </message>
     <message>
-        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
-        <translation>NetCDF, CF-Konventionen (*.nc *.cdf)</translation>
-    </message>
-    <message>
         <source>CGNS (*.cgns)</source>
         <translation>CGNS (*.cgns)</translation>
     </message>
     <message>
         <source>MetaImage (*.mhd *.mha)</source>
         <translation>MetaImage (*.mhd *.mha)</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii *.nii.gz)</source>
-        <translation>NIfTI (*.nii *.nii.gz)</translation>
-    </message>
-    <message>
-        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
-        <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4 *.map)</translation>
     </message>
     <message>
         <source>TIFF stack (*.tif *.tiff)</source>
@@ -7423,10 +7207,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>The array &apos;%1&apos; has %2 values for %3 %4: an array needs a name, and one value for each.</source>
         <translation>Das Feld „%1“ hat %2 Werte für %3 %4: Ein Feld braucht einen Namen und für jeden einen Wert.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to write &apos;%1&apos;.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben.</translation>
     </message>
     <message>
         <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
@@ -7939,10 +7719,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>%1 cells were left out: they overlap others.</source>
         <translation>%1 Zellen wurden weggelassen: Sie überlappen andere.</translation>
-    </message>
-    <message>
-        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than a thousandth. The first is cell %3 at (%4, %5, %6): %7. Repair the mesh in the program that made it.</source>
-        <translation>Mindestens %1 der %2 Zellen des Netzes sind fehlerhaft, mehr als ein Tausendstel. Die erste ist Zelle %3 bei (%4, %5, %6): %7. Reparieren Sie das Netz in dem Programm, das es erzeugt hat.</translation>
     </message>
     <message>
         <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
@@ -9011,6 +8787,1994 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
         <translation>sie nennt ihr %1 selbst. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell eines regelmäßigen Gitters ein anderes.</translation>
+    </message>
+    <message>
+        <source>1 polyhedron was cut into tetrahedra.</source>
+        <translation>1 Polyeder wurde in Tetraeder zerlegt.</translation>
+    </message>
+    <message>
+        <source>1 polyhedron was cut into tetrahedra around a point in its middle.</source>
+        <translation>1 Polyeder wurde um einen Punkt in seiner Mitte in Tetraeder zerlegt.</translation>
+    </message>
+    <message>
+        <source>%1 polyhedra were cut into tetrahedra.</source>
+        <translation>%1 Polyeder wurden in Tetraeder zerlegt.</translation>
+    </message>
+    <message>
+        <source>%1 polyhedra were cut into tetrahedra; %2 of them got a point in the middle.</source>
+        <translation>%1 Polyeder wurden in Tetraeder zerlegt; %2 davon bekamen einen Punkt in der Mitte.</translation>
+    </message>
+    <message>
+        <source>Polyhedra left out because no point in them sees all of their faces: %1.</source>
+        <translation>Polyeder, die weggelassen wurden, weil kein Punkt in ihnen alle ihre Seiten sieht: %1.</translation>
+    </message>
+    <message>
+        <source>Polyhedra left out because no tetrahedra between their own points fill them: %1. With &apos;--polyhedra centre&apos; they get a point in the middle.</source>
+        <translation>Polyeder, die weggelassen wurden, weil keine Tetraeder zwischen ihren eigenen Punkten sie füllen: %1. Mit „--polyhedra centre“ bekommen sie einen Punkt in der Mitte.</translation>
+    </message>
+    <message>
+        <source>Polyhedra left out because their faces do not enclose a volume: %1.</source>
+        <translation>Polyeder, die weggelassen wurden, weil ihre Seiten kein Volumen umschließen: %1.</translation>
+    </message>
+    <message>
+        <source>The share of cells that may be faulty is %1; it has to be from 0 to 1.</source>
+        <translation>Der Anteil der Zellen, die fehlerhaft sein dürfen, ist %1; er muss von 0 bis 1 sein.</translation>
+    </message>
+    <message>
+        <source>Faces of polyhedra have more points than are named (%1 in all, the first is of cell %2). The file is damaged.</source>
+        <translation>Seiten von Polyedern haben mehr Punkte, als genannt sind (%1 insgesamt, die erste gehört zu Zelle %2). Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than %3. The first is cell %4 at (%5, %6, %7): %8. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %9&apos;.</source>
+        <translation>Mindestens %1 der %2 Zellen des Netzes sind fehlerhaft, mehr als %3. Die erste ist Zelle %4 bei (%5, %6, %7): %8. Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %9“.</translation>
+    </message>
+    <message>
+        <source>%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <translation>%1 Zellen sind gefaltet oder so verzogen, dass keine Tetraeder sie füllen, mehr als %2; die erste ist Zelle %3 bei (%4, %5, %6). Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %7“.</translation>
+    </message>
+    <message>
+        <source>cell %1 at (%2, %3, %4)</source>
+        <translation>Zelle %1 bei (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>%1 of the mesh&apos;s %2 cells are polyhedra in which no point sees all of their faces, more than %3; the first is %4. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %5&apos;.</source>
+        <translation>%1 der %2 Zellen des Netzes sind Polyeder, in denen kein Punkt alle ihre Seiten sieht, mehr als %3; die erste ist %4. Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %5“.</translation>
+    </message>
+    <message>
+        <source>%1 of the mesh&apos;s %2 cells are polyhedra that no tetrahedra between their own points fill, more than %3; the first is %4. With &apos;--polyhedra centre&apos; they get a point in the middle; with &apos;--faulty %5&apos; they are left out.</source>
+        <translation>%1 der %2 Zellen des Netzes sind Polyeder, die von keinen Tetraedern zwischen ihren eigenen Punkten gefüllt werden, mehr als %3; die erste ist %4. Mit „--polyhedra centre“ bekommen sie einen Punkt in der Mitte; mit „--faulty %5“ werden sie weggelassen.</translation>
+    </message>
+    <message>
+        <source>The faces of %1 of the mesh&apos;s %2 cells do not enclose a volume; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <translation>Die Seiten von %1 der %2 Zellen des Netzes umschließen kein Volumen; die erste ist Zelle %3 bei (%4, %5, %6). Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %7“.</translation>
+    </message>
+    <message>
+        <source>Joining the zones</source>
+        <translation>Zonen werden verbunden</translation>
+    </message>
+    <message>
+        <source>The zone &apos;%1&apos; is no structured grid with a value for each point.</source>
+        <translation>Die Zone „%1“ ist kein strukturiertes Gitter mit einem Wert für jeden Punkt.</translation>
+    </message>
+    <message>
+        <source>None of the zones has cells: a volume has at least two points along each of three axes.</source>
+        <translation>Keine der Zonen hat Zellen: Ein Volumen hat mindestens zwei Punkte entlang jeder von drei Achsen.</translation>
+    </message>
+    <message>
+        <source>The zones have %1 points; at most 4294967294 can be numbered. Take one zone.</source>
+        <translation>Die Zonen haben %1 Punkte; höchstens 4294967294 können nummeriert werden. Nehmen Sie eine Zone.</translation>
+    </message>
+    <message>
+        <source>The zones have %1 cells, whose mesh takes up to %2 of memory, of %3. Take one zone.</source>
+        <translation>Die Zonen haben %1 Zellen, deren Netz bis zu %2 Speicher braucht, von %3. Nehmen Sie eine Zone.</translation>
+    </message>
+    <message>
+        <source>Its %1 zones were joined into one mesh, in which they share %2 faces.</source>
+        <translation>Ihre %1 Zonen wurden zu einem Netz verbunden, in dem sie %2 Seiten gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>Its %1 zones were put into one mesh, in which no two of them share a face.</source>
+        <translation>Ihre %1 Zonen wurden in ein Netz gesetzt, in dem keine zwei von ihnen eine Seite gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>Faces of zones that lie against another zone whose points there are others: %1. The mesh has a seam there, across which it does not hang together.</source>
+        <translation>Seiten von Zonen, die an einer anderen Zone liegen, deren Punkte dort andere sind: %1. Das Netz hat dort eine Naht, über die hinweg es nicht zusammenhängt.</translation>
+    </message>
+    <message>
+        <source>Zones left out because they have no volume: %1.</source>
+        <translation>Zonen, die weggelassen wurden, weil sie kein Volumen haben: %1.</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Lage im Raum</translation>
+    </message>
+    <message>
+        <source>unit of the values</source>
+        <translation>Einheit der Werte</translation>
+    </message>
+    <message>
+        <source>fill value</source>
+        <translation>Füllwert</translation>
+    </message>
+    <message>
+        <source>%1: %2 (a guess)</source>
+        <translation>%1: %2 (vermutet)</translation>
+    </message>
+    <message>
+        <source>Faulty cells</source>
+        <translation>Fehlerhafte Zellen</translation>
+    </message>
+    <message>
+        <source>Meshes: the largest share of cells, or of their volume, that may be left out because they overlap others or are turned over, as in 5%; a mesh with more of them is refused.</source>
+        <translation>Netze: der größte Anteil der Zellen oder ihres Volumens, der weggelassen werden darf, weil sie andere überlappen oder umgestülpt sind, etwa 5%; ein Netz mit mehr davon wird abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Give a share from 0% to 100%, as in 5%.</source>
+        <translation>Geben Sie einen Anteil von 0% bis 100% an, etwa 5%.</translation>
+    </message>
+    <message>
+        <source>Polyhedra</source>
+        <translation>Polyeder</translation>
+    </message>
+    <message>
+        <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; gives those that cannot be cut so a point in their middle.</source>
+        <translation>Netze mit Polyedern: „corners“ zerlegt jedes in Tetraeder zwischen seinen eigenen Punkten; „centre“ gibt denen, bei denen das nicht geht, einen Punkt in der Mitte.</translation>
+    </message>
+    <message>
+        <source>corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;faulty&apos; is not understood. Give a share from 0% to 100%, as in 5%.</source>
+        <translation>„%1“ für „faulty“ ist nicht verständlich. Geben Sie einen Anteil von 0% bis 100% an, etwa 5%.</translation>
+    </message>
+    <message>
+        <source>a MINC volume</source>
+        <translation>ein MINC-Volumen</translation>
+    </message>
+    <message>
+        <source>Convert it to NIfTI, by &apos;mnc2nii&apos; of the MINC tools.</source>
+        <translation>Wandeln Sie es mit „mnc2nii“ aus den MINC-Werkzeugen in NIfTI um.</translation>
+    </message>
+    <message>
+        <source>a volume of FreeSurfer</source>
+        <translation>ein Volumen von FreeSurfer</translation>
+    </message>
+    <message>
+        <source>Convert it to NIfTI, by &apos;mri_convert&apos; of FreeSurfer.</source>
+        <translation>Wandeln Sie es mit „mri_convert“ von FreeSurfer in NIfTI um.</translation>
+    </message>
+    <message>
+        <source>an AVS field</source>
+        <translation>ein AVS-Feld</translation>
+    </message>
+    <message>
+        <source>Save it as VTK or NRRD in a program that reads it, or write a NRRD header (.nhdr) that names the numbers of a uniform one as its data file.</source>
+        <translation>Speichern Sie es in einem Programm, das es liest, als VTK oder NRRD, oder schreiben Sie bei einem gleichmäßigen einen NRRD-Kopf (.nhdr), der die Zahlen als seine Datendatei nennt.</translation>
+    </message>
+    <message>
+        <source>an OpenVDB volume</source>
+        <translation>ein OpenVDB-Volumen</translation>
+    </message>
+    <message>
+        <source>Sample it on a regular grid, and save that as VTK, NRRD or a NumPy array.</source>
+        <translation>Tasten Sie es auf einem regelmäßigen Gitter ab, und speichern Sie das als VTK, NRRD oder NumPy-Array.</translation>
+    </message>
+    <message>
+        <source>an Amira file</source>
+        <translation>eine Amira-Datei</translation>
+    </message>
+    <message>
+        <source>Export it from Amira as NRRD or VTK.</source>
+        <translation>Exportieren Sie sie aus Amira als NRRD oder VTK.</translation>
+    </message>
+    <message>
+        <source>a MATLAB file</source>
+        <translation>eine MATLAB-Datei</translation>
+    </message>
+    <message>
+        <source>Write the array as raw data, by fwrite(), and say its size and type, or save it as NIfTI, by niftiwrite().</source>
+        <translation>Schreiben Sie das Feld mit fwrite() als Rohdaten, und geben Sie Größe und Typ an, oder speichern Sie es mit niftiwrite() als NIfTI.</translation>
+    </message>
+    <message>
+        <source>a microscope&apos;s own file</source>
+        <translation>eine Datei im eigenen Format eines Mikroskops</translation>
+    </message>
+    <message>
+        <source>Export it as OME-TIFF, by Fiji or the microscope&apos;s program.</source>
+        <translation>Exportieren Sie sie als OME-TIFF, mit Fiji oder dem Programm des Mikroskops.</translation>
+    </message>
+    <message>
+        <source>By its name &apos;%1&apos; is %2, which TAn does not read. %3</source>
+        <translation>Dem Namen nach ist „%1“ %2, und das liest TAn nicht. %3</translation>
+    </message>
+    <message>
+        <source>%1 needs more memory for it than the %2 that programs may take here. Raise the limit (ulimit -v).</source>
+        <translation>%1 braucht dafür mehr Speicher als die %2, die Programme hier belegen dürfen. Heben Sie die Begrenzung an (ulimit -v).</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
+        <translation>%1 braucht dafür mehr als %2 Speicher, die Hälfte dessen, was dieser Rechner hat. Die Datei ist beschädigt oder zu groß für diesen Rechner: Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 braucht dafür mehr als %2 Speicher, was Dateien dieser Größe nicht brauchen. Die Datei ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 braucht dafür mehr als %2 Sekunden des Prozessors, was Dateien dieser Größe nicht brauchen. Die Datei ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>There are not enough memory, processes or open files to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
+        <translation>Speicher, Prozesse oder offene Dateien reichen nicht, um die %1-Leser zu starten (%2). Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>The %1 readers are not installed. %2</source>
+        <translation>Die %1-Leser sind nicht installiert. %2</translation>
+    </message>
+    <message>
+        <source>The %1 readers cannot be started: &apos;%2&apos;: %3</source>
+        <translation>Die %1-Leser können nicht gestartet werden: „%2“: %3</translation>
+    </message>
+    <message>
+        <source>The %1 readers are not installed: %2. %3</source>
+        <translation>Die %1-Leser sind nicht installiert: %2. %3</translation>
+    </message>
+    <message>
+        <source>The %1 readers are installed badly: %2. %3</source>
+        <translation>Die %1-Leser sind fehlerhaft installiert: %2. %3</translation>
+    </message>
+    <message>
+        <source>the system ended %1, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <translation>das System hat %1 beendet, wie es das tut, wenn der Speicher ausgeht. Schließen Sie andere Programme, oder nehmen Sie einen Teil der Datei.</translation>
+    </message>
+    <message>
+        <source>%1&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that %1 reads badly. %2</source>
+        <translation>Der Leser von %1 ist abgestürzt. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die %1 schlecht liest. %2</translation>
+    </message>
+    <message>
+        <source>%1 has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <translation>%1 wartet seit Minuten auf den Datenträger. Prüfen Sie, ob er antwortet, oder kopieren Sie die Datei auf einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1 says: %2. It cannot be read.</source>
+        <translation>%1 meldet: %2. Die Datei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>quadratic-linear wedges</source>
+        <translation>quadratisch-lineare Keile</translation>
+    </message>
+    <message>
+        <source>convex point sets</source>
+        <translation>konvexe Punktmengen</translation>
+    </message>
+    <message>
+        <source>Bezier tetrahedra</source>
+        <translation>Bézier-Tetraeder</translation>
+    </message>
+    <message>
+        <source>Bezier hexahedra</source>
+        <translation>Bézier-Hexaeder</translation>
+    </message>
+    <message>
+        <source>Bezier wedges</source>
+        <translation>Bézier-Keile</translation>
+    </message>
+    <message>
+        <source>Bezier pyramids</source>
+        <translation>Bézier-Pyramiden</translation>
+    </message>
+    <message>
+        <source>it has polyhedra, but not their faces, in the arrays &apos;faces&apos; and &apos;faceoffsets&apos;. Save it by an older version of VTK or ParaView, or divide its cells into tetrahedra.</source>
+        <translation>sie hat Polyeder, aber nicht deren Seiten in den Feldern „faces“ und „faceoffsets“. Speichern Sie sie mit einer älteren Version von VTK oder ParaView, oder zerlegen Sie ihre Zellen in Tetraeder.</translation>
+    </message>
+    <message>
+        <source>the offsets of its faces are out of range.</source>
+        <translation>die Anfänge ihrer Seiten liegen außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+        <source>a cell has %1 points, and its shape needs %2.</source>
+        <translation>eine Zelle hat %1 Punkte, und ihre Form braucht %2.</translation>
+    </message>
+    <message>
+        <source>the polyhedron %1 has no faces.</source>
+        <translation>das Polyeder %1 hat keine Seiten.</translation>
+    </message>
+    <message>
+        <source>the faces of the polyhedron %1 are damaged.</source>
+        <translation>die Seiten des Polyeders %1 sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>Nodes in the faces of quadratic cells were not used: those of %1 cells.</source>
+        <translation>Knoten in den Seiten quadratischer Zellen wurden nicht benutzt: die von %1 Zellen.</translation>
+    </message>
+    <message>
+        <source>Of the Lagrange cells of order %1 (%2) only the corners were used, with straight edges.</source>
+        <translation>Von den Lagrange-Zellen der Ordnung %1 (%2) wurden nur die Ecken benutzt, mit geraden Kanten.</translation>
+    </message>
+    <message>
+        <source>Of the Lagrange cells that are not of one order in all directions (%1) only the corners were used, with straight edges.</source>
+        <translation>Von den Lagrange-Zellen, die nicht in allen Richtungen dieselbe Ordnung haben (%1), wurden nur die Ecken benutzt, mit geraden Kanten.</translation>
+    </message>
+    <message>
+        <source>It says that it is of the time %1.</source>
+        <translation>Sie gibt an, dass sie zum Zeitpunkt %1 gehört.</translation>
+    </message>
+    <message>
+        <source>this TAn was built without GDCM, which reads DICOM. Build it anew after &apos;apt install libgdcm-dev&apos;, or convert the file to NRRD.</source>
+        <translation>dieses TAn wurde ohne GDCM gebaut, das DICOM liest. Bauen Sie es nach „apt install libgdcm-dev“ neu, oder wandeln Sie die Datei in NRRD um.</translation>
+    </message>
+    <message>
+        <source>its number of frames is %1. It is damaged: copy the file again.</source>
+        <translation>die Anzahl ihrer Bilder ist %1. Sie ist beschädigt: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has %1 frames and describes %2 of them. It is damaged: copy the file again.</source>
+        <translation>sie hat %1 Bilder und beschreibt davon %2. Sie ist beschädigt: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>the pieces of its packed pixels are damaged. Copy the file again.</source>
+        <translation>die Stücke ihrer gepackten Pixel sind beschädigt. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>temporal position</source>
+        <translation>zeitliche Position</translation>
+    </message>
+    <message>
+        <source>echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>diffusion weight</source>
+        <translation>Diffusionswichtung</translation>
+    </message>
+    <message>
+        <source>trigger time</source>
+        <translation>Triggerzeit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>image type</source>
+        <translation>Bildtyp</translation>
+    </message>
+    <message>
+        <source>acquisition</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>acquired at</source>
+        <translation>aufgenommen um</translation>
+    </message>
+    <message>
+        <source>made at</source>
+        <translation>erstellt um</translation>
+    </message>
+    <message>
+        <source>it cannot be read.</source>
+        <translation>sie kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>it is no DICOM file, or ends too early. Copy the file again.</source>
+        <translation>sie ist keine DICOM-Datei oder endet zu früh. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>Its slices lie unevenly, %1 to %2 mm apart; each was left where it lies.</source>
+        <translation>Ihre Schichten liegen ungleichmäßig, mit Abständen von %1 bis %2 mm; jede blieb, wo sie liegt.</translation>
+    </message>
+    <message>
+        <source>Slices are missing between the others: %1. The gaps stay, and values are interpolated over them.</source>
+        <translation>Zwischen den anderen fehlen Schichten: %1. Die Lücken bleiben, und Werte werden über sie hinweg interpoliert.</translation>
+    </message>
+    <message>
+        <source>Missing behind slice %1, between %2 and %3: %4.</source>
+        <translation>Es fehlen hinter Schicht %1, zwischen %2 und %3: %4.</translation>
+    </message>
+    <message>
+        <source>slices %1 mm apart (%2)</source>
+        <translation>Schichten mit %1 mm Abstand (%2)</translation>
+    </message>
+    <message>
+        <source>pixels %1 x %2 mm, as at the detector (ImagerPixelSpacing)</source>
+        <translation>Pixel von %1 x %2 mm, wie am Detektor (ImagerPixelSpacing)</translation>
+    </message>
+    <message>
+        <source>pixels 1 x 1 mm, as the file does not tell their size</source>
+        <translation>Pixel von 1 x 1 mm, da die Datei ihre Größe nicht angibt</translation>
+    </message>
+    <message>
+        <source>its pixels are not all there. Copy the file again.</source>
+        <translation>ihre Pixel sind nicht alle da. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>GDCM cannot unpack its pixels (%1). They are damaged, or of a kind that it does not know: unpack them by the program that wrote them.</source>
+        <translation>GDCM kann ihre Pixel nicht entpacken (%1). Sie sind beschädigt oder von einer Art, die es nicht kennt: Entpacken Sie sie mit dem Programm, das sie geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>it is the table of contents of a disk (DICOMDIR). Open one of the pictures that lie in the folders beside it.</source>
+        <translation>sie ist das Inhaltsverzeichnis eines Datenträgers (DICOMDIR). Öffnen Sie eines der Bilder, die in den Ordnern daneben liegen.</translation>
+    </message>
+    <message>
+        <source>it is a segmentation, whose pictures are the outlines of things and not of numbers. Export it as NRRD, for instance by 3D Slicer.</source>
+        <translation>sie ist eine Segmentierung, deren Bilder Umrisse von Dingen enthalten und keine Zahlen. Exportieren Sie sie als NRRD, etwa mit 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>its pixels are floating point numbers (FloatPixelData), which TAn does not read of DICOM files. Export it as NRRD, for instance by 3D Slicer.</source>
+        <translation>ihre Pixel sind Gleitkommazahlen (FloatPixelData), die TAn aus DICOM-Dateien nicht liest. Exportieren Sie sie als NRRD, etwa mit 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>it holds no picture (%1). If it is to have one, it is cut short: copy it again. Else open a picture of the series that it belongs to.</source>
+        <translation>sie enthält kein Bild (%1). Wenn sie eines haben soll, ist sie abgeschnitten: Kopieren Sie sie noch einmal. Sonst öffnen Sie ein Bild der Serie, zu der sie gehört.</translation>
+    </message>
+    <message>
+        <source>%1 pictures</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>%1, %2 pictures</source>
+        <translation>%1, %2 Bilder</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos; of its series: it is no DICOM file, or ends too early. Copy the file again.</source>
+        <translation>die Datei „%1“ ihrer Serie: Sie ist keine DICOM-Datei oder endet zu früh. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos; of its series: %2</source>
+        <translation>die Datei „%1“ ihrer Serie: %2</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; beside it was not read: %2</source>
+        <translation>Die Datei „%1“ daneben wurde nicht gelesen: %2</translation>
+    </message>
+    <message>
+        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one from 1 to %1 with &apos;series&apos;.</source>
+        <translation>ihr Ordner enthält %1 Serien, und verlangt ist „%2“. Wählen Sie mit „series“ eine von 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>it has no rows or columns. The file is damaged: copy or export it again.</source>
+        <translation>sie hat keine Zeilen oder Spalten. Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its pictures are in colour (%1), and TAn reads one value for each point. Export them in shades of grey.</source>
+        <translation>ihre Bilder sind farbig (%1), und TAn liest einen Wert für jeden Punkt. Exportieren Sie sie in Graustufen.</translation>
+    </message>
+    <message>
+        <source>each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI by dcm2niix.</source>
+        <translation>jedes ihrer Bilder ist ein Mosaik von Schichten (Siemens). Wandeln Sie sie mit dcm2niix in NIfTI um.</translation>
+    </message>
+    <message>
+        <source>its pictures are moments of a film and not slices of a volume.</source>
+        <translation>ihre Bilder sind Zeitpunkte eines Films und keine Schichten eines Volumens.</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 bits, and TAn reads those of 8, 16 and 32. Write them with 16.</source>
+        <translation>ihre Pixel haben %1 Bits, und TAn liest solche mit 8, 16 und 32. Schreiben Sie sie mit 16.</translation>
+    </message>
+    <message>
+        <source>it says that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or export it again.</source>
+        <translation>sie gibt an, dass %1 von %2 Bits eines Pixels zählen, bis Bit %3. Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its pictures are meant to be shown with small values bright (MONOCHROME1); the values are as the file has them.</source>
+        <translation>Ihre Bilder sind dafür gedacht, kleine Werte hell zu zeigen (MONOCHROME1); die Werte sind so, wie die Datei sie hat.</translation>
+    </message>
+    <message>
+        <source>Pixels outside of the picture have the value %1 (PixelPaddingValue), and are values as others.</source>
+        <translation>Pixel außerhalb des Bildes haben den Wert %1 (PixelPaddingValue) und sind Werte wie andere.</translation>
+    </message>
+    <message>
+        <source>It has a table (ModalityLUT) that turns stored numbers into values; the stored numbers are taken.</source>
+        <translation>Sie hat eine Tabelle (ModalityLUT), die gespeicherte Zahlen in Werte umsetzt; genommen werden die gespeicherten Zahlen.</translation>
+    </message>
+    <message>
+        <source>It says that its pictures were compressed with loss.</source>
+        <translation>Sie gibt an, dass ihre Bilder verlustbehaftet komprimiert wurden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Beside it lies series %1: %2. Choose it with &apos;series&apos;.</source>
+        <translation>Daneben liegt Serie %1: %2. Wählen Sie sie mit „series“.</translation>
+    </message>
+    <message>
+        <source>%1 more series lie beside it.</source>
+        <translation>%1 weitere Serien liegen daneben.</translation>
+    </message>
+    <message>
+        <source>%1 pictures of the series have another size or direction, as overviews have, and were left out.</source>
+        <translation>%1 Bilder der Serie haben eine andere Größe oder Richtung, wie Übersichtsbilder sie haben, und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 files are copies of others, and were left out.</source>
+        <translation>%1 Dateien sind Kopien anderer und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The series holds %1 volumes; the others are not read. Choose one with &apos;time&apos;.</source>
+        <translation>Die Serie enthält %1 Volumen; die anderen werden nicht gelesen. Wählen Sie mit „time“ eines.</translation>
+    </message>
+    <message>
+        <source>its values are scaled beyond all numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
+        <translation>ihre Werte sind über alle Zahlen hinaus skaliert (RescaleSlope). Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 pictures of its series lie on one place, such as &apos;%2&apos; and &apos;%3&apos;, and nothing says which of them belong together. Put the slices of one volume alone into a folder.</source>
+        <translation>%1 Bilder ihrer Serie liegen am selben Ort, etwa „%2“ und „%3“, und nichts sagt, welche davon zusammengehören. Legen Sie die Schichten eines Volumens allein in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>number %1 of each place</source>
+        <translation>Nummer %1 an jedem Ort</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos; of its series does not say where it lies (ImagePositionPatient), and others do. Take it out of the folder, or export the series again.</source>
+        <translation>die Datei „%1“ ihrer Serie gibt nicht an, wo sie liegt (ImagePositionPatient), und andere tun es. Nehmen Sie sie aus dem Ordner, oder exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is a single picture, and no other slices of its series lie beside it. TAn reads volumes: put the files of the series into one folder and open one of them.</source>
+        <translation>sie ist ein einzelnes Bild, und keine anderen Schichten ihrer Serie liegen daneben. TAn liest Volumen: Legen Sie die Dateien der Serie in einen Ordner, und öffnen Sie eine davon.</translation>
+    </message>
+    <message>
+        <source>it is a single picture of another size or direction than the %1 slices of its series. Open one of these, such as &apos;%2&apos;.</source>
+        <translation>sie ist ein einzelnes Bild mit anderer Größe oder Richtung als die %1 Schichten ihrer Serie. Öffnen Sie eine von diesen, etwa „%2“.</translation>
+    </message>
+    <message>
+        <source>of another size or direction</source>
+        <translation>mit anderer Größe oder Richtung</translation>
+    </message>
+    <message>
+        <source>all pictures of its series lie on one place. TAn reads volumes: it needs slices.</source>
+        <translation>alle Bilder ihrer Serie liegen am selben Ort. TAn liest Volumen: Es braucht Schichten.</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Of a folder with several series: which one, by number from 1 or by its SeriesInstanceUID; without it that of the file.</source>
+        <translation>Bei einem Ordner mit mehreren Serien: welche, nach Nummer ab 1 oder nach ihrer SeriesInstanceUID; sonst die der Datei.</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Of pictures with several channels: one, by name or number from 1; without it the first.</source>
+        <translation>Bei Bildern mit mehreren Kanälen: einer, nach Name oder Nummer ab 1; sonst der erste.</translation>
+    </message>
+    <message>
+        <source>Of pictures in colour: the number of one colour, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Bei farbigen Bildern: die Nummer einer Farbe, ab 0, oder „magnitude“ für den Betrag.</translation>
+    </message>
+    <message>
+        <source>Of pictures at several times, or of several volumes on one place: which one, from 1; 0 takes the first, of DICOM files that of the file.</source>
+        <translation>Bei Bildern zu mehreren Zeiten oder mehreren Volumen an einem Ort: welches, ab 1; 0 nimmt das erste, bei DICOM-Dateien das der Datei.</translation>
+    </message>
+    <message>
+        <source>it is neither DICOM nor TIFF. Let TAn choose the reader.</source>
+        <translation>sie ist weder DICOM noch TIFF. Lassen Sie TAn den Leser wählen.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libgdcm-dev libtiff-dev&apos;), or convert the file to NRRD.</source>
+        <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: bauen Sie es nach „apt install libgdcm-dev libtiff-dev“ neu), oder wandeln Sie die Datei in NRRD um.</translation>
+    </message>
+    <message>
+        <source>Install GDCM and libtiff with &apos;apt install libgdcm3.0 libtiff6&apos;.</source>
+        <translation>Installieren Sie GDCM und libtiff mit „apt install libgdcm3.0 libtiff6“.</translation>
+    </message>
+    <message>
+        <source>Export it again, or in another format (NRRD, NIfTI).</source>
+        <translation>Exportieren Sie sie noch einmal, oder in einem anderen Format (NRRD, NIfTI).</translation>
+    </message>
+    <message>
+        <source>its OME description is not understood: %1. Export it again, or as NRRD.</source>
+        <translation>ihre OME-Beschreibung ist nicht verständlich: %1. Exportieren Sie sie noch einmal, oder als NRRD.</translation>
+    </message>
+    <message>
+        <source>it has %1 channels and describes %2</source>
+        <translation>sie hat %1 Kanäle und beschreibt %2</translation>
+    </message>
+    <message>
+        <source>a plane lies behind its %1 slices and %2 times</source>
+        <translation>eine Ebene liegt hinter ihren %1 Schichten und %2 Zeiten</translation>
+    </message>
+    <message>
+        <source>it names a file of another folder, &apos;%1&apos;</source>
+        <translation>sie nennt eine Datei eines anderen Ordners, „%1“</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>it has no images; the file that has them may be another one</source>
+        <translation>sie hat keine Bilder; die Datei, die sie hat, ist vielleicht eine andere</translation>
+    </message>
+    <message>
+        <source>it has %1 images</source>
+        <translation>sie hat %1 Bilder</translation>
+    </message>
+    <message>
+        <source>its image %1 has no pixels</source>
+        <translation>ihr Bild %1 hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>it has %1 slices, channels or times</source>
+        <translation>sie hat %1 Schichten, Kanäle oder Zeitpunkte</translation>
+    </message>
+    <message>
+        <source>it has more than %1 planes</source>
+        <translation>sie hat mehr als %1 Ebenen</translation>
+    </message>
+    <message>
+        <source>its order of dimensions is &apos;%1&apos;</source>
+        <translation>die Reihenfolge ihrer Dimensionen ist „%1“</translation>
+    </message>
+    <message>
+        <source>this TAn was built without libtiff, which reads TIFF. Build it anew after &apos;apt install libtiff-dev&apos;, or convert the file to NRRD.</source>
+        <translation>dieses TAn wurde ohne libtiff gebaut, das TIFF liest. Bauen Sie es nach „apt install libtiff-dev“ neu, oder wandeln Sie die Datei in NRRD um.</translation>
+    </message>
+    <message>
+        <source>libtiff says: %1. The file is damaged, or of a kind that libtiff does not know: copy or export it again.</source>
+        <translation>libtiff sagt: %1. Die Datei ist beschädigt oder von einer Art, die libtiff nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is divided into pieces of no size.</source>
+        <translation>sie ist in Stücke ohne Größe geteilt.</translation>
+    </message>
+    <message>
+        <source>its pieces are of no size that can be.</source>
+        <translation>ihre Stücke haben eine unmögliche Größe.</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;. Choose one from 1 to %3, or by its name.</source>
+        <translation>sie hat kein „%1“ für „%2“. Wählen Sie eines von 1 bis %3 oder nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>It has %1 channels; the others are not read. Choose one with &apos;channel&apos;.</source>
+        <translation>Sie hat %1 Kanäle; die anderen werden nicht gelesen. Wählen Sie einen mit „channel“.</translation>
+    </message>
+    <message>
+        <source>It has %1 time steps; the others are not read. Choose one with &apos;time&apos;.</source>
+        <translation>Sie hat %1 Zeitschritte; die anderen werden nicht gelesen. Wählen Sie einen mit „time“.</translation>
+    </message>
+    <message>
+        <source>it holds one slice%1, and TAn reads volumes. Put the slices of one volume as numbered files into a folder, or as pages into one file.</source>
+        <translation>sie enthält eine Schicht%1, und TAn liest Volumen. Legen Sie die Schichten eines Volumens als nummerierte Dateien in einen Ordner oder als Seiten in eine Datei.</translation>
+    </message>
+    <message>
+        <source>its %1 times as slices</source>
+        <translation>ihre %1 Zeitpunkte als Schichten</translation>
+    </message>
+    <message>
+        <source>its OME description names each plane many times. The file is damaged: export it again.</source>
+        <translation>ihre OME-Beschreibung nennt jede Ebene viele Male. Die Datei ist beschädigt: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its OME description says of slice %1 not where it is. Export the file again.</source>
+        <translation>ihre OME-Beschreibung sagt von Schicht %1 nicht, wo sie steht. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source> of each of its %1 channels</source>
+        <translation> von jedem ihrer %1 Kanäle</translation>
+    </message>
+    <message>
+        <source>It holds %1 images; the others are not read. Choose one with &apos;series&apos;.</source>
+        <translation>Sie enthält %1 Bilder; die anderen werden nicht gelesen. Wählen Sie eines mit „series“.</translation>
+    </message>
+    <message>
+        <source>ImageJ&apos;s description says that it holds %1 slices, and their pixels are not all there. It is cut short: copy the file again.</source>
+        <translation>Nach der Beschreibung von ImageJ enthält sie %1 Schichten, deren Pixel aber nicht alle da sind. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>ImageJ&apos;s description names %1 planes, and there are %2 pages; each is taken for a slice.</source>
+        <translation>Die Beschreibung von ImageJ nennt %1 Ebenen, und es gibt %2 Seiten; jede wird als Schicht genommen.</translation>
+    </message>
+    <message>
+        <source>The numbers of its files, from %1 to %2, do not follow each other; the slices are taken to lie evenly.</source>
+        <translation>Die Nummern ihrer Dateien, von %1 bis %2, folgen nicht lückenlos aufeinander; angenommen wird, dass die Schichten gleichmäßig liegen.</translation>
+    </message>
+    <message>
+        <source>Slices are missing among its numbered files: %1 (%2). The gaps stay, and values are interpolated over them.</source>
+        <translation>Unter ihren nummerierten Dateien fehlen Schichten: %1 (%2). Die Lücken bleiben, und über sie hinweg werden die Werte interpoliert.</translation>
+    </message>
+    <message>
+        <source>It has pages of its own; the %1 files beside it that are numbered as it is are not read.</source>
+        <translation>Sie hat eigene Seiten; die %1 Dateien neben ihr, die wie sie nummeriert sind, werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>its description names page %1, and it has %2. Export it again.</source>
+        <translation>ihre Beschreibung nennt Seite %1, und die Datei hat %2. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>page %1 is of another size or type than the first slice. The slices of one volume are of one size.</source>
+        <translation>Seite %1 hat eine andere Größe oder einen anderen Typ als die erste Schicht. Die Schichten eines Volumens haben alle dieselbe Größe.</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 components, and number %2 is asked for. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
+        <translation>ihre Pixel haben %1 Komponenten, und verlangt ist Nummer %2. Wählen Sie eine von 0 bis %3, oder „magnitude“.</translation>
+    </message>
+    <message>
+        <source>the magnitude of %1</source>
+        <translation>der Betrag von %1</translation>
+    </message>
+    <message>
+        <source>%1 of 0 to %2</source>
+        <translation>%1 von 0 bis %2</translation>
+    </message>
+    <message>
+        <source>Each pixel has %1 numbers, of which one value is made. Choose one with &apos;component&apos;.</source>
+        <translation>Jedes Pixel hat %1 Zahlen, aus denen ein Wert gemacht wird. Wählen Sie eine mit „component“.</translation>
+    </message>
+    <message>
+        <source>its pixels are the numbers of colours in a palette. Convert it to shades of grey.</source>
+        <translation>ihre Pixel sind die Nummern von Farben einer Palette. Wandeln Sie sie in Graustufen um.</translation>
+    </message>
+    <message>
+        <source>its colours are of a kind that TAn does not read (PhotometricInterpretation %1). Convert it to shades of grey.</source>
+        <translation>ihre Farben sind von einer Art, die TAn nicht liest (PhotometricInterpretation %1). Wandeln Sie sie in Graustufen um.</translation>
+    </message>
+    <message>
+        <source>The colours of its palette are not used.</source>
+        <translation>Die Farben ihrer Palette werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Its pictures are meant to be shown with small values bright; the values are as the file has them.</source>
+        <translation>Ihre Bilder sollen kleine Werte hell zeigen; die Werte sind so, wie sie in der Datei stehen.</translation>
+    </message>
+    <message>
+        <source>its samples have %1 bits and the format %2 (SampleFormat), which TAn does not read. Write whole numbers or floating point numbers of 32 bits.</source>
+        <translation>ihre Abtastwerte haben %1 Bit und das Format %2 (SampleFormat), was TAn nicht liest. Schreiben Sie ganze Zahlen oder Gleitkommazahlen mit 32 Bit.</translation>
+    </message>
+    <message>
+        <source>ImageJ&apos;s calibration of the values is not used: they are as they are stored.</source>
+        <translation>Die Kalibrierung der Werte durch ImageJ wird nicht benutzt: Sie sind so, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>It says %1 pixels per inch, as pictures without a scale do; that is not used.</source>
+        <translation>Sie nennt %1 Pixel pro Zoll, wie Bilder ohne Maßstab es tun; das wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>slices 1 %1 apart, as ImageJ takes it without &apos;spacing&apos;</source>
+        <translation>Schichten im Abstand von 1 %1, wie ImageJ es ohne „spacing“ annimmt</translation>
+    </message>
+    <message>
+        <source>slices as far apart as pixels, %1</source>
+        <translation>Schichten im selben Abstand wie die Pixel, %1</translation>
+    </message>
+    <message>
+        <source>%1 whole numbers of 64 bits were rounded to double precision.</source>
+        <translation>%1 ganze Zahlen mit 64 Bit wurden auf doppelte Genauigkeit gerundet.</translation>
+    </message>
+    <message>
+        <source>%1 of its pages are smaller copies of others, or masks.</source>
+        <translation>%1 ihrer Seiten sind kleinere Kopien anderer Seiten oder Masken.</translation>
+    </message>
+    <message>
+        <source>Smaller copies of its pages (SubIFDs) are not read.</source>
+        <translation>Kleinere Kopien ihrer Seiten (SubIFDs) werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>line %1 of its header, &apos;%2&apos;, is not &apos;KEY: value&apos;. Correct or remove it.</source>
+        <translation>Zeile %1 ihres Kopfes, „%2“, ist nicht von der Form „KEY: value“. Berichtigen oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>its %1, &apos;%2&apos;, is not three numbers. Correct the line.</source>
+        <translation>ihr %1, „%2“, besteht nicht aus drei Zahlen. Berichtigen Sie die Zeile.</translation>
+    </message>
+    <message>
+        <source>its header has no line &apos;%1:&apos;. Add it.</source>
+        <translation>ihr Kopf hat keine Zeile „%1:“. Fügen Sie sie hinzu.</translation>
+    </message>
+    <message>
+        <source>its %1, &apos;%2&apos;, is not understood. Correct the line.</source>
+        <translation>ihr %1, „%2“, ist nicht zu verstehen. Berichtigen Sie die Zeile.</translation>
+    </message>
+    <message>
+        <source>The file does not tell the byte order of its numbers: that of this computer was assumed.</source>
+        <translation>Die Datei nennt die Bytefolge ihrer Zahlen nicht: Die dieses Rechners wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>Its bytes from 0 to 255 became the numbers from %1 to %2, as it says.</source>
+        <translation>Aus ihren Bytes von 0 bis 255 wurden die Zahlen von %1 bis %2, wie sie es angibt.</translation>
+    </message>
+    <message>
+        <source>the middles of the cells</source>
+        <translation>die Mitten der Zellen</translation>
+    </message>
+    <message>
+        <source>the points</source>
+        <translation>die Punkte</translation>
+    </message>
+    <message>
+        <source>its data are divided among several files, &apos;%1&apos;. Join them into one, or save the volume from VisIt as VTK.</source>
+        <translation>ihre Daten sind auf mehrere Dateien verteilt, „%1“. Fügen Sie sie zu einer zusammen, oder speichern Sie das Volumen aus VisIt als VTK.</translation>
+    </message>
+    <message>
+        <source>its bricks repeat the values of their neighbours (HAS_BOUNDARY), which is not read. Save the volume from VisIt as VTK.</source>
+        <translation>ihre Blöcke wiederholen die Werte ihrer Nachbarn (HAS_BOUNDARY), was nicht gelesen wird. Speichern Sie das Volumen aus VisIt als VTK.</translation>
+    </message>
+    <message>
+        <source>Its data file has %1 more bytes behind the volume, which are not read.</source>
+        <translation>Ihre Datendatei hat hinter dem Volumen %1 weitere Bytes, die nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Its line &apos;%1: %2&apos; is not used.</source>
+        <translation>Ihre Zeile „%1: %2“ wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>the number of atoms and the first point</source>
+        <translation>die Zahl der Atome und der erste Punkt</translation>
+    </message>
+    <message>
+        <source>a number of points and the step between them</source>
+        <translation>eine Zahl von Punkten und der Schritt zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>it ends in its header, after line %1. It is cut short.</source>
+        <translation>sie endet in ihrem Kopf, nach Zeile %1. Sie ist abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>line %1 of it is not %2, as a Gaussian cube has it there. Correct the line, or write the file again.</source>
+        <translation>in Zeile %1 steht nicht das Erwartete (%2), wie es ein Gaussian-Cube dort hat. Berichtigen Sie die Zeile, oder schreiben Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>an atom (its number, charge and place)</source>
+        <translation>ein Atom (seine Nummer, seine Ladung und sein Ort)</translation>
+    </message>
+    <message>
+        <source>its number of atoms is negative, and no list of orbitals follows the atoms. Correct it, or write the file again.</source>
+        <translation>ihre Zahl der Atome ist negativ, und auf die Atome folgt keine Liste von Orbitalen. Berichtigen Sie sie, oder schreiben Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>the list behind its atoms does not have the numbers of %1 orbitals. Correct it, or write the file again.</source>
+        <translation>die Liste hinter ihren Atomen enthält nicht die Nummern von %1 Orbitalen. Berichtigen Sie sie, oder schreiben Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>line 3 of it ends with &apos;%1&apos;, and a number of values at each point is wanted there. Correct it, or leave it out.</source>
+        <translation>ihre Zeile 3 endet mit „%1“, und verlangt ist dort die Zahl der Werte an jedem Punkt. Berichtigen Sie die Angabe, oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>its numbers of points are negative along some axes, as if some steps were in angstrom and others in bohr. Make all of them positive or all negative.</source>
+        <translation>ihre Punktzahlen sind entlang einiger Achsen negativ, als wären einige Schritte in Ångström und andere in Bohr. Machen Sie alle positiv oder alle negativ.</translation>
+    </message>
+    <message>
+        <source>It names 1 atom, which is not shown.</source>
+        <translation>Sie nennt 1 Atom, das nicht gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>It names %1 atoms, which are not shown.</source>
+        <translation>Sie nennt %1 Atome, die nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 values at each point, and at most %2 are read. Write fewer orbitals into a file.</source>
+        <translation>ihr Kopf verlangt %1 Werte an jedem Punkt, und höchstens %2 werden gelesen. Schreiben Sie weniger Orbitale in eine Datei.</translation>
+    </message>
+    <message>
+        <source>It holds %1 values at each point; the others are not read.</source>
+        <translation>Sie enthält %1 Werte an jedem Punkt; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>it is a table of colours for pictures, which has the same ending as Gaussian cubes. It holds no volume.</source>
+        <translation>sie ist eine Farbtabelle für Bilder, die dieselbe Endung hat wie ein Gaussian-Cube. Sie enthält kein Volumen.</translation>
+    </message>
+    <message>
+        <source>its values have no positions in it. Export a field with its positions, all in one file.</source>
+        <translation>ihre Werte haben darin keine Positionen. Exportieren Sie ein Feld mit seinen Positionen, alles in einer Datei.</translation>
+    </message>
+    <message>
+        <source>its positions are of the class &apos;%1&apos;, and only &apos;gridpositions&apos; are read, a regular grid. Resample the field on a regular grid, or export its points as a table or its cells as .vtu.</source>
+        <translation>ihre Positionen sind von der Klasse „%1“, und nur „gridpositions“ werden gelesen, ein regelmäßiges Gitter. Tasten Sie das Feld auf einem regelmäßigen Gitter neu ab, oder exportieren Sie seine Punkte als Tabelle oder seine Zellen als .vtu.</translation>
+    </message>
+    <message>
+        <source>the number of dimensions of its grid is %1, and a volume has three. Export a field of three.</source>
+        <translation>die Zahl der Dimensionen ihres Gitters ist %1, und ein Volumen hat drei. Exportieren Sie ein Feld mit drei.</translation>
+    </message>
+    <message>
+        <source>its &apos;gridpositions&apos; do not have one &apos;origin&apos; and three &apos;delta&apos; of three numbers each. Correct them.</source>
+        <translation>ihre „gridpositions“ haben nicht ein „origin“ und drei „delta“ aus je drei Zahlen. Berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>its array has %1 items, and its grid %2 points. Correct the numbers, or export it again.</source>
+        <translation>ihr Array hat %1 Elemente und ihr Gitter %2 Punkte. Berichtigen Sie die Zahlen, oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its values are of the type &apos;%1&apos;, which is not read. Export real numbers.</source>
+        <translation>ihre Werte sind vom Typ „%1“, der nicht gelesen wird. Exportieren Sie reelle Zahlen.</translation>
+    </message>
+    <message>
+        <source>its array does not say where its data are. Export it again.</source>
+        <translation>ihr Array sagt nicht, wo seine Daten stehen. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has no OpenDX field with data in it. Export one field with its positions and data, all in one file.</source>
+        <translation>sie enthält kein OpenDX-Feld mit Daten. Exportieren Sie ein Feld mit seinen Positionen und Daten, alles in einer Datei.</translation>
+    </message>
+    <message>
+        <source>its array has the shape 0. Export it again.</source>
+        <translation>ihr Array hat die Form (shape) 0. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>It holds %1 fields; the others are not read.</source>
+        <translation>Sie enthält %1 Felder; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>it is not understood as an OpenDX file: %1. Write it again as one field with regular positions.</source>
+        <translation>sie ist nicht als OpenDX-Datei zu verstehen: %1. Schreiben Sie sie noch einmal, als ein Feld mit regelmäßigen Positionen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; behind &apos;%2&apos; is no whole number</source>
+        <translation>„%1“ hinter „%2“ ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>no name follows &apos;data file&apos;</source>
+        <translation>auf „data file“ folgt kein Name</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; behind &apos;data&apos; says no place</source>
+        <translation>„%1“ hinter „data“ nennt keinen Ort</translation>
+    </message>
+    <message>
+        <source>an array has rank %1, and its shape %2 numbers</source>
+        <translation>ein Array hat den Rang %1 und seine Form (shape) %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>it has more than %1 objects</source>
+        <translation>sie hat mehr als %1 Objekte</translation>
+    </message>
+    <message>
+        <source>an object has more than %1 words</source>
+        <translation>ein Objekt hat mehr als %1 Wörter</translation>
+    </message>
+    <message>
+        <source>an array of it should have %1 items, and the file ends before. It is cut short, or the number is wrong.</source>
+        <translation>eines ihrer Arrays sollte %1 Elemente haben, und die Datei endet vorher. Sie ist abgeschnitten, oder die Zahl ist falsch.</translation>
+    </message>
+    <message>
+        <source>&apos;--%1&apos; chooses among several volumes or components, and &apos;%2&apos; has one number for each point. Leave it out.</source>
+        <translation>„--%1“ wählt unter mehreren Volumen oder Komponenten, und „%2“ hat eine Zahl für jeden Punkt. Lassen Sie die Option weg.</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.hdr)</source>
+        <translation>NIfTI (*.nii *.hdr)</translation>
+    </message>
+    <message>
+        <source>MRC and CCP4 maps (*.mrc *.ccp4 *.map)</source>
+        <translation>MRC- und CCP4-Karten (*.mrc *.ccp4 *.map)</translation>
+    </message>
+    <message>
+        <source>its header names %1 files. Put the samples into fewer.</source>
+        <translation>ihr Kopf nennt %1 Dateien. Verteilen Sie die Abtastwerte auf weniger.</translation>
+    </message>
+    <message>
+        <source>its matrix turns space into its further axes. Write one volume of it.</source>
+        <translation>ihre Matrix dreht den Raum in ihre weiteren Achsen. Schreiben Sie ein einzelnes Volumen daraus.</translation>
+    </message>
+    <message>
+        <source>Its header gives the same by two names, which differ: %1 was taken, and %2 (%3) was not.</source>
+        <translation>Ihr Kopf gibt dasselbe unter zwei Namen verschieden an: %1 wurde genommen, und %2 (%3) nicht.</translation>
+    </message>
+    <message>
+        <source>it holds no image: its ObjectType is &apos;%1&apos;. TAn reads images alone of this format.</source>
+        <translation>sie enthält kein Bild: Ihr ObjectType ist „%1“. TAn liest von diesem Format nur Bilder.</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions, and a volume has three. Write its pictures as one volume, or a part of it with three.</source>
+        <translation>sie hat %1 Dimensionen, und ein Volumen hat drei. Schreiben Sie ihre Bilder als ein Volumen oder einen Teil davon mit drei Dimensionen.</translation>
+    </message>
+    <message>
+        <source>Its header does not say in which order the bytes of a number are: that of this machine was taken, %1 endian.</source>
+        <translation>Ihr Kopf sagt nicht, in welcher Folge die Bytes einer Zahl stehen: Die dieses Rechners wurde genommen, %1 endian.</translation>
+    </message>
+    <message>
+        <source>Its header says how intensities follow from samples (times %1, plus %2), which was not applied.</source>
+        <translation>Ihr Kopf sagt, wie Intensitäten aus den Abtastwerten folgen (mal %1, plus %2); das wurde nicht angewandt.</translation>
+    </message>
+    <message>
+        <source>Its CenterOfRotation was not used: a sample lies at Offset plus its directions times its distances, as in ITK.</source>
+        <translation>Ihr CenterOfRotation wurde nicht benutzt: Ein Abtastwert liegt bei Offset plus ihren Richtungen mal ihren Abständen, wie in ITK.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and the header of a map alone has %2. It is no map, or cut short: copy the file again.</source>
+        <translation>sie hat %1 Bytes, und der Kopf einer Karte allein hat %2. Sie ist keine Karte oder abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its cell angles are %1, which no cell has; right angles were taken.</source>
+        <translation>Ihre Zellwinkel sind %1, die keine Zelle haben kann; rechte Winkel wurden genommen.</translation>
+    </message>
+    <message>
+        <source>Its header says that its columns, rows and sections run along the axes %1, %2 and %3, which cannot be; x, y and z were taken.</source>
+        <translation>Nach ihrem Kopf laufen ihre Spalten, Zeilen und Schnitte entlang der Achsen %1, %2 und %3, was nicht sein kann; x, y und z wurden genommen.</translation>
+    </message>
+    <message>
+        <source>Its ORIGIN is no finite number and was not used.</source>
+        <translation>Ihr ORIGIN ist keine endliche Zahl und wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at %2; its ORIGIN was taken.</source>
+        <translation>Nach ihrem NXSTART, NYSTART und NZSTART (%1) läge der erste Abtastwert bei %2; ihr ORIGIN wurde genommen.</translation>
+    </message>
+    <message>
+        <source>IMOD wrote it without the flag that its ORIGIN has the usual sign: the first sample may lie at the negative of it.</source>
+        <translation>IMOD hat sie ohne das Kennzeichen geschrieben, dass ihr ORIGIN das übliche Vorzeichen hat: Der erste Abtastwert liegt vielleicht beim Negativen davon.</translation>
+    </message>
+    <message>
+        <source>Its header has a matrix that turns the map (LSKFLG), which was not used.</source>
+        <translation>Ihr Kopf hat eine Matrix, die die Karte dreht (LSKFLG); sie wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Its bytes were taken as unsigned, from 0 to 255, as IMOD&apos;s flag says.</source>
+        <translation>Ihre Bytes wurden ohne Vorzeichen genommen, von 0 bis 255, wie das Kennzeichen von IMOD es sagt.</translation>
+    </message>
+    <message>
+        <source>Its bytes were taken as unsigned, from 0 to 255, since its header says that the largest value is %1.</source>
+        <translation>Ihre Bytes wurden ohne Vorzeichen genommen, von 0 bis 255, weil nach ihrem Kopf der größte Wert %1 ist.</translation>
+    </message>
+    <message>
+        <source>its samples have four bits each (mode 101), which is not read. Write it with bytes (mode 0), for instance by IMOD&apos;s &apos;newstack -mode 0&apos;.</source>
+        <translation>ihre Abtastwerte haben je vier Bit (Modus 101), was nicht gelesen wird. Schreiben Sie sie mit Bytes (Modus 0), etwa mit „newstack -mode 0“ von IMOD.</translation>
+    </message>
+    <message>
+        <source>its samples are of mode %1, which is not read. Write it with mode 2 (floating point).</source>
+        <translation>ihre Abtastwerte sind vom Modus %1, der nicht gelesen wird. Schreiben Sie sie im Modus 2 (Gleitkommazahlen).</translation>
+    </message>
+    <message>
+        <source>Its samples are complex numbers (mode %1), as of a Fourier transform: their places are not those of a body.</source>
+        <translation>Ihre Abtastwerte sind komplexe Zahlen (Modus %1), wie die einer Fouriertransformierten: Ihre Orte sind nicht die eines Körpers.</translation>
+    </message>
+    <message>
+        <source>The machine stamp of its header does not say in which order its bytes are: the one in which its numbers make sense was taken, %1 endian.</source>
+        <translation>Die Maschinenkennung in ihrem Kopf sagt nicht, in welcher Folge ihre Bytes stehen: Die, in der ihre Zahlen einen Sinn ergeben, wurde genommen, %1 endian.</translation>
+    </message>
+    <message>
+        <source>Its header says that it is a stack of %1 pictures, and no volume (space group 0, MZ 1); it was read as a volume.</source>
+        <translation>Nach ihrem Kopf ist sie ein Stapel aus %1 Bildern und kein Volumen (Raumgruppe 0, MZ 1); sie wurde als Volumen gelesen.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 x %2 x %3 points, behind an extension of %4 bytes. It is damaged, or no map: copy or export it again.</source>
+        <translation>nach ihrem Kopf hat sie %1 x %2 x %3 Punkte, hinter einer Erweiterung von %4 Bytes. Sie ist beschädigt oder keine Karte: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it does not begin as the headers of NIfTI and Analyze 7.5 do. It is of another format, or damaged.</source>
+        <translation>sie beginnt nicht wie die Köpfe von NIfTI und Analyze 7.5. Sie hat ein anderes Format oder ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and a header of NIfTI has %2. It is cut short, or of another format: copy the file again.</source>
+        <translation>sie hat %1 Bytes, und ein Kopf von NIfTI hat %2. Sie ist abgeschnitten oder hat ein anderes Format: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>of the scanner</source>
+        <translation>des Scanners</translation>
+    </message>
+    <message>
+        <source>aligned to another scan</source>
+        <translation>an eine andere Aufnahme angepasst</translation>
+    </message>
+    <message>
+        <source>of Talairach</source>
+        <translation>von Talairach</translation>
+    </message>
+    <message>
+        <source>of MNI 152</source>
+        <translation>von MNI 152</translation>
+    </message>
+    <message>
+        <source>of a template</source>
+        <translation>einer Vorlage</translation>
+    </message>
+    <message>
+        <source>Its qform would place it elsewhere, mirrored and up to %1 away; it was not used.</source>
+        <translation>Ihre qform legte sie an einen anderen Ort, gespiegelt und bis zu %1 entfernt; sie wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Its qform would place it elsewhere, up to %1 away; it was not used.</source>
+        <translation>Ihre qform legte sie an einen anderen Ort, bis zu %1 entfernt; sie wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Its pixdim says that samples are %1 x %2 x %3 apart, which was not used.</source>
+        <translation>Nach ihrem pixdim haben die Abtastwerte die Abstände %1 x %2 x %3; das wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>distances alone (pixdim)</source>
+        <translation>nur Abstände (pixdim)</translation>
+    </message>
+    <message>
+        <source>Its header says neither where it lies nor which side of it is the left one: it has no sform and no qform.</source>
+        <translation>Ihr Kopf sagt weder, wo sie liegt, noch welche ihrer Seiten die linke ist: Sie hat keine sform und keine qform.</translation>
+    </message>
+    <message>
+        <source>distances, and the origin as SPM writes it</source>
+        <translation>Abstände, und der Ursprung, wie SPM ihn schreibt</translation>
+    </message>
+    <message>
+        <source>Its header, of Analyze 7.5, does not say which side of it is the left one. Convert it to NIfTI with a program that knows where it comes from.</source>
+        <translation>Ihr Kopf, von Analyze 7.5, sagt nicht, welche ihrer Seiten die linke ist. Wandeln Sie sie mit einem Programm in NIfTI um, das weiß, woher sie kommt.</translation>
+    </message>
+    <message>
+        <source>Its code for the orientation, %1, was not used.</source>
+        <translation>Ihr Code für die Ausrichtung, %1, wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Its sform leads nowhere (its steps lie in a plane, or are no finite numbers); it was not used.</source>
+        <translation>Ihre sform führt nirgendwohin (ihre Schritte liegen in einer Ebene oder sind keine endlichen Zahlen); sie wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Its qform leads nowhere (its numbers are not finite, or too large or small); it was not used.</source>
+        <translation>Ihre qform führt nirgendwohin (ihre Zahlen sind nicht endlich oder zu groß oder zu klein); sie wurde nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>sform, coordinates %1</source>
+        <translation>sform, Koordinaten %1</translation>
+    </message>
+    <message>
+        <source>qform, coordinates %1</source>
+        <translation>qform, Koordinaten %1</translation>
+    </message>
+    <message>
+        <source>its samples are floating-point numbers of 128 bits, which are not read: what they are differs from machine to machine. Write them with 64 bits.</source>
+        <translation>ihre Abtastwerte sind Gleitkommazahlen mit 128 Bit, die nicht gelesen werden: Was sie bedeuten, ist von Rechner zu Rechner verschieden. Schreiben Sie sie mit 64 Bit.</translation>
+    </message>
+    <message>
+        <source>its samples are single bits, which are not read. Write them as bytes.</source>
+        <translation>ihre Abtastwerte sind einzelne Bits, die nicht gelesen werden. Schreiben Sie sie als Bytes.</translation>
+    </message>
+    <message>
+        <source>its samples are of the type %1, which NIfTI does not know. The file is damaged: copy or export it again.</source>
+        <translation>ihre Abtastwerte sind vom Typ %1, den NIfTI nicht kennt. Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 dimensions. It is damaged: copy or export it again.</source>
+        <translation>nach ihrem Kopf hat sie %1 Dimensionen. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 points along its dimension %2. It is damaged: copy or export it again.</source>
+        <translation>nach ihrem Kopf hat sie %1 Punkte entlang ihrer Dimension %2. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>It holds %1 times as many samples along its last dimensions; the first were read.</source>
+        <translation>Sie enthält %1-mal so viele Abtastwerte entlang ihrer letzten Dimensionen; die ersten wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied by %1, as SPM means it by the header&apos;s first unused field.</source>
+        <translation>Die Abtastwerte wurden mit %1 multipliziert, wie SPM es mit dem ersten unbenutzten Feld des Kopfes meint.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied by %1, and %2 was added, as the header of the file asks.</source>
+        <translation>Die Abtastwerte wurden mit %1 multipliziert, und %2 wurde addiert, wie der Kopf der Datei es verlangt.</translation>
+    </message>
+    <message>
+        <source>its header says that its samples begin at byte %1, where they cannot be. It is damaged: copy or export it again.</source>
+        <translation>nach ihrem Kopf beginnen ihre Abtastwerte bei Byte %1, wo sie nicht stehen können. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its samples are in a file &apos;%1&apos;, which is missing. Copy it into the folder of this one: the two belong together.</source>
+        <translation>ihre Abtastwerte stehen in einer Datei „%1“, die fehlt. Kopieren Sie sie in den Ordner dieser Datei: Die beiden gehören zusammen.</translation>
+    </message>
+    <message>
+        <source>its header is not that of a NumPy array: %1. Save the array again by numpy.save().</source>
+        <translation>ihr Kopf ist nicht der eines NumPy-Arrays: %1. Speichern Sie das Array noch einmal mit numpy.save().</translation>
+    </message>
+    <message>
+        <source>it has no dictionary</source>
+        <translation>das Dictionary fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>„%1“ ist nicht zu verstehen</translation>
+    </message>
+    <message>
+        <source>&apos;descr&apos;, &apos;fortran_order&apos; or &apos;shape&apos; is missing</source>
+        <translation>„descr“, „fortran_order“ oder „shape“ fehlt</translation>
+    </message>
+    <message>
+        <source>its first bytes are others</source>
+        <translation>die ersten Bytes sind andere</translation>
+    </message>
+    <message>
+        <source>it has version %1 of NumPy&apos;s format, and versions 1 to 3 are read. Save it again by numpy.save() of an earlier NumPy.</source>
+        <translation>sie hat Version %1 des NumPy-Formats, und gelesen werden die Versionen 1 bis 3. Speichern Sie sie noch einmal mit numpy.save() eines früheren NumPy.</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>das Ende fehlt</translation>
+    </message>
+    <message>
+        <source>its elements are records of several fields. Save one field by itself: numpy.save(name, array[&apos;field&apos;]).</source>
+        <translation>ihre Elemente sind Datensätze aus mehreren Feldern. Speichern Sie ein Feld für sich: numpy.save(name, array[„field“]).</translation>
+    </message>
+    <message>
+        <source>its elements are objects of Python, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
+        <translation>ihre Elemente sind Python-Objekte, die nur Python lesen kann. Speichern Sie ein Array aus Zahlen: array.astype(„float32“).</translation>
+    </message>
+    <message>
+        <source>its elements have the type &apos;%1&apos;, which is not read. Save numbers of a usual type: array.astype(&apos;float64&apos;).</source>
+        <translation>ihre Elemente haben den Typ „%1“, der nicht gelesen wird. Speichern Sie Zahlen eines üblichen Typs: array.astype(„float64“).</translation>
+    </message>
+    <message>
+        <source>its array has the shape (%1), and a volume needs three dimensions of more than one element. Save a part that has them, such as array[0] or array[..., 0].</source>
+        <translation>ihr Array hat die Form (%1), und ein Volumen braucht drei Dimensionen mit mehr als einem Element. Speichern Sie einen Teil, der sie hat, etwa array[0] oder array[..., 0].</translation>
+    </message>
+    <message>
+        <source>axes x, y, z: the first one runs fastest</source>
+        <translation>Achsen x, y, z: Die erste läuft am schnellsten</translation>
+    </message>
+    <message>
+        <source>axes z, y, x: the last one runs fastest</source>
+        <translation>Achsen z, y, x: Die letzte läuft am schnellsten</translation>
+    </message>
+    <message>
+        <source>Behind its array it has %1 more bytes, which are not read.</source>
+        <translation>Hinter ihrem Array hat sie %1 weitere Bytes, die nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>space directions</source>
+        <translation>space directions</translation>
+    </message>
+    <message>
+        <source>Its samples stand for numbers from %1 to %2 (&apos;old min&apos;, &apos;old max&apos;), from which they were quantized; they are taken as they are stored.</source>
+        <translation>Ihre Abtastwerte stehen für Zahlen von %1 bis %2 („old min“, „old max“), aus denen sie quantisiert wurden; sie werden genommen, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Its spacings and the ends of its axes are not used: its space directions say where it lies.</source>
+        <translation>Ihre Abstände und die Enden ihrer Achsen werden nicht benutzt: Ihre space directions sagen, wo sie liegt.</translation>
+    </message>
+    <message>
+        <source>its text holds only %1 numbers where the header asks for %2. It is cut short, or the header is wrong.</source>
+        <translation>ihr Text enthält nur %1 Zahlen, wo der Kopf %2 verlangt. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
+    </message>
+    <message>
+        <source>its text holds more than the %1 numbers that the header asks for. Check the sizes.</source>
+        <translation>ihr Text enthält mehr als die %1 Zahlen, die der Kopf verlangt. Prüfen Sie die Größen.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 x %2 x %3 points with %4 numbers each, and only %5 bytes of text follow. It is cut short, or the header is wrong.</source>
+        <translation>ihr Kopf verlangt %1 x %2 x %3 Punkte mit je %4 Zahlen, und es folgen nur %5 Bytes Text. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 x %2 x %3 points with %4 bytes each, and only %5 bytes are there. It is cut short, or the header is wrong.</source>
+        <translation>ihr Kopf verlangt %1 x %2 x %3 Punkte mit je %4 Bytes, und nur %5 Bytes sind da. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
+        <translation>sie hat %1 Bytes, und ihr Kopf verlangt %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its %1 bytes of compressed data cannot hold the %2 that its header asks for. It is cut short: copy the file again.</source>
+        <translation>ihre %1 Bytes komprimierter Daten können nicht die %2 enthalten, die ihr Kopf verlangt. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as of a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
+        <translation>ihre Abtastwerte sind von einem Typ, der nach dem Format 4 Bytes hat, und für %2 Abtastwerte gibt es %1 Bytes: so viele wie bei einem Typ von 8 Bytes. Schreiben Sie sie als MET_INT oder MET_LONG_LONG.</translation>
+    </message>
+    <message>
+        <source>%1 bytes behind its samples were not read.</source>
+        <translation>%1 Bytes hinter ihren Abtastwerten wurden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>it has not the %1 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short: copy the file again.</source>
+        <translation>sie hat nicht die %1 Zahlen, die ihr Kopf verlangt, jede mit einem Leerzeichen oder Zeilenende dahinter. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its header asks for more samples than any file holds. It is damaged: copy or export it again.</source>
+        <translation>ihr Kopf verlangt mehr Abtastwerte, als irgendeine Datei enthält. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has one time step, and number %1 was asked for. Leave &apos;--time&apos; out.</source>
+        <translation>sie hat einen Zeitschritt, und verlangt war Nummer %1. Lassen Sie „--time“ weg.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, and number %2 was asked for. Give one from 1 to %1.</source>
+        <translation>sie hat %1 Zeitschritte, und verlangt ist Nummer %2. Geben Sie einen von 1 bis %1 an.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, time %3</source>
+        <translation>%1 von %2, Zeit %3</translation>
+    </message>
+    <message>
+        <source>It holds %1 volumes; the others are not read.</source>
+        <translation>Sie enthält %1 Volumen; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>it has one number for each sample, and component &apos;%1&apos; was asked for. Leave &apos;--component&apos; out.</source>
+        <translation>sie hat eine Zahl je Abtastwert, und verlangt ist Komponente „%1“. Lassen Sie „--component“ weg.</translation>
+    </message>
+    <message>
+        <source>it has no component &apos;%1&apos;. Choose one from 0 to %2, or &apos;magnitude&apos;.</source>
+        <translation>sie hat keine Komponente „%1“. Wählen Sie eine von 0 bis %2, oder „magnitude“.</translation>
+    </message>
+    <message>
+        <source>magnitude of %1</source>
+        <translation>Betrag von %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2, counted from 0</source>
+        <translation>%1 von %2, ab 0 gezählt</translation>
+    </message>
+    <message>
+        <source>Each sample has %1 components; the others are not read.</source>
+        <translation>Jeder Abtastwert hat %1 Komponenten; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 ...</source>
+        <translation>%1 ...</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2 The header &apos;%3&apos; names it as its data file.</source>
+        <translation>„%1“ kann nicht gelesen werden: %2 Der Kopf „%3“ nennt sie als seine Datendatei.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 bytes, and %2 bytes of compressed data cannot hold as many. It is cut short, or the header is wrong.</source>
+        <translation>ihr Kopf verlangt %1 Bytes, und %2 Bytes komprimierter Daten können nicht so viele enthalten. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
+    </message>
+    <message>
+        <source>Files with several sets of values (Gaussian cube, OpenDX): one, by name or by number from 1; nothing takes the first.</source>
+        <translation>Dateien mit mehreren Sätzen von Werten (Gaussian-Cube, OpenDX): einer, nach Name oder Nummer ab 1; ohne Angabe der erste.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;, but a single one. Leave &apos;--array&apos; out.</source>
+        <translation>sie hat kein Feld „%1“, sondern nur ein einziges. Lassen Sie „--array“ weg.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. It has %2: %3.</source>
+        <translation>sie hat kein Feld „%1“. Sie hat %2: %3.</translation>
+    </message>
+    <message>
+        <source>%1, number %2 of %3</source>
+        <translation>%1, Nummer %2 von %3</translation>
+    </message>
+    <message>
+        <source>its values have one component. Leave &apos;--component&apos; out.</source>
+        <translation>ihre Werte haben eine Komponente. Lassen Sie „--component“ weg.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no component of values that have %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
+        <translation>„%1“ ist keine Komponente von Werten, die %2 haben: Geben Sie „magnitude“ an, oder eine Nummer von 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, from 0</source>
+        <translation>%1 von %2, ab 0</translation>
+    </message>
+    <message>
+        <source>NumPy array (*.npy)</source>
+        <translation>NumPy-Feld (*.npy)</translation>
+    </message>
+    <message>
+        <source>Gaussian cube (*.cube *.cub)</source>
+        <translation>Gaussian-Cube (*.cube *.cub)</translation>
+    </message>
+    <message>
+        <source>OpenDX (*.dx)</source>
+        <translation>OpenDX (*.dx)</translation>
+    </message>
+    <message>
+        <source>Brick of values (*.bov)</source>
+        <translation>Quader von Werten (*.bov)</translation>
+    </message>
+    <message>
+        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;, or write the mesh as .vtu.</source>
+        <translation>Installieren Sie Python und meshio mit „apt install python3-meshio“, oder schreiben Sie das Netz als .vtu.</translation>
+    </message>
+    <message>
+        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;.</source>
+        <translation>Installieren Sie Python und meshio mit „apt install python3-meshio“.</translation>
+    </message>
+    <message>
+        <source>Export it again, as .vtu if the program can.</source>
+        <translation>Exportieren Sie sie noch einmal, als .vtu, wenn das Programm es kann.</translation>
+    </message>
+    <message>
+        <source>it is of no format that TAn leaves to meshio. Let TAn choose the reader.</source>
+        <translation>sie hat kein Format, das TAn meshio überlässt. Lassen Sie TAn den Leser wählen.</translation>
+    </message>
+    <message>
+        <source>Gmsh mesh (*.msh)</source>
+        <translation>Gmsh-Netz (*.msh)</translation>
+    </message>
+    <message>
+        <source>MED mesh (*.med)</source>
+        <translation>MED-Netz (*.med)</translation>
+    </message>
+    <message>
+        <source>XDMF mesh (*.xdmf *.xmf)</source>
+        <translation>XDMF-Netz (*.xdmf *.xmf)</translation>
+    </message>
+    <message>
+        <source>Nastran mesh (*.bdf *.nas *.fem)</source>
+        <translation>Nastran-Netz (*.bdf *.nas *.fem)</translation>
+    </message>
+    <message>
+        <source>Abaqus mesh (*.inp)</source>
+        <translation>Abaqus-Netz (*.inp)</translation>
+    </message>
+    <message>
+        <source>Medit mesh (*.mesh *.meshb)</source>
+        <translation>Medit-Netz (*.mesh *.meshb)</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos;, which does not lie in its folder. Move the files together.</source>
+        <translation>sie nennt die Datei „%1“, die nicht in ihrem Ordner liegt. Verschieben Sie die Dateien gemeinsam.</translation>
+    </message>
+    <message>
+        <source>it holds a mesh, and no values at its points or cells. Export the results with the mesh, as .vtu if the program can.</source>
+        <translation>sie enthält ein Netz, aber keine Werte an dessen Punkten oder Zellen. Exportieren Sie die Ergebnisse mit dem Netz, als .vtu, wenn das Programm es kann.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;; there are %2.</source>
+        <translation>sie hat kein Feld „%1“; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has the components 0 to %2, and no component %3.</source>
+        <translation>ihr Feld „%1“ hat die Komponenten 0 bis %2 und keine Komponente %3.</translation>
+    </message>
+    <message>
+        <source>one of its cells has a corner that is not one of its %1 points. It is damaged.</source>
+        <translation>eine ihrer Zellen hat eine Ecke, die keiner ihrer %1 Punkte ist. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its points lie in a plane. A mesh of three dimensions is wanted.</source>
+        <translation>ihre Punkte liegen in einer Ebene. Gebraucht wird ein Netz mit drei Dimensionen.</translation>
+    </message>
+    <message>
+        <source>%1 cells of the kind &apos;%2&apos; were left out: TAn knows none like them.</source>
+        <translation>%1 Zellen der Art „%2“ wurden weggelassen: Solche kennt TAn nicht.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, and no step %2.</source>
+        <translation>sie hat %1 Zeitschritte und keinen Schritt %2.</translation>
+    </message>
+    <message>
+        <source>meshio, which reads such files, is not installed. Install it by &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
+        <translation>meshio, das solche Dateien liest, ist nicht installiert. Installieren Sie es mit „apt install python3-meshio“ (andere Systeme: „pip install meshio“), oder schreiben Sie das Netz als .vtu.</translation>
+    </message>
+    <message>
+        <source>meshio needs the Python module &apos;%1&apos; for it. Install it by &apos;apt install python3-%1&apos;, or write the mesh as .vtu.</source>
+        <translation>meshio braucht dafür das Python-Modul „%1“. Installieren Sie es mit „apt install python3-%1“, oder schreiben Sie das Netz als .vtu.</translation>
+    </message>
+    <message>
+        <source>the system says: %1. See that the file and those that it names can be read.</source>
+        <translation>das System meldet: %1. Sorgen Sie dafür, dass die Datei und die, die sie nennt, gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>meshio does not understand it (%1). Open it in the program that wrote it, and export it again, as .vtu if the program can.</source>
+        <translation>meshio versteht sie nicht (%1). Öffnen Sie sie in dem Programm, das sie geschrieben hat, und exportieren Sie sie noch einmal, als .vtu, wenn das Programm es kann.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;index&apos; is not understood. Give the name of each dimension with a number from 1, as in member=3,type=1.</source>
+        <translation>„%1“ für „index“ ist nicht zu verstehen. Geben Sie den Namen jeder Dimension mit einer Nummer ab 1 an, wie in member=3,type=1.</translation>
+    </message>
+    <message>
+        <source>its list &apos;%1&apos; is missing or shorter than its elements ask for. It is damaged: export it again.</source>
+        <translation>ihre Liste „%1“ fehlt oder ist kürzer, als ihre Elemente verlangen. Sie ist beschädigt: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its list &apos;%1&apos; names number %2, and there are %3. It is damaged: export it again.</source>
+        <translation>ihre Liste „%1“ nennt Nummer %2, und es gibt %3. Sie ist beschädigt: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; has not %2 values at time step %3. It is damaged or was not written to its end: export it again.</source>
+        <translation>ihre Variable „%1“ hat zum Zeitschritt %3 nicht %2 Werte. Sie ist beschädigt oder wurde nicht zu Ende geschrieben: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has no coordinates of its nodes (&apos;%1&apos;). Write it with a mesh.</source>
+        <translation>sie hat keine Koordinaten ihrer Knoten („%1“). Schreiben Sie sie mit einem Netz.</translation>
+    </message>
+    <message>
+        <source>its coordinates &apos;%1&apos; are not those of %2 nodes. It is damaged: export it again.</source>
+        <translation>ihre Koordinaten „%1“ sind nicht die von %2 Knoten. Sie ist beschädigt: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it names a variable number %1 at its nodes and has no values of it. Export it again.</source>
+        <translation>sie nennt eine Variable Nummer %1 an ihren Knoten und hat keine Werte davon. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>it has no part &apos;%1&apos;. There is: %2.</source>
+        <translation>sie hat keinen Teil „%1“. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>it has no elements. Write it with a mesh.</source>
+        <translation>sie hat keine Elemente. Schreiben Sie sie mit einem Netz.</translation>
+    </message>
+    <message>
+        <source>its elements are of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <translation>ihre Elemente haben eine Form, die TAn nicht kennt: %1. Zerlegen Sie sie in einfachere.</translation>
+    </message>
+    <message>
+        <source>it is a mesh without results: no variables of nodes or elements. Open the file that the solver wrote, or write it with values.</source>
+        <translation>sie ist ein Netz ohne Ergebnisse: Variablen an Knoten oder Elementen fehlen. Öffnen Sie die Datei, die der Löser geschrieben hat, oder schreiben Sie sie mit Werten.</translation>
+    </message>
+    <message>
+        <source>it has no variables of nodes or elements. Write it with one.</source>
+        <translation>sie hat keine Variablen an Knoten oder Elementen. Schreiben Sie sie mit einer.</translation>
+    </message>
+    <message>
+        <source>moved by &apos;%1&apos;</source>
+        <translation>verschoben um „%1“</translation>
+    </message>
+    <message>
+        <source>It has displacements (&apos;%1&apos;); its nodes stay where they were before. &apos;displace&apos; moves them.</source>
+        <translation>Sie hat Verschiebungen („%1“); ihre Knoten bleiben, wo sie vorher waren. „displace“ verschiebt sie.</translation>
+    </message>
+    <message>
+        <source>1 of its blocks has lines or surfaces and is left out.</source>
+        <translation>1 ihrer Blöcke hat Linien oder Flächen und wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of its blocks have lines or surfaces and are left out.</source>
+        <translation>%1 ihrer Blöcke haben Linien oder Flächen und werden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of its blocks have elements of a shape that TAn does not know (&apos;%2&apos;) and are left out.</source>
+        <translation>%1 ihrer Blöcke haben Elemente einer Form, die TAn nicht kennt („%2“), und werden weggelassen.</translation>
+    </message>
+    <message>
+        <source>it has no displacements, whose names begin with &apos;disp&apos;. Leave &apos;displace&apos; out.</source>
+        <translation>sie hat keine Verschiebungen, deren Namen mit „disp“ beginnen. Lassen Sie „displace“ weg.</translation>
+    </message>
+    <message>
+        <source>%1 elements have nodes besides those of linear and quadratic shapes, which were left out.</source>
+        <translation>%1 Elemente haben außer den Knoten linearer und quadratischer Formen weitere, die weggelassen wurden.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has values for its surfaces, not its points. Choose an array of points.</source>
+        <translation>ihr Feld „%1“ hat Werte für ihre Flächen, nicht für ihre Punkte. Wählen Sie ein Feld von Punkten.</translation>
+    </message>
+    <message>
+        <source>none of the blocks that are taken has &apos;%1&apos;. Choose another array or part.</source>
+        <translation>keiner der Blöcke, die genommen werden, hat „%1“. Wählen Sie ein anderes Feld oder einen anderen Teil.</translation>
+    </message>
+    <message>
+        <source>1 of its blocks has no &apos;%1&apos; and was left out.</source>
+        <translation>1 ihrer Blöcke hat kein „%1“ und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of its blocks have no &apos;%2&apos; and were left out.</source>
+        <translation>%1 ihrer Blöcke haben kein „%2“ und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>it has no variable &apos;%1&apos; with three dimensions of space. Choose one of these: %2.</source>
+        <translation>sie hat keine Variable „%1“ mit drei Dimensionen im Raum. Wählen Sie eine von diesen: %2.</translation>
+    </message>
+    <message>
+        <source>it is a mesh by the conventions %1, which are not read. Convert it to .vtu, for instance with ParaView.</source>
+        <translation>sie ist ein Netz nach den Konventionen %1, die nicht gelesen werden. Wandeln Sie sie in .vtu um, etwa mit ParaView.</translation>
+    </message>
+    <message>
+        <source>it holds no variables but coordinates. Write it with values.</source>
+        <translation>sie enthält keine Variablen außer Koordinaten. Schreiben Sie sie mit Werten.</translation>
+    </message>
+    <message>
+        <source>none of its variables has numbers along three dimensions of space with two points or more: %1. TAn takes volumes: choose a file of several levels, or join files along one.</source>
+        <translation>keine ihrer Variablen hat Zahlen entlang dreier Dimensionen im Raum mit je zwei oder mehr Punkten: %1. TAn nimmt Volumen: Wählen Sie eine Datei mit mehreren Schichten, oder fügen Sie Dateien entlang einer Dimension zusammen.</translation>
+    </message>
+    <message>
+        <source>its variable %1 does not extend along three dimensions of space with two points or more. Choose one that does.</source>
+        <translation>ihre Variable %1 erstreckt sich nicht entlang dreier Dimensionen im Raum mit je zwei oder mehr Punkten. Wählen Sie eine, die das tut.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; is of the type %2, which is not a number. Choose another one.</source>
+        <translation>ihre Variable „%1“ ist vom Typ %2, der keine Zahl ist. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>it has no time step: nothing was written along its dimension &apos;%1&apos;.</source>
+        <translation>sie hat keinen Zeitschritt: Entlang ihrer Dimension „%1“ wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers along &apos;%2&apos;, and %3 is asked for with &apos;index&apos;.</source>
+        <translation>sie hat %1 Nummern entlang „%2“, und mit „index“ wird %3 verlangt.</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>its variable %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <translation>ihre Variable %1 hat keine weitere Dimension „%2“, die mit „index“ verlangt wird.</translation>
+    </message>
+    <message>
+        <source>%1, time %2</source>
+        <translation>%1, Zeit %2</translation>
+    </message>
+    <message>
+        <source>%1, time %2 (%3)</source>
+        <translation>%1, Zeit %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1, with which the NetCDF library fills what nobody wrote</source>
+        <translation>%1, womit die NetCDF-Bibliothek füllt, was niemand geschrieben hat</translation>
+    </message>
+    <message>
+        <source>the NetCDF library says of %1: %2. Copy or export the file again.</source>
+        <translation>die NetCDF-Bibliothek meldet zu %1: %2. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos;</source>
+        <translation>ihrer Variablen „%1“</translation>
+    </message>
+    <message>
+        <source>it does not begin as NetCDF files do. It is of another format, or damaged.</source>
+        <translation>sie beginnt nicht wie eine NetCDF-Datei. Sie hat ein anderes Format oder ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>the NetCDF library cannot open it: %1. Copy or export it again.</source>
+        <translation>die NetCDF-Bibliothek kann sie nicht öffnen: %1. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its variables</source>
+        <translation>ihren Variablen</translation>
+    </message>
+    <message>
+        <source>its groups</source>
+        <translation>ihren Gruppen</translation>
+    </message>
+    <message>
+        <source>its dimensions</source>
+        <translation>ihren Dimensionen</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; has a dimension that no group around it has. It is damaged: copy or export it again.</source>
+        <translation>ihre Variable „%1“ hat eine Dimension, die keine Gruppe um sie herum hat. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its longitudes &apos;%1&apos; begin anew within it: they were continued by whole turns of 360 degrees.</source>
+        <translation>Ihre Längengrade „%1“ beginnen zwischendrin von vorn: Sie wurden um ganze Umdrehungen von 360 Grad fortgesetzt.</translation>
+    </message>
+    <message>
+        <source>numbers of &apos;%1&apos;</source>
+        <translation>Nummern von „%1“</translation>
+    </message>
+    <message>
+        <source>Its coordinate &apos;%1&apos; counts downwards; it is z as it is, so that up is where z falls.</source>
+        <translation>Ihre Koordinate „%1“ zählt nach unten; sie ist z, wie sie ist, sodass oben ist, wo z kleiner wird.</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>It says which map projection its coordinates belong to (&apos;%1&apos;), which is not used.</source>
+        <translation>Sie sagt, zu welcher Kartenprojektion ihre Koordinaten gehören („%1“); das wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>all beyond %1 to %2</source>
+        <translation>alle außerhalb von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>all below %1</source>
+        <translation>alle unter %1</translation>
+    </message>
+    <message>
+        <source>all above %1</source>
+        <translation>alle über %1</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Nummern</translation>
+    </message>
+    <message>
+        <source>%1, %2, height (PH + PHB) / 9.81 in m</source>
+        <translation>%1, %2, Höhe (PH + PHB) / 9.81 in m</translation>
+    </message>
+    <message>
+        <source>The variable to take, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
+        <translation>Welche Variable genommen wird, nach Name oder Nummer; „automatic“ nimmt die erste, die nicht konstant ist.</translation>
+    </message>
+    <message>
+        <source>Of Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Bei Exodus-Variablen mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
+    </message>
+    <message>
+        <source>Further dimensions</source>
+        <translation>Weitere Dimensionen</translation>
+    </message>
+    <message>
+        <source>Of variables with more dimensions than space and time: the number along each, from 1, as in member=3; else the first is taken.</source>
+        <translation>Bei Variablen mit mehr Dimensionen als Raum und Zeit: die Nummer entlang jeder, ab 1, wie in member=3; sonst wird die erste genommen.</translation>
+    </message>
+    <message>
+        <source>Of Exodus files: one element block, by its name, its number from 1 or its id; without it all that have the values.</source>
+        <translation>Bei Exodus-Dateien: ein Elementblock, nach seinem Namen, seiner Nummer ab 1 oder seiner ID; ohne Angabe alle, die die Werte haben.</translation>
+    </message>
+    <message>
+        <source>Displace</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Of Exodus files with displacements: moves the nodes by them.</source>
+        <translation>Bei Exodus-Dateien mit Verschiebungen: verschiebt die Knoten um diese.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libnetcdf-dev&apos;), or convert the file to NRRD or VTU.</source>
+        <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libnetcdf-dev“ neu), oder wandeln Sie die Datei in NRRD oder VTU um.</translation>
+    </message>
+    <message>
+        <source>Install the NetCDF library with &apos;apt install libnetcdf19&apos; (other systems: netcdf-c).</source>
+        <translation>Installieren Sie die NetCDF-Bibliothek mit „apt install libnetcdf19“ (andere Systeme: netcdf-c).</translation>
+    </message>
+    <message>
+        <source>Copy or export it again; &apos;ncdump -h&apos; tells what is in it.</source>
+        <translation>Kopieren oder exportieren Sie sie noch einmal; „ncdump -h“ zeigt, was darin ist.</translation>
+    </message>
+    <message>
+        <source>NetCDF (*.nc *.nc4 *.netcdf *.cdf *.ncdf)</source>
+        <translation>NetCDF (*.nc *.nc4 *.netcdf *.cdf *.ncdf)</translation>
+    </message>
+    <message>
+        <source>The solution says: Mach number %1, angle of attack %2, Reynolds number %3, time %4. They are not used.</source>
+        <translation>Die Lösung nennt: Mach-Zahl %1, Anstellwinkel %2, Reynolds-Zahl %3, Zeit %4. Das wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>all %1 grids</source>
+        <translation>alle %1 Gitter</translation>
+    </message>
+    <message>
+        <source>grid %1 of %2</source>
+        <translation>Gitter %1 von %2</translation>
+    </message>
+    <message>
+        <source>It holds %1 grids; the others are not read.</source>
+        <translation>Sie enthält %1 Gitter; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>its %1 grids make no mesh together. %2 Or choose one of them: &apos;grid&apos; from 1 to %3.</source>
+        <translation>ihre %1 Gitter ergeben zusammen kein Netz. %2 Oder wählen Sie eines davon: „grid“ von 1 bis %3.</translation>
+    </message>
+    <message>
+        <source>Which grid of a PLOT3D file that holds several, from 1; 0 joins all into one mesh.</source>
+        <translation>Welches Gitter einer PLOT3D-Datei, die mehrere enthält, ab 1; 0 verbindet alle zu einem Netz.</translation>
+    </message>
+    <message>
+        <source>it has numbers in %1 of its columns, and points need at least four: x, y, z and a value.</source>
+        <translation>sie hat Zahlen in %1 ihrer Spalten, und Punkte brauchen mindestens vier: x, y, z und einen Wert.</translation>
+    </message>
+    <message>
+        <source>which of its columns are x, y and z? It has %1. Name three of them by &apos;--positions&apos;, or in Import Options, as in --positions %2.</source>
+        <translation>welche ihrer Spalten sind x, y und z? Sie hat %1. Nennen Sie drei davon mit „--positions“ oder unter Importoptionen, wie in --positions %2.</translation>
+    </message>
+    <message>
+        <source>The points of its %1 parts were put together.</source>
+        <translation>Die Punkte ihrer %1 Teile wurden zusammengefügt.</translation>
+    </message>
+    <message>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; &apos;automatic&apos; finds them by their names; if there are no names, it takes the first three.</source>
+        <translation>Tabellen von Punkten: die Spalten von x, y und z, nach Name oder Nummer, wie in a,b,c oder 1,2,3; „automatic“ findet sie an ihren Namen; gibt es keine Namen, nimmt es die ersten drei.</translation>
+    </message>
+    <message>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first that are measured, not counters or constants.</source>
+        <translation>Welche Werte genommen werden, nach Name oder Nummer; „automatic“ nimmt die ersten, die gemessen sind, keine Zähler oder Konstanten.</translation>
+    </message>
+    <message>
+        <source>Its section &apos;%1&apos; is not read.</source>
+        <translation>Ihr Abschnitt „%1“ wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Its coordinates are in different units (%1, %2, %3) and are taken as they stand.</source>
+        <translation>Ihre Koordinaten haben verschiedene Einheiten (%1, %2, %3) und werden genommen, wie sie dastehen.</translation>
+    </message>
+    <message>
+        <source>Its depths (&apos;%1&apos;) are taken for z as they stand: if they are positive, the data stand on their head.</source>
+        <translation>Ihre Tiefen („%1“) werden als z genommen, wie sie dastehen: Sind sie positiv, so stehen die Daten auf dem Kopf.</translation>
+    </message>
+    <message>
+        <source>it has no section &apos;[Data]&apos;, and so no points.</source>
+        <translation>sie hat keinen Abschnitt „[Data]“ und deshalb keine Punkte.</translation>
+    </message>
+    <message>
+        <source>line %1 says that %2 points follow, and there are more.</source>
+        <translation>Zeile %1 sagt, dass %2 Punkte folgen, und es sind mehr.</translation>
+    </message>
+    <message>
+        <source>line %1 says that %2 points follow, and there are %3. The copy may be incomplete: copy the file again.</source>
+        <translation>Zeile %1 sagt, dass %2 Punkte folgen, und es sind %3. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its array &apos;%1&apos; has %2 values for %3 cells and is not read.</source>
+        <translation>Ihr Feld „%1“ hat %2 Werte für %3 Zellen und wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Its array &apos;%1&apos; has %2 values for %3 points and is not read.</source>
+        <translation>Ihr Feld „%1“ hat %2 Werte für %3 Punkte und wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in ParaView by the filter Tetrahedralize or Tessellate.</source>
+        <translation>sie hat Zellen einer Form, die TAn nicht kennt: %1. Zerlegen Sie sie in einfachere, in ParaView mit dem Filter Tetrahedralize oder Tessellate.</translation>
+    </message>
+    <message>
+        <source>cell %1 (from 0) is a polyhedron whose faces are not there.</source>
+        <translation>Zelle %1 (ab 0) ist ein Polyeder, dessen Seiten fehlen.</translation>
+    </message>
+    <message>
+        <source>a face of cell %1 (from 0) has %2 points, more than are listed, or fewer than three. It is damaged.</source>
+        <translation>eine Seite von Zelle %1 (ab 0) hat %2 Punkte, mehr, als aufgeführt sind, oder weniger als drei. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>1 cell has nodes in the middle of its faces, which were not used.</source>
+        <translation>1 Zelle hat Knoten in der Mitte ihrer Seiten, die nicht benutzt wurden.</translation>
+    </message>
+    <message>
+        <source>%1 cells have nodes in the middle of their faces, which were not used.</source>
+        <translation>%1 Zellen haben Knoten in der Mitte ihrer Seiten, die nicht benutzt wurden.</translation>
+    </message>
+    <message>
+        <source>1 cell is of a higher order: it was read by its corners alone, with straight edges.</source>
+        <translation>1 Zelle ist von höherer Ordnung: Nur ihre Ecken wurden gelesen, mit geraden Kanten.</translation>
+    </message>
+    <message>
+        <source>%1 cells are of a higher order: they were read by their corners alone, with straight edges.</source>
+        <translation>%1 Zellen sind von höherer Ordnung: Nur ihre Ecken wurden gelesen, mit geraden Kanten.</translation>
+    </message>
+    <message>
+        <source>The patches of its boundary are not read: %1.</source>
+        <translation>Die Patches ihres Randes werden nicht gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Its zones of cells are not told apart: %1.</source>
+        <translation>Ihre Zonen von Zellen werden nicht unterschieden: %1.</translation>
+    </message>
+    <message>
+        <source>Its clouds of particles are not read.</source>
+        <translation>Ihre Wolken von Partikeln werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>its case is decomposed into folders that several processors share (processors2 ...), which VTK 9.1 does not read. Run reconstructPar, and open it again.</source>
+        <translation>ihr Fall ist in Ordner zerlegt, die sich mehrere Prozessoren teilen (processors2 ...), was VTK 9.1 nicht liest. Rufen Sie reconstructPar auf, und öffnen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its case has no mesh: there is no &apos;constant/polyMesh&apos; in &apos;%1&apos;, and no folder of a processor. The file must lie in the folder of the case, beside &apos;constant&apos; and &apos;system&apos;.</source>
+        <translation>ihr Fall hat kein Netz: In „%1“ gibt es kein „constant/polyMesh“ und keinen Ordner eines Prozessors. Die Datei muss im Ordner des Falls liegen, neben „constant“ und „system“.</translation>
+    </message>
+    <message>
+        <source>the folders of %1 processors</source>
+        <translation>die Ordner von %1 Prozessoren</translation>
+    </message>
+    <message>
+        <source>Its case as a whole is not read: the folders of its processors go on to later times.</source>
+        <translation>Ihr Fall als Ganzes wird nicht gelesen: Die Ordner seiner Prozessoren reichen bis zu späteren Zeiten.</translation>
+    </message>
+    <message>
+        <source>The folders of its %1 processors are not read: the case as a whole is.</source>
+        <translation>Die Ordner ihrer %1 Prozessoren werden nicht gelesen, sondern der Fall als Ganzes.</translation>
+    </message>
+    <message>
+        <source>1 other part has no &apos;%1&apos; and is not read: %2.</source>
+        <translation>1 weiterer Teil hat kein „%1“ und wird nicht gelesen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 other parts have no &apos;%2&apos; and are not read: %3.</source>
+        <translation>%1 weitere Teile haben kein „%2“ und werden nicht gelesen: %3.</translation>
+    </message>
+    <message>
+        <source>1 other part is not read: %1.</source>
+        <translation>1 weiterer Teil wird nicht gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 other parts are not read: %2.</source>
+        <translation>%1 weitere Teile werden nicht gelesen: %2.</translation>
+    </message>
+    <message>
+        <source>Field data, which belong to no point or cell, are not read: %1.</source>
+        <translation>Felddaten, die zu keinem Punkt und keiner Zelle gehören, werden nicht gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, time %3, file &apos;%4&apos;</source>
+        <translation>%1 von %2, Zeit %3, Datei „%4“</translation>
+    </message>
+    <message>
+        <source>VTK finds nothing in it that it can read. Export it in another format (.vtu, .vti).</source>
+        <translation>VTK findet nichts darin, was es lesen kann. Exportieren Sie sie in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos;, which does not lie in its folder or below it. Put it there, and write its name anew.</source>
+        <translation>sie nennt die Datei „%1“, die nicht in ihrem Ordner oder darunter liegt. Legen Sie sie dort ab, und schreiben Sie ihren Namen neu.</translation>
+    </message>
+    <message>
+        <source>it has the time &apos;%1&apos;, which is no number.</source>
+        <translation>sie hat die Zeit „%1“, die keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>its XML ends or breaks in line %1. It is damaged or cut short: copy or export it again.</source>
+        <translation>ihr XML endet oder bricht in Zeile %1 ab. Sie ist beschädigt oder abgeschnitten: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its JSON breaks at byte %1. It is damaged or cut short: copy or export it again.</source>
+        <translation>ihr JSON bricht bei Byte %1 ab. Sie ist beschädigt oder abgeschnitten: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has no list of &apos;files&apos;.</source>
+        <translation>sie hat keine Liste „files“.</translation>
+    </message>
+    <message>
+        <source>its file number %1 is not told by a &apos;name&apos; and a &apos;time&apos; as a number.</source>
+        <translation>ihre Datei Nummer %1 ist nicht durch einen „name“ und eine „time“ als Zahl angegeben.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, more than a list of files has.</source>
+        <translation>sie hat %1 Bytes, mehr als eine Liste von Dateien hat.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, and names none.</source>
+        <translation>sie ist eine Liste von Dateien und nennt keine.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; is of none of VTK&apos;s own formats. Open that file by itself.</source>
+        <translation>ihre Datei „%1“ hat keines der eigenen Formate von VTK. Öffnen Sie jene Datei für sich allein.</translation>
+    </message>
+    <message>
+        <source>it has one time step, and number %1 is asked for. Leave &apos;time&apos; out.</source>
+        <translation>sie hat einen Zeitschritt, und verlangt ist Nummer %1. Lassen Sie „time“ weg.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 TAn cannot tell whether the file is damaged or of a kind that VTK does not read. Compare it with its original, or export it in another format (.vtu, .vti).</source>
+        <translation>VTK meldet: %1 TAn kann nicht feststellen, ob die Datei beschädigt ist oder von einer Art, die VTK nicht liest. Vergleichen Sie sie mit ihrem Original, oder exportieren Sie sie in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK reads it twice and finds other values: where the file has none, it gives what was in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export it again, or in another format (.vtu, .vti).</source>
+        <translation>VTK liest sie zweimal und findet verschiedene Werte: Wo die Datei keine hat, liefert es, was im Arbeitsspeicher stand. Die Datei ist unvollständig oder von einer Art, die VTK falsch liest. Exportieren Sie sie noch einmal, oder in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>Lists of VTK files (*.pvd *.series)</source>
+        <translation>Listen von VTK-Dateien (*.pvd *.series)</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libvtk9-dev“ neu), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
+    </message>
+    <message>
+        <source>Export it again, or in another format (.vtu, .vti).</source>
+        <translation>Exportieren Sie sie noch einmal, oder in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>Install the NetCDF library with &apos;apt install libnetcdf19&apos;.</source>
+        <translation>Installieren Sie die NetCDF-Bibliothek mit „apt install libnetcdf19“.</translation>
     </message>
 </context>
 <context>

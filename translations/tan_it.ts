@@ -710,6 +710,10 @@
         <source>%1, %2 components</source>
         <translation>%1, %2 componenti</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatico</translation>
+    </message>
 </context>
 <context>
     <name>ImportTexts</name>
@@ -1153,6 +1157,14 @@
     <message>
         <source>Faulty cells outlined</source>
         <translation>Celle difettose contornate</translation>
+    </message>
+    <message>
+        <source>Taken of the file</source>
+        <translation>Preso dal file</translation>
+    </message>
+    <message>
+        <source>Not used of it</source>
+        <translation>Non usato del file</translation>
     </message>
 </context>
 <context>
@@ -2475,6 +2487,10 @@ deformazione qualsiasi</translation>
         <source>An upper bound; a model with less detail takes less.</source>
         <translation>Un limite superiore; un modello con meno dettaglio richiede meno.</translation>
     </message>
+    <message>
+        <source>What would be taken of the file with these options, and what it says and is not used</source>
+        <translation>Che cosa si prenderebbe del file con queste opzioni, e che cosa il file dichiara e non viene usato</translation>
+    </message>
 </context>
 <context>
     <name>tetra::ImportRegion</name>
@@ -3173,10 +3189,6 @@ deformazione qualsiasi</translation>
         <translation>JSON non valido: %1 (%2).</translation>
     </message>
     <message>
-        <source>%1 cells are folded or so warped that no tetrahedra fill them; the first is cell %2 at (%3, %4, %5). Repair the mesh in the program that made it.</source>
-        <translation>%1 celle sono ripiegate o così deformate che nessun tetraedro le riempie; la prima è la cella %2 in (%3, %4, %5). Riparare la mesh nel programma che l&apos;ha creata.</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lettura</translation>
     </message>
@@ -3771,10 +3783,6 @@ deformazione qualsiasi</translation>
     <message>
         <source>Cells have another number of corners than their shape (%1 in all, the first is cell %2). The file is damaged.</source>
         <translation>Delle celle hanno un numero di vertici diverso dalla loro forma (%1 in tutto, la prima è la cella %2). Il file è danneggiato.</translation>
-    </message>
-    <message>
-        <source>Cells are polyhedra with any number of faces (%1 in all, the first is cell %2). Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).</source>
-        <translation>Delle celle sono poliedri con un numero qualsiasi di facce (%1 in tutto, la prima è la cella %2). Dividerle prima in tetraedri (in ParaView con il filtro Tetrahedralize).</translation>
     </message>
     <message>
         <source>Cells have a corner whose place is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
@@ -6253,10 +6261,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 byte di troppo stanno dopo i suoi dati. Controllare che sia un file PLOT3D.</translation>
     </message>
     <message>
-        <source>it holds %1 grids, and a model is of one. Choose which: &apos;grid&apos; from 1 to %2.</source>
-        <translation>contiene %1 griglie, e un modello è di una. Scegliere quale: «grid» da 1 a %2.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; has no grid %2: it holds %3.</source>
         <translation>«%1» non ha la griglia %2: ne contiene %3.</translation>
     </message>
@@ -6317,10 +6321,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Griglia</translation>
     </message>
     <message>
-        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
-        <translation>Quale griglia di un file PLOT3D che ne contiene più d&apos;una, da 1; 0 prende l&apos;unica.</translation>
-    </message>
-    <message>
         <source>PLOT3D files hold points on a grid, and &apos;%1&apos; is not. Give the file another ending, such as .csv for scattered points.</source>
         <translation>I file PLOT3D contengono punti su una griglia, e «%1» no. Dare al file un&apos;altra estensione, come .csv per punti sparsi.</translation>
     </message>
@@ -6355,10 +6355,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Positions</source>
         <translation>Posizioni</translation>
-    </message>
-    <message>
-        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
-        <translation>Tabelle di punti: le colonne di x, y e z, per nome o numero, come in lon,lat,depth o 1,2,3; &apos;automatic&apos; prende quelle chiamate x, y e z, altrimenti le prime tre.</translation>
     </message>
     <message>
         <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
@@ -6425,36 +6421,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it has no pixels. It is cut short, or no image: copy it again, or take it out of the folder.</source>
-        <translation>non ha pixel. È troncato, o non è un&apos;immagine: copiarlo di nuovo, o toglierlo dalla cartella.</translation>
-    </message>
-    <message>
-        <source>its pixels are compressed, which VTK does not read. Unpack it first, for instance with &apos;gdcmconv --raw IN OUT&apos; or &apos;dcmdjpeg IN OUT&apos;.</source>
-        <translation>i suoi pixel sono compressi, cosa che VTK non legge. Decomprimerlo prima, per esempio con «gdcmconv --raw IN OUT» o «dcmdjpeg IN OUT».</translation>
-    </message>
-    <message>
-        <source>its pixels have %1 bits, and VTK reads those of 8 or 16. Write them with 16.</source>
-        <translation>i suoi pixel hanno %1 bit, e VTK legge quelli di 8 o 16. Scriverli con 16.</translation>
-    </message>
-    <message>
-        <source>it has no rows or columns.</source>
-        <translation>non ha righe o colonne.</translation>
-    </message>
-    <message>
         <source>it has %1 bytes of pixels of %2 (of %3 in all). It is damaged: copy the file again.</source>
         <translation>ha %1 byte di pixel su %2 (su %3 in tutto). È danneggiato: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>the file %1 of its series: %2</source>
-        <translation>il file %1 della sua serie: %2</translation>
-    </message>
-    <message>
         <source>it ends too early. Copy the file again.</source>
         <translation>finisce troppo presto. Copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>its folder holds images of several sizes or types, such as %1 and %2. Put the images of one series alone into a folder.</source>
-        <translation>la sua cartella contiene immagini di dimensioni o tipi diversi, come %1 e %2. Mettere le immagini di una serie da sole in una cartella.</translation>
     </message>
     <message>
         <source>ends in line %1, before the last %2. It is cut short: copy the file again.</source>
@@ -6729,20 +6701,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua intestazione non ha NDims.</translation>
     </message>
     <message>
-        <source>it has %1 dimensions. Write a part of it with three.</source>
-        <translation>ha %1 dimensioni. Scriverne una parte con tre.</translation>
-    </message>
-    <message>
         <source>its DimSize is &apos;%1&apos; and not %2 numbers of points.</source>
         <translation>il suo DimSize è «%1» e non %2 numeri di punti.</translation>
     </message>
     <message>
         <source>its ElementNumberOfChannels is &apos;%1&apos;.</source>
         <translation>il suo ElementNumberOfChannels è «%1».</translation>
-    </message>
-    <message>
-        <source>its samples are a text with several channels, of which VTK reads a part only. Write them with BinaryData = True.</source>
-        <translation>i suoi campioni sono un testo con più canali, di cui VTK legge solo una parte. Scriverli con BinaryData = True.</translation>
     </message>
     <message>
         <source>its HeaderSize is &apos;%1&apos;.</source>
@@ -6753,32 +6717,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo HeaderSize è -1, che non dice nulla dove i campioni sono compressi o un testo.</translation>
     </message>
     <message>
-        <source>%1 unpacks to %2 bytes, and its header asks for %3. It is damaged or cut short: copy the file again.</source>
-        <translation>%1 si decomprime in %2 byte, e la sua intestazione ne chiede %3. È danneggiato o troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be unpacked to its end. It is damaged or cut short: copy the file again.</source>
-        <translation>%1 non si decomprime fino alla fine. È danneggiato o troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>%1 has not the %2 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short or damaged: copy the file again.</source>
-        <translation>%1 non ha i %2 numeri che la sua intestazione chiede, ciascuno seguito da uno spazio o da un fine riga. È troncato o danneggiato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
         <source>its header has no line &apos;ElementDataFile = ...&apos;, so that it is cut short or no MetaImage. Copy the file again.</source>
         <translation>la sua intestazione non ha la riga «ElementDataFile = ...», perciò è troncato o non è un MetaImage. Copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>its header does not say the CompressedDataSize.</source>
-        <translation>la sua intestazione non dice il CompressedDataSize.</translation>
-    </message>
-    <message>
         <source>its data file %1 is missing. Copy it into the folder of this one: the two belong together.</source>
         <translation>il suo file di dati %1 manca. Copiarlo nella cartella di questo: i due vanno insieme.</translation>
-    </message>
-    <message>
-        <source>its data file %1</source>
-        <translation>il suo file di dati %1</translation>
     </message>
     <message>
         <source>it should name %1 data files, each in a line of its own that ends, and names %2. It is cut short: copy the file again.</source>
@@ -6795,22 +6739,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>its ElementDataFile &apos;%1&apos; is no name with a number as &apos;%03d&apos;.</source>
         <translation>il suo ElementDataFile «%1» non è un nome con un numero come «%03d».</translation>
-    </message>
-    <message>
-        <source>its numbers have the byte order of other machines (big endian), which VTK reads wrongly. Write it anew on this machine.</source>
-        <translation>i suoi numeri hanno l&apos;ordine dei byte di altri computer (big endian), che VTK legge male. Riscriverlo su questo computer.</translation>
-    </message>
-    <message>
-        <source>its header says that it has %1 points along an axis.</source>
-        <translation>la sua intestazione dice che ha %1 punti lungo un asse.</translation>
-    </message>
-    <message>
-        <source>its samples are of mode %1, which VTK does not read. Write it with mode 2 (floating point).</source>
-        <translation>i suoi campioni sono di modo %1, che VTK non legge. Scriverlo con il modo 2 (virgola mobile).</translation>
-    </message>
-    <message>
-        <source>its header says that an extension of less than no bytes follows.</source>
-        <translation>la sua intestazione dice che segue un&apos;estensione di meno di zero byte.</translation>
     </message>
     <message>
         <source>it ends within its header. It is cut short: copy the file again.</source>
@@ -6849,14 +6777,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua variabile «%1» comincia dentro l&apos;intestazione.</translation>
     </message>
     <message>
-        <source>it does not begin as a TIFF file does.</source>
-        <translation>non comincia come un file TIFF.</translation>
-    </message>
-    <message>
-        <source>its pages name one another in a circle.</source>
-        <translation>le sue pagine si nominano in circolo.</translation>
-    </message>
-    <message>
         <source>page %1</source>
         <translation>la pagina %1</translation>
     </message>
@@ -6865,24 +6785,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 sta oltre la sua fine, a %2 byte. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>an entry of %1</source>
-        <translation>una voce (%1)</translation>
-    </message>
-    <message>
         <source>%1 has no size.</source>
         <translation>%1 non ha dimensioni.</translation>
-    </message>
-    <message>
-        <source>%1 does not say where its pixels are.</source>
-        <translation>%1 non dice dove sono i suoi pixel.</translation>
-    </message>
-    <message>
-        <source>%1 is divided into pieces of no size.</source>
-        <translation>%1 è divisa in pezzi senza dimensioni.</translation>
-    </message>
-    <message>
-        <source>%1 has %2 of its %3 pieces.</source>
-        <translation>%1 ha %2 dei suoi %3 pezzi.</translation>
     </message>
     <message>
         <source>a piece of %1 has %2 bytes and should have %3.</source>
@@ -6891,26 +6795,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>a piece of %1</source>
         <translation>un pezzo (%1)</translation>
-    </message>
-    <message>
-        <source>its pages have two samples for each pixel, of which VTK reads the first page only. Write it with one sample.</source>
-        <translation>le sue pagine hanno due campioni per pixel, di cui VTK legge solo la prima pagina. Scriverlo con un campione.</translation>
-    </message>
-    <message>
-        <source>some of its pages say that they are part of the volume, and page %1 does not.</source>
-        <translation>alcune sue pagine dicono di far parte del volume, e la pagina %1 no.</translation>
-    </message>
-    <message>
-        <source>page %1 is of another size or type than page 1. Write a file whose pages are layers of one volume.</source>
-        <translation>la pagina %1 è di dimensioni o tipo diversi dalla pagina 1. Scrivere un file le cui pagine sono strati di un volume.</translation>
-    </message>
-    <message>
-        <source>its file %1: %2</source>
-        <translation>il suo file %1: %2</translation>
-    </message>
-    <message>
-        <source>it is of another size or type than the first file of its stack, &apos;%1&apos;. Put the layers of one volume alone into a folder.</source>
-        <translation>è di dimensioni o tipo diversi dal primo file della sua serie, «%1». Mettere gli strati di un volume da soli in una cartella.</translation>
     </message>
     <message>
         <source>%1 It is damaged, or written by a faulty program: export it again.</source>
@@ -7021,28 +6905,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ciò che unisce i suoi punti (linee, poligoni) è stato omesso: sono punti sparsi.</translation>
     </message>
     <message>
-        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
-        <translation>%1 delle sue parti non hanno «%2» e sono state omesse.</translation>
-    </message>
-    <message>
-        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
-        <translation>Contiene %1 parti; questa è quella chiamata «%2». Un&apos;altra si sceglie con «Parte».</translation>
-    </message>
-    <message>
-        <source>%1 of its parts are no irregular meshes and were left out.</source>
-        <translation>%1 delle sue parti non sono mesh irregolari e sono state omesse.</translation>
-    </message>
-    <message>
         <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
         <translation>I valori delle celle sono stati portati ai punti, come media delle celle attorno.</translation>
-    </message>
-    <message>
-        <source>The samples were multiplied and shifted as the header of the file asks.</source>
-        <translation>I campioni sono stati moltiplicati e traslati come chiede l&apos;intestazione del file.</translation>
-    </message>
-    <message>
-        <source>its header is not that of a NIfTI file.</source>
-        <translation>la sua intestazione non è quella di un file NIfTI.</translation>
     </message>
     <message>
         <source>it has no part &apos;%1&apos;. %2</source>
@@ -7057,32 +6921,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>VTK dice: %1</translation>
     </message>
     <message>
-        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
-        <translation>Passo temporale %1 di %2. Un altro si sceglie con «Passo temporale».</translation>
-    </message>
-    <message>
         <source>it says that it holds more than any machine can. It is damaged.</source>
         <translation>dichiara di contenere più di quanto un computer possa. È danneggiato.</translation>
     </message>
     <message>
-        <source>VTK says: %1. It is damaged.</source>
-        <translation>VTK dice: %1. È danneggiato.</translation>
-    </message>
-    <message>
-        <source>VTK says: %1. The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
-        <translation>VTK dice: %1. Il file è danneggiato, incompleto, o di un tipo che VTK non conosce: copiarlo o esportarlo di nuovo.</translation>
-    </message>
-    <message>
         <source>it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with &apos;time&apos;.</source>
         <translation>ha %1 passi temporali, e si chiede il numero %2. Sceglierne uno da 1 a %3 con «time».</translation>
-    </message>
-    <message>
-        <source>VTK finds nothing in it. It is damaged, or of another format.</source>
-        <translation>VTK non vi trova nulla. È danneggiato, o di un altro formato.</translation>
-    </message>
-    <message>
-        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
-        <translation>VTK dice: %1 Il file è danneggiato, incompleto o di un tipo che VTK non conosce: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
         <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
@@ -7095,54 +6939,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Install VTK with &apos;apt install libvtk9.1&apos; (other systems: VTK 9).</source>
         <translation>Installare VTK con «apt install libvtk9.1» (altri sistemi: VTK 9).</translation>
-    </message>
-    <message>
-        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
-        <translation>Memoria, processi o file aperti non bastano per avviare i lettori VTK (%1). Chiudere altri programmi, o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
-        <translation>I lettori VTK non sono installati. Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» dove si trova il file (se compilato da sé: ricompilare dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
-    </message>
-    <message>
-        <source>The VTK readers cannot be started: &apos;%1&apos;: %2</source>
-        <translation>I lettori VTK non si possono avviare: «%1»: %2</translation>
-    </message>
-    <message>
-        <source>The VTK readers are not installed: %1. %2</source>
-        <translation>I lettori VTK non sono installati: %1. %2</translation>
-    </message>
-    <message>
-        <source>The VTK readers are installed badly: %1. %2</source>
-        <translation>I lettori VTK sono installati male: %1. %2</translation>
-    </message>
-    <message>
-        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
-        <translation>il sistema ha terminato VTK, come fa quando la memoria finisce. Chiudere altri programmi, o prendere una parte del file.</translation>
-    </message>
-    <message>
-        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
-        <translation>Il lettore di VTK si è arrestato in modo anomalo. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
-        <translation>VTK ha atteso per minuti il suo disco. Verificare che il disco risponda, o copiare il file su un altro.</translation>
-    </message>
-    <message>
-        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
-        <translation>VTK richiede più memoria dei %1 che i programmi possono prendere qui. Alzare il limite (ulimit -v).</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
-        <translation>VTK richiede più di %1 di memoria, metà di quella di questa macchina. È danneggiato, o troppo grande per questa macchina: prenderne una parte.</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK richiede più di %1 di memoria, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK richiede più di %1 secondi del processore, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
     </message>
     <message>
         <source>it has no zone. It is cut short, or no Tecplot text.</source>
@@ -7289,24 +7085,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>EnSight (*.case *.encas)</translation>
     </message>
     <message>
-        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
-        <translation>NetCDF, convenzioni CF (*.nc *.cdf)</translation>
-    </message>
-    <message>
         <source>CGNS (*.cgns)</source>
         <translation>CGNS (*.cgns)</translation>
     </message>
     <message>
         <source>MetaImage (*.mhd *.mha)</source>
         <translation>MetaImage (*.mhd *.mha)</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii *.nii.gz)</source>
-        <translation>NIfTI (*.nii *.nii.gz)</translation>
-    </message>
-    <message>
-        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
-        <translation>Microscopia elettronica MRC (*.mrc *.ccp4 *.map)</translation>
     </message>
     <message>
         <source>TIFF stack (*.tif *.tiff)</source>
@@ -7423,10 +7207,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>The array &apos;%1&apos; has %2 values for %3 %4: an array needs a name, and one value for each.</source>
         <translation>Il vettore «%1» ha %2 valori per %3 %4: un vettore richiede un nome e un valore per ciascuno.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to write &apos;%1&apos;.</source>
-        <translation>La memoria non basta per scrivere «%1».</translation>
     </message>
     <message>
         <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
@@ -7939,10 +7719,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>%1 cells were left out: they overlap others.</source>
         <translation>%1 celle sono state tralasciate: si sovrappongono ad altre.</translation>
-    </message>
-    <message>
-        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than a thousandth. The first is cell %3 at (%4, %5, %6): %7. Repair the mesh in the program that made it.</source>
-        <translation>Almeno %1 delle %2 celle della mesh sono difettose, più di un millesimo. La prima è la cella %3 in (%4, %5, %6): %7. Riparare la mesh nel programma che l&apos;ha creata.</translation>
     </message>
     <message>
         <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
@@ -9011,6 +8787,1994 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
         <translation>dice da sé il suo valore di %1. Omettere &apos;--%1&apos;; &apos;tan set-frame&apos; ne dà un altro al modello di un reticolo.</translation>
+    </message>
+    <message>
+        <source>1 polyhedron was cut into tetrahedra.</source>
+        <translation>1 poliedro è stato suddiviso in tetraedri.</translation>
+    </message>
+    <message>
+        <source>1 polyhedron was cut into tetrahedra around a point in its middle.</source>
+        <translation>1 poliedro è stato suddiviso in tetraedri attorno a un punto al suo interno.</translation>
+    </message>
+    <message>
+        <source>%1 polyhedra were cut into tetrahedra.</source>
+        <translation>%1 poliedri sono stati suddivisi in tetraedri.</translation>
+    </message>
+    <message>
+        <source>%1 polyhedra were cut into tetrahedra; %2 of them got a point in the middle.</source>
+        <translation>%1 poliedri sono stati suddivisi in tetraedri; %2 di essi hanno ricevuto un punto al centro.</translation>
+    </message>
+    <message>
+        <source>Polyhedra left out because no point in them sees all of their faces: %1.</source>
+        <translation>Poliedri omessi perché nessun punto al loro interno ne vede tutte le facce: %1.</translation>
+    </message>
+    <message>
+        <source>Polyhedra left out because no tetrahedra between their own points fill them: %1. With &apos;--polyhedra centre&apos; they get a point in the middle.</source>
+        <translation>Poliedri omessi perché nessun insieme di tetraedri tra i loro punti li riempie: %1. Con «--polyhedra centre» ricevono un punto al centro.</translation>
+    </message>
+    <message>
+        <source>Polyhedra left out because their faces do not enclose a volume: %1.</source>
+        <translation>Poliedri omessi perché le loro facce non racchiudono un volume: %1.</translation>
+    </message>
+    <message>
+        <source>The share of cells that may be faulty is %1; it has to be from 0 to 1.</source>
+        <translation>La quota di celle che possono essere difettose è %1; deve essere compresa tra 0 e 1.</translation>
+    </message>
+    <message>
+        <source>Faces of polyhedra have more points than are named (%1 in all, the first is of cell %2). The file is damaged.</source>
+        <translation>Delle facce di poliedri hanno più punti di quanti ne siano nominati (%1 in tutto, la prima è della cella %2). Il file è danneggiato.</translation>
+    </message>
+    <message>
+        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than %3. The first is cell %4 at (%5, %6, %7): %8. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %9&apos;.</source>
+        <translation>Almeno %1 delle %2 celle della mesh sono difettose, più di %3. La prima è la cella %4 in (%5, %6, %7): %8. Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %9».</translation>
+    </message>
+    <message>
+        <source>%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <translation>%1 celle sono ripiegate o così deformate che nessun insieme di tetraedri le riempie, più di %2; la prima è la cella %3 in (%4, %5, %6). Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %7».</translation>
+    </message>
+    <message>
+        <source>cell %1 at (%2, %3, %4)</source>
+        <translation>cella %1 in (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>%1 of the mesh&apos;s %2 cells are polyhedra in which no point sees all of their faces, more than %3; the first is %4. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %5&apos;.</source>
+        <translation>%1 delle %2 celle della mesh sono poliedri in cui nessun punto vede tutte le facce, più di %3; la prima è %4. Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %5».</translation>
+    </message>
+    <message>
+        <source>%1 of the mesh&apos;s %2 cells are polyhedra that no tetrahedra between their own points fill, more than %3; the first is %4. With &apos;--polyhedra centre&apos; they get a point in the middle; with &apos;--faulty %5&apos; they are left out.</source>
+        <translation>%1 delle %2 celle della mesh sono poliedri che nessun insieme di tetraedri tra i loro punti riempie, più di %3; la prima è %4. Con «--polyhedra centre» ricevono un punto al centro; con «--faulty %5» vengono omesse.</translation>
+    </message>
+    <message>
+        <source>The faces of %1 of the mesh&apos;s %2 cells do not enclose a volume; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <translation>Le facce di %1 delle %2 celle della mesh non racchiudono un volume; la prima è la cella %3 in (%4, %5, %6). Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %7».</translation>
+    </message>
+    <message>
+        <source>Joining the zones</source>
+        <translation>Unione delle zone</translation>
+    </message>
+    <message>
+        <source>The zone &apos;%1&apos; is no structured grid with a value for each point.</source>
+        <translation>La zona «%1» non è una griglia strutturata con un valore per ogni punto.</translation>
+    </message>
+    <message>
+        <source>None of the zones has cells: a volume has at least two points along each of three axes.</source>
+        <translation>Nessuna delle zone ha celle: un volume ha almeno due punti lungo ciascuno di tre assi.</translation>
+    </message>
+    <message>
+        <source>The zones have %1 points; at most 4294967294 can be numbered. Take one zone.</source>
+        <translation>Le zone hanno %1 punti; se ne possono numerare al massimo 4294967294. Prendere una sola zona.</translation>
+    </message>
+    <message>
+        <source>The zones have %1 cells, whose mesh takes up to %2 of memory, of %3. Take one zone.</source>
+        <translation>Le zone hanno %1 celle, la cui mesh occupa fino a %2 di memoria, su %3. Prendere una sola zona.</translation>
+    </message>
+    <message>
+        <source>Its %1 zones were joined into one mesh, in which they share %2 faces.</source>
+        <translation>Le sue %1 zone sono state unite in una sola mesh, in cui condividono %2 facce.</translation>
+    </message>
+    <message>
+        <source>Its %1 zones were put into one mesh, in which no two of them share a face.</source>
+        <translation>Le sue %1 zone sono state messe in una sola mesh, in cui non ce ne sono due che condividono una faccia.</translation>
+    </message>
+    <message>
+        <source>Faces of zones that lie against another zone whose points there are others: %1. The mesh has a seam there, across which it does not hang together.</source>
+        <translation>Facce di zone che poggiano su un&apos;altra zona i cui punti in quel luogo sono diversi: %1. La mesh ha lì una giuntura, attraverso la quale non è connessa.</translation>
+    </message>
+    <message>
+        <source>Zones left out because they have no volume: %1.</source>
+        <translation>Zone omesse perché non hanno volume: %1.</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>vettore</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>componente</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>posizioni</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>blocco</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>serie</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>canale</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>sistema di riferimento</translation>
+    </message>
+    <message>
+        <source>unit of the values</source>
+        <translation>unità dei valori</translation>
+    </message>
+    <message>
+        <source>fill value</source>
+        <translation>valore di riempimento</translation>
+    </message>
+    <message>
+        <source>%1: %2 (a guess)</source>
+        <translation>%1: %2 (supposto)</translation>
+    </message>
+    <message>
+        <source>Faulty cells</source>
+        <translation>Celle difettose</translation>
+    </message>
+    <message>
+        <source>Meshes: the largest share of cells, or of their volume, that may be left out because they overlap others or are turned over, as in 5%; a mesh with more of them is refused.</source>
+        <translation>Mesh: la quota massima di celle, o del loro volume, che si può omettere perché si sovrappongono ad altre o sono rovesciate, per esempio 5%; una mesh che ne ha di più viene rifiutata.</translation>
+    </message>
+    <message>
+        <source>Give a share from 0% to 100%, as in 5%.</source>
+        <translation>Indicare una quota da 0% a 100%, per esempio 5%.</translation>
+    </message>
+    <message>
+        <source>Polyhedra</source>
+        <translation>Poliedri</translation>
+    </message>
+    <message>
+        <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; gives those that cannot be cut so a point in their middle.</source>
+        <translation>Mesh con poliedri: «corners» suddivide ciascuno in tetraedri tra i suoi punti; «centre» dà a quelli che così non si possono suddividere un punto al centro.</translation>
+    </message>
+    <message>
+        <source>corners</source>
+        <translation>vertici</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;faulty&apos; is not understood. Give a share from 0% to 100%, as in 5%.</source>
+        <translation>«%1» per «faulty» non è comprensibile. Indicare una quota da 0% a 100%, per esempio 5%.</translation>
+    </message>
+    <message>
+        <source>a MINC volume</source>
+        <translation>un volume MINC</translation>
+    </message>
+    <message>
+        <source>Convert it to NIfTI, by &apos;mnc2nii&apos; of the MINC tools.</source>
+        <translation>Convertirlo in NIfTI, con «mnc2nii» degli strumenti MINC.</translation>
+    </message>
+    <message>
+        <source>a volume of FreeSurfer</source>
+        <translation>un volume di FreeSurfer</translation>
+    </message>
+    <message>
+        <source>Convert it to NIfTI, by &apos;mri_convert&apos; of FreeSurfer.</source>
+        <translation>Convertirlo in NIfTI, con «mri_convert» di FreeSurfer.</translation>
+    </message>
+    <message>
+        <source>an AVS field</source>
+        <translation>un campo AVS</translation>
+    </message>
+    <message>
+        <source>Save it as VTK or NRRD in a program that reads it, or write a NRRD header (.nhdr) that names the numbers of a uniform one as its data file.</source>
+        <translation>Salvarlo come VTK o NRRD in un programma che lo legge, o scrivere un&apos;intestazione NRRD (.nhdr) che, se il campo è uniforme, ne nomini i numeri come file di dati.</translation>
+    </message>
+    <message>
+        <source>an OpenVDB volume</source>
+        <translation>un volume OpenVDB</translation>
+    </message>
+    <message>
+        <source>Sample it on a regular grid, and save that as VTK, NRRD or a NumPy array.</source>
+        <translation>Campionarlo su una griglia regolare, e salvarla come VTK, NRRD o array NumPy.</translation>
+    </message>
+    <message>
+        <source>an Amira file</source>
+        <translation>un file Amira</translation>
+    </message>
+    <message>
+        <source>Export it from Amira as NRRD or VTK.</source>
+        <translation>Esportarlo da Amira come NRRD o VTK.</translation>
+    </message>
+    <message>
+        <source>a MATLAB file</source>
+        <translation>un file MATLAB</translation>
+    </message>
+    <message>
+        <source>Write the array as raw data, by fwrite(), and say its size and type, or save it as NIfTI, by niftiwrite().</source>
+        <translation>Scrivere la matrice come dati grezzi, con fwrite(), e indicarne dimensioni e tipo, o salvarla come NIfTI, con niftiwrite().</translation>
+    </message>
+    <message>
+        <source>a microscope&apos;s own file</source>
+        <translation>un file nel formato proprio di un microscopio</translation>
+    </message>
+    <message>
+        <source>Export it as OME-TIFF, by Fiji or the microscope&apos;s program.</source>
+        <translation>Esportarlo come OME-TIFF, con Fiji o con il programma del microscopio.</translation>
+    </message>
+    <message>
+        <source>By its name &apos;%1&apos; is %2, which TAn does not read. %3</source>
+        <translation>A giudicare dal nome, «%1» è %2, che TAn non legge. %3</translation>
+    </message>
+    <message>
+        <source>%1 needs more memory for it than the %2 that programs may take here. Raise the limit (ulimit -v).</source>
+        <translation>%1 richiede per questo più memoria dei %2 che i programmi possono occupare qui. Alzare il limite (ulimit -v).</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
+        <translation>%1 richiede per questo più di %2 di memoria, metà di quella di questo computer. Il file è danneggiato, o troppo grande per questo computer: prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 richiede per questo più di %2 di memoria, che file di queste dimensioni non richiedono. Il file è danneggiato; se non lo è, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 richiede per questo più di %2 secondi di processore, che file di queste dimensioni non richiedono. Il file è danneggiato; se non lo è, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>There are not enough memory, processes or open files to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
+        <translation>Non ci sono memoria, processi o file aperti sufficienti per avviare i lettori %1 (%2). Chiudere altri programmi, o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>The %1 readers are not installed. %2</source>
+        <translation>I lettori %1 non sono installati. %2</translation>
+    </message>
+    <message>
+        <source>The %1 readers cannot be started: &apos;%2&apos;: %3</source>
+        <translation>I lettori %1 non si possono avviare: «%2»: %3</translation>
+    </message>
+    <message>
+        <source>The %1 readers are not installed: %2. %3</source>
+        <translation>I lettori %1 non sono installati: %2. %3</translation>
+    </message>
+    <message>
+        <source>The %1 readers are installed badly: %2. %3</source>
+        <translation>I lettori %1 sono installati male: %2. %3</translation>
+    </message>
+    <message>
+        <source>the system ended %1, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <translation>il sistema ha terminato %1, come fa quando la memoria si esaurisce. Chiudere altri programmi, o prendere una parte del file.</translation>
+    </message>
+    <message>
+        <source>%1&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that %1 reads badly. %2</source>
+        <translation>il lettore %1 è terminato in modo anomalo. Il file è danneggiato, più grande della memoria, o di un genere che %1 legge male. %2</translation>
+    </message>
+    <message>
+        <source>%1 has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <translation>%1 attende il suo disco da minuti. Verificare se il disco risponde, o copiare il file su un altro.</translation>
+    </message>
+    <message>
+        <source>%1 says: %2. It cannot be read.</source>
+        <translation>%1 dice: %2. Il file non si può leggere.</translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation>modulo</translation>
+    </message>
+    <message>
+        <source>quadratic-linear wedges</source>
+        <translation>cunei quadratico-lineari</translation>
+    </message>
+    <message>
+        <source>convex point sets</source>
+        <translation>insiemi convessi di punti</translation>
+    </message>
+    <message>
+        <source>Bezier tetrahedra</source>
+        <translation>tetraedri di Bézier</translation>
+    </message>
+    <message>
+        <source>Bezier hexahedra</source>
+        <translation>esaedri di Bézier</translation>
+    </message>
+    <message>
+        <source>Bezier wedges</source>
+        <translation>cunei di Bézier</translation>
+    </message>
+    <message>
+        <source>Bezier pyramids</source>
+        <translation>piramidi di Bézier</translation>
+    </message>
+    <message>
+        <source>it has polyhedra, but not their faces, in the arrays &apos;faces&apos; and &apos;faceoffsets&apos;. Save it by an older version of VTK or ParaView, or divide its cells into tetrahedra.</source>
+        <translation>ha poliedri, ma non le loro facce, nei vettori «faces» e «faceoffsets». Salvarlo con una versione precedente di VTK o ParaView, o suddividere le sue celle in tetraedri.</translation>
+    </message>
+    <message>
+        <source>the offsets of its faces are out of range.</source>
+        <translation>gli offset delle sue facce sono fuori dall&apos;intervallo ammesso.</translation>
+    </message>
+    <message>
+        <source>a cell has %1 points, and its shape needs %2.</source>
+        <translation>una cella ha %1 punti, e la sua forma ne richiede %2.</translation>
+    </message>
+    <message>
+        <source>the polyhedron %1 has no faces.</source>
+        <translation>il poliedro %1 non ha facce.</translation>
+    </message>
+    <message>
+        <source>the faces of the polyhedron %1 are damaged.</source>
+        <translation>le facce del poliedro %1 sono danneggiate.</translation>
+    </message>
+    <message>
+        <source>Nodes in the faces of quadratic cells were not used: those of %1 cells.</source>
+        <translation>I nodi nelle facce di celle quadratiche non sono stati usati: quelli di %1 celle.</translation>
+    </message>
+    <message>
+        <source>Of the Lagrange cells of order %1 (%2) only the corners were used, with straight edges.</source>
+        <translation>Delle celle di Lagrange di ordine %1 (%2) sono stati usati solo i vertici, con spigoli rettilinei.</translation>
+    </message>
+    <message>
+        <source>Of the Lagrange cells that are not of one order in all directions (%1) only the corners were used, with straight edges.</source>
+        <translation>Delle celle di Lagrange che non hanno lo stesso ordine in tutte le direzioni (%1) sono stati usati solo i vertici, con spigoli rettilinei.</translation>
+    </message>
+    <message>
+        <source>It says that it is of the time %1.</source>
+        <translation>Il file dichiara di riferirsi al tempo %1.</translation>
+    </message>
+    <message>
+        <source>this TAn was built without GDCM, which reads DICOM. Build it anew after &apos;apt install libgdcm-dev&apos;, or convert the file to NRRD.</source>
+        <translation>questo TAn è stato compilato senza GDCM, che legge DICOM. Ricompilarlo dopo «apt install libgdcm-dev», o convertire il file in NRRD.</translation>
+    </message>
+    <message>
+        <source>its number of frames is %1. It is damaged: copy the file again.</source>
+        <translation>il suo numero di fotogrammi è %1. È danneggiato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>it has %1 frames and describes %2 of them. It is damaged: copy the file again.</source>
+        <translation>ha %1 fotogrammi e ne descrive %2. È danneggiato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>the pieces of its packed pixels are damaged. Copy the file again.</source>
+        <translation>i pezzi dei suoi pixel compressi sono danneggiati. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>temporal position</source>
+        <translation>posizione temporale</translation>
+    </message>
+    <message>
+        <source>echo</source>
+        <translation>eco</translation>
+    </message>
+    <message>
+        <source>diffusion weight</source>
+        <translation>peso di diffusione</translation>
+    </message>
+    <message>
+        <source>trigger time</source>
+        <translation>tempo di trigger</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tempo</translation>
+    </message>
+    <message>
+        <source>image type</source>
+        <translation>tipo di immagine</translation>
+    </message>
+    <message>
+        <source>acquisition</source>
+        <translation>acquisizione</translation>
+    </message>
+    <message>
+        <source>acquired at</source>
+        <translation>ora di acquisizione</translation>
+    </message>
+    <message>
+        <source>made at</source>
+        <translation>ora di creazione</translation>
+    </message>
+    <message>
+        <source>it cannot be read.</source>
+        <translation>non si può leggere.</translation>
+    </message>
+    <message>
+        <source>it is no DICOM file, or ends too early. Copy the file again.</source>
+        <translation>non è un file DICOM, o finisce troppo presto. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>Its slices lie unevenly, %1 to %2 mm apart; each was left where it lies.</source>
+        <translation>I suoi strati sono disposti in modo irregolare, a distanze da %1 a %2 mm; ciascuno è stato lasciato dove si trova.</translation>
+    </message>
+    <message>
+        <source>Slices are missing between the others: %1. The gaps stay, and values are interpolated over them.</source>
+        <translation>Mancano strati tra gli altri: %1. Le lacune restano, e i valori vi sono interpolati.</translation>
+    </message>
+    <message>
+        <source>Missing behind slice %1, between %2 and %3: %4.</source>
+        <translation>Mancanti dopo lo strato %1, tra %2 e %3: %4.</translation>
+    </message>
+    <message>
+        <source>slices %1 mm apart (%2)</source>
+        <translation>strati a %1 mm di distanza (%2)</translation>
+    </message>
+    <message>
+        <source>pixels %1 x %2 mm, as at the detector (ImagerPixelSpacing)</source>
+        <translation>pixel di %1 x %2 mm, come sul rivelatore (ImagerPixelSpacing)</translation>
+    </message>
+    <message>
+        <source>pixels 1 x 1 mm, as the file does not tell their size</source>
+        <translation>pixel di 1 x 1 mm, perché il file non ne indica la dimensione</translation>
+    </message>
+    <message>
+        <source>its pixels are not all there. Copy the file again.</source>
+        <translation>i suoi pixel non ci sono tutti. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>GDCM cannot unpack its pixels (%1). They are damaged, or of a kind that it does not know: unpack them by the program that wrote them.</source>
+        <translation>GDCM non riesce a decomprimere i suoi pixel (%1). Sono danneggiati, o di un genere che non conosce: decomprimerli con il programma che li ha scritti.</translation>
+    </message>
+    <message>
+        <source>it is the table of contents of a disk (DICOMDIR). Open one of the pictures that lie in the folders beside it.</source>
+        <translation>è l&apos;indice di un disco (DICOMDIR). Aprire una delle immagini che si trovano nelle cartelle accanto ad esso.</translation>
+    </message>
+    <message>
+        <source>it is a segmentation, whose pictures are the outlines of things and not of numbers. Export it as NRRD, for instance by 3D Slicer.</source>
+        <translation>è una segmentazione, le cui immagini sono contorni di oggetti e non numeri. Esportarla come NRRD, per esempio con 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>its pixels are floating point numbers (FloatPixelData), which TAn does not read of DICOM files. Export it as NRRD, for instance by 3D Slicer.</source>
+        <translation>i suoi pixel sono numeri in virgola mobile (FloatPixelData), che TAn non legge da file DICOM. Esportarlo come NRRD, per esempio con 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>it holds no picture (%1). If it is to have one, it is cut short: copy it again. Else open a picture of the series that it belongs to.</source>
+        <translation>non contiene un&apos;immagine (%1). Se dovrebbe averne una, è troncato: copiarlo di nuovo. Altrimenti aprire un&apos;immagine della serie a cui appartiene.</translation>
+    </message>
+    <message>
+        <source>%1 pictures</source>
+        <translation>%1 immagini</translation>
+    </message>
+    <message>
+        <source>%1, %2 pictures</source>
+        <translation>%1, %2 immagini</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos; of its series: it is no DICOM file, or ends too early. Copy the file again.</source>
+        <translation>il file «%1» della sua serie: non è un file DICOM, o finisce troppo presto. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos; of its series: %2</source>
+        <translation>il file «%1» della sua serie: %2</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; beside it was not read: %2</source>
+        <translation>Il file «%1» accanto ad esso non è stato letto: %2</translation>
+    </message>
+    <message>
+        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one from 1 to %1 with &apos;series&apos;.</source>
+        <translation>la sua cartella contiene %1 serie, ed è chiesta «%2». Sceglierne una da 1 a %1 con «series».</translation>
+    </message>
+    <message>
+        <source>it has no rows or columns. The file is damaged: copy or export it again.</source>
+        <translation>non ha righe o colonne. Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its pictures are in colour (%1), and TAn reads one value for each point. Export them in shades of grey.</source>
+        <translation>le sue immagini sono a colori (%1), e TAn legge un solo valore per ogni punto. Esportarle in scala di grigi.</translation>
+    </message>
+    <message>
+        <source>each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI by dcm2niix.</source>
+        <translation>ciascuna delle sue immagini è un mosaico di strati (Siemens). Convertirlo in NIfTI con dcm2niix.</translation>
+    </message>
+    <message>
+        <source>its pictures are moments of a film and not slices of a volume.</source>
+        <translation>le sue immagini sono istanti di un filmato e non strati di un volume.</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 bits, and TAn reads those of 8, 16 and 32. Write them with 16.</source>
+        <translation>i suoi pixel hanno %1 bit, e TAn legge quelli di 8, 16 e 32. Scriverli con 16.</translation>
+    </message>
+    <message>
+        <source>it says that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or export it again.</source>
+        <translation>dichiara che contano %1 dei %2 bit di un pixel, fino al bit %3. Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>Its pictures are meant to be shown with small values bright (MONOCHROME1); the values are as the file has them.</source>
+        <translation>Le sue immagini vanno mostrate con i valori piccoli chiari (MONOCHROME1); i valori sono come nel file.</translation>
+    </message>
+    <message>
+        <source>Pixels outside of the picture have the value %1 (PixelPaddingValue), and are values as others.</source>
+        <translation>I pixel fuori dall&apos;immagine hanno il valore %1 (PixelPaddingValue), e sono valori come gli altri.</translation>
+    </message>
+    <message>
+        <source>It has a table (ModalityLUT) that turns stored numbers into values; the stored numbers are taken.</source>
+        <translation>Ha una tabella (ModalityLUT) che trasforma i numeri memorizzati in valori; si prendono i numeri memorizzati.</translation>
+    </message>
+    <message>
+        <source>It says that its pictures were compressed with loss.</source>
+        <translation>Dichiara che le sue immagini sono state compresse con perdita.</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 di %2: %3</translation>
+    </message>
+    <message>
+        <source>Beside it lies series %1: %2. Choose it with &apos;series&apos;.</source>
+        <translation>Accanto ad esso si trova la serie %1: %2. Sceglierla con «series».</translation>
+    </message>
+    <message>
+        <source>%1 more series lie beside it.</source>
+        <translation>Accanto ad esso si trovano altre %1 serie.</translation>
+    </message>
+    <message>
+        <source>%1 pictures of the series have another size or direction, as overviews have, and were left out.</source>
+        <translation>%1 immagini della serie hanno un&apos;altra dimensione o direzione, come le immagini panoramiche, e sono state omesse.</translation>
+    </message>
+    <message>
+        <source>%1 files are copies of others, and were left out.</source>
+        <translation>%1 file sono copie di altri, e sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
+    </message>
+    <message>
+        <source>The series holds %1 volumes; the others are not read. Choose one with &apos;time&apos;.</source>
+        <translation>La serie contiene %1 volumi; gli altri non vengono letti. Sceglierne uno con «time».</translation>
+    </message>
+    <message>
+        <source>its values are scaled beyond all numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
+        <translation>i suoi valori sono scalati oltre ogni numero rappresentabile (RescaleSlope). Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>%1 pictures of its series lie on one place, such as &apos;%2&apos; and &apos;%3&apos;, and nothing says which of them belong together. Put the slices of one volume alone into a folder.</source>
+        <translation>%1 immagini della sua serie si trovano nella stessa posizione, come «%2» e «%3», e nulla dice quali di esse vadano insieme. Mettere in una cartella solo gli strati di un volume.</translation>
+    </message>
+    <message>
+        <source>number %1 of each place</source>
+        <translation>numero %1 di ogni posizione</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos; of its series does not say where it lies (ImagePositionPatient), and others do. Take it out of the folder, or export the series again.</source>
+        <translation>il file «%1» della sua serie non dice dove si trova (ImagePositionPatient), mentre altri sì. Toglierlo dalla cartella, o esportare di nuovo la serie.</translation>
+    </message>
+    <message>
+        <source>it is a single picture, and no other slices of its series lie beside it. TAn reads volumes: put the files of the series into one folder and open one of them.</source>
+        <translation>è una singola immagine, e accanto ad essa non ci sono altri strati della sua serie. TAn legge volumi: mettere i file della serie in una sola cartella e aprirne uno.</translation>
+    </message>
+    <message>
+        <source>it is a single picture of another size or direction than the %1 slices of its series. Open one of these, such as &apos;%2&apos;.</source>
+        <translation>è una singola immagine di dimensione o direzione diversa da quella dei %1 strati della sua serie. Aprire uno di questi, come «%2».</translation>
+    </message>
+    <message>
+        <source>of another size or direction</source>
+        <translation>di dimensione o direzione diversa</translation>
+    </message>
+    <message>
+        <source>all pictures of its series lie on one place. TAn reads volumes: it needs slices.</source>
+        <translation>tutte le immagini della sua serie si trovano nella stessa posizione. TAn legge volumi: gli servono strati.</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Of a folder with several series: which one, by number from 1 or by its SeriesInstanceUID; without it that of the file.</source>
+        <translation>Di una cartella con più serie: quale, con il numero da 1 o con il suo SeriesInstanceUID; se vuoto quella del file.</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canale</translation>
+    </message>
+    <message>
+        <source>Of pictures with several channels: one, by name or number from 1; without it the first.</source>
+        <translation>Di immagini con più canali: uno, con il nome o il numero da 1; se vuoto il primo.</translation>
+    </message>
+    <message>
+        <source>Of pictures in colour: the number of one colour, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Di immagini a colori: il numero di un colore, da 0, o «magnitude».</translation>
+    </message>
+    <message>
+        <source>Of pictures at several times, or of several volumes on one place: which one, from 1; 0 takes the first, of DICOM files that of the file.</source>
+        <translation>Di immagini a più tempi, o di più volumi nella stessa posizione: quale, da 1; 0 prende il primo, e per file DICOM quello del file.</translation>
+    </message>
+    <message>
+        <source>it is neither DICOM nor TIFF. Let TAn choose the reader.</source>
+        <translation>non è né DICOM né TIFF. Lasciare a TAn la scelta della lettura.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libgdcm-dev libtiff-dev&apos;), or convert the file to NRRD.</source>
+        <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» dove si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libgdcm-dev libtiff-dev»), o convertire il file in NRRD.</translation>
+    </message>
+    <message>
+        <source>Install GDCM and libtiff with &apos;apt install libgdcm3.0 libtiff6&apos;.</source>
+        <translation>Installare GDCM e libtiff con «apt install libgdcm3.0 libtiff6».</translation>
+    </message>
+    <message>
+        <source>Export it again, or in another format (NRRD, NIfTI).</source>
+        <translation>Esportarlo di nuovo, o in un altro formato (NRRD, NIfTI).</translation>
+    </message>
+    <message>
+        <source>its OME description is not understood: %1. Export it again, or as NRRD.</source>
+        <translation>la sua descrizione OME non è comprensibile: %1. Esportarlo di nuovo, o come NRRD.</translation>
+    </message>
+    <message>
+        <source>it has %1 channels and describes %2</source>
+        <translation>ha %1 canali e ne descrive %2</translation>
+    </message>
+    <message>
+        <source>a plane lies behind its %1 slices and %2 times</source>
+        <translation>un piano sta oltre i suoi %1 strati e %2 tempi</translation>
+    </message>
+    <message>
+        <source>it names a file of another folder, &apos;%1&apos;</source>
+        <translation>nomina un file di un&apos;altra cartella, «%1»</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>it has no images; the file that has them may be another one</source>
+        <translation>non ha immagini; il file che le contiene può essere un altro</translation>
+    </message>
+    <message>
+        <source>it has %1 images</source>
+        <translation>ha %1 immagini</translation>
+    </message>
+    <message>
+        <source>its image %1 has no pixels</source>
+        <translation>la sua immagine %1 non ha pixel</translation>
+    </message>
+    <message>
+        <source>it has %1 slices, channels or times</source>
+        <translation>ha %1 strati, canali o tempi</translation>
+    </message>
+    <message>
+        <source>it has more than %1 planes</source>
+        <translation>ha più di %1 piani</translation>
+    </message>
+    <message>
+        <source>its order of dimensions is &apos;%1&apos;</source>
+        <translation>il suo ordine delle dimensioni è «%1»</translation>
+    </message>
+    <message>
+        <source>this TAn was built without libtiff, which reads TIFF. Build it anew after &apos;apt install libtiff-dev&apos;, or convert the file to NRRD.</source>
+        <translation>questo TAn è compilato senza libtiff, che legge i file TIFF. Ricompilarlo dopo «apt install libtiff-dev», o convertire il file in NRRD.</translation>
+    </message>
+    <message>
+        <source>libtiff says: %1. The file is damaged, or of a kind that libtiff does not know: copy or export it again.</source>
+        <translation>libtiff segnala: %1. Il file è danneggiato, o di un tipo che libtiff non conosce: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it is divided into pieces of no size.</source>
+        <translation>è diviso in pezzi di dimensione nulla.</translation>
+    </message>
+    <message>
+        <source>its pieces are of no size that can be.</source>
+        <translation>i suoi pezzi hanno una dimensione impossibile.</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;. Choose one from 1 to %3, or by its name.</source>
+        <translation>non ha «%1» per «%2». Sceglierne uno da 1 a %3, oppure indicarne il nome.</translation>
+    </message>
+    <message>
+        <source>It has %1 channels; the others are not read. Choose one with &apos;channel&apos;.</source>
+        <translation>Ha %1 canali; gli altri non vengono letti. Sceglierne uno con «channel».</translation>
+    </message>
+    <message>
+        <source>It has %1 time steps; the others are not read. Choose one with &apos;time&apos;.</source>
+        <translation>Ha %1 passi temporali; gli altri non vengono letti. Sceglierne uno con «time».</translation>
+    </message>
+    <message>
+        <source>it holds one slice%1, and TAn reads volumes. Put the slices of one volume as numbered files into a folder, or as pages into one file.</source>
+        <translation>contiene un solo strato%1, e TAn legge volumi. Mettere gli strati di un volume in una cartella come file numerati, o in un solo file come pagine.</translation>
+    </message>
+    <message>
+        <source>its %1 times as slices</source>
+        <translation>i suoi %1 tempi come strati</translation>
+    </message>
+    <message>
+        <source>its OME description names each plane many times. The file is damaged: export it again.</source>
+        <translation>la sua descrizione OME nomina più volte ogni piano. Il file è danneggiato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its OME description says of slice %1 not where it is. Export the file again.</source>
+        <translation>la sua descrizione OME non dice dove si trova lo strato %1. Esportare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source> of each of its %1 channels</source>
+        <translation> di ciascuno dei suoi %1 canali</translation>
+    </message>
+    <message>
+        <source>It holds %1 images; the others are not read. Choose one with &apos;series&apos;.</source>
+        <translation>Contiene %1 immagini; le altre non vengono lette. Sceglierne una con «series».</translation>
+    </message>
+    <message>
+        <source>ImageJ&apos;s description says that it holds %1 slices, and their pixels are not all there. It is cut short: copy the file again.</source>
+        <translation>la descrizione di ImageJ dice che contiene %1 strati, ma i loro pixel non ci sono tutti. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>ImageJ&apos;s description names %1 planes, and there are %2 pages; each is taken for a slice.</source>
+        <translation>La descrizione di ImageJ nomina %1 piani, ma le pagine sono %2; ciascuna viene presa come uno strato.</translation>
+    </message>
+    <message>
+        <source>The numbers of its files, from %1 to %2, do not follow each other; the slices are taken to lie evenly.</source>
+        <translation>I numeri dei suoi file, da %1 a %2, non sono consecutivi; si suppone che gli strati siano a distanze uguali.</translation>
+    </message>
+    <message>
+        <source>Slices are missing among its numbered files: %1 (%2). The gaps stay, and values are interpolated over them.</source>
+        <translation>Fra i suoi file numerati mancano degli strati: %1 (%2). Le lacune restano, e i valori vi vengono interpolati.</translation>
+    </message>
+    <message>
+        <source>It has pages of its own; the %1 files beside it that are numbered as it is are not read.</source>
+        <translation>Ha più pagine proprie; i %1 file accanto, numerati come questo, non vengono letti.</translation>
+    </message>
+    <message>
+        <source>its description names page %1, and it has %2. Export it again.</source>
+        <translation>la sua descrizione nomina la pagina %1, ma ne ha %2. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>page %1 is of another size or type than the first slice. The slices of one volume are of one size.</source>
+        <translation>la pagina %1 è di dimensione o tipo diversi dal primo strato. Gli strati di un volume hanno tutti la stessa dimensione.</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 components, and number %2 is asked for. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
+        <translation>i suoi pixel hanno %1 componenti, ed è stata chiesta la numero %2. Sceglierne una da 0 a %3, oppure «magnitude».</translation>
+    </message>
+    <message>
+        <source>the magnitude of %1</source>
+        <translation>il modulo di %1</translation>
+    </message>
+    <message>
+        <source>%1 of 0 to %2</source>
+        <translation>%1 (da 0 a %2)</translation>
+    </message>
+    <message>
+        <source>Each pixel has %1 numbers, of which one value is made. Choose one with &apos;component&apos;.</source>
+        <translation>Ogni pixel ha %1 numeri, da cui si ricava un solo valore. Sceglierne uno con «component».</translation>
+    </message>
+    <message>
+        <source>its pixels are the numbers of colours in a palette. Convert it to shades of grey.</source>
+        <translation>i suoi pixel sono i numeri dei colori di una tavolozza. Convertirlo in toni di grigio.</translation>
+    </message>
+    <message>
+        <source>its colours are of a kind that TAn does not read (PhotometricInterpretation %1). Convert it to shades of grey.</source>
+        <translation>i suoi colori sono di un tipo che TAn non legge (PhotometricInterpretation %1). Convertirlo in toni di grigio.</translation>
+    </message>
+    <message>
+        <source>The colours of its palette are not used.</source>
+        <translation>I colori della sua tavolozza non vengono usati.</translation>
+    </message>
+    <message>
+        <source>Its pictures are meant to be shown with small values bright; the values are as the file has them.</source>
+        <translation>Le sue immagini vanno mostrate con i valori piccoli chiari; i valori restano quelli del file.</translation>
+    </message>
+    <message>
+        <source>its samples have %1 bits and the format %2 (SampleFormat), which TAn does not read. Write whole numbers or floating point numbers of 32 bits.</source>
+        <translation>i suoi campioni hanno %1 bit e il formato %2 (SampleFormat), che TAn non legge. Scrivere numeri interi o numeri in virgola mobile a 32 bit.</translation>
+    </message>
+    <message>
+        <source>ImageJ&apos;s calibration of the values is not used: they are as they are stored.</source>
+        <translation>La calibrazione dei valori di ImageJ non viene usata: i valori sono quelli memorizzati.</translation>
+    </message>
+    <message>
+        <source>It says %1 pixels per inch, as pictures without a scale do; that is not used.</source>
+        <translation>Dichiara %1 pixel per pollice, come fanno le immagini senza scala; il dato non viene usato.</translation>
+    </message>
+    <message>
+        <source>slices 1 %1 apart, as ImageJ takes it without &apos;spacing&apos;</source>
+        <translation>strati a distanza di 1 %1, come assume ImageJ senza «spacing»</translation>
+    </message>
+    <message>
+        <source>slices as far apart as pixels, %1</source>
+        <translation>strati distanti quanto i pixel, %1</translation>
+    </message>
+    <message>
+        <source>%1 whole numbers of 64 bits were rounded to double precision.</source>
+        <translation>%1 numeri interi a 64 bit sono stati arrotondati alla precisione doppia.</translation>
+    </message>
+    <message>
+        <source>%1 of its pages are smaller copies of others, or masks.</source>
+        <translation>%1 delle sue pagine sono copie ridotte di altre, o maschere.</translation>
+    </message>
+    <message>
+        <source>Smaller copies of its pages (SubIFDs) are not read.</source>
+        <translation>Le copie ridotte delle sue pagine (SubIFD) non vengono lette.</translation>
+    </message>
+    <message>
+        <source>line %1 of its header, &apos;%2&apos;, is not &apos;KEY: value&apos;. Correct or remove it.</source>
+        <translation>la riga %1 della sua intestazione, «%2», non è del tipo «KEY: value». Correggerla o toglierla.</translation>
+    </message>
+    <message>
+        <source>its %1, &apos;%2&apos;, is not three numbers. Correct the line.</source>
+        <translation>il suo campo %1, «%2», non è di tre numeri. Correggere la riga.</translation>
+    </message>
+    <message>
+        <source>its header has no line &apos;%1:&apos;. Add it.</source>
+        <translation>la sua intestazione non ha la riga «%1:». Aggiungerla.</translation>
+    </message>
+    <message>
+        <source>its %1, &apos;%2&apos;, is not understood. Correct the line.</source>
+        <translation>il suo campo %1, «%2», non è comprensibile. Correggere la riga.</translation>
+    </message>
+    <message>
+        <source>The file does not tell the byte order of its numbers: that of this computer was assumed.</source>
+        <translation>Il file non indica l&apos;ordine dei byte dei suoi numeri: si è supposto quello di questo computer.</translation>
+    </message>
+    <message>
+        <source>Its bytes from 0 to 255 became the numbers from %1 to %2, as it says.</source>
+        <translation>I suoi byte da 0 a 255 sono diventati i numeri da %1 a %2, come il file stesso indica.</translation>
+    </message>
+    <message>
+        <source>the middles of the cells</source>
+        <translation>i centri delle celle</translation>
+    </message>
+    <message>
+        <source>the points</source>
+        <translation>i punti</translation>
+    </message>
+    <message>
+        <source>its data are divided among several files, &apos;%1&apos;. Join them into one, or save the volume from VisIt as VTK.</source>
+        <translation>i suoi dati sono divisi fra più file, «%1». Riunirli in uno solo, o salvare il volume da VisIt come VTK.</translation>
+    </message>
+    <message>
+        <source>its bricks repeat the values of their neighbours (HAS_BOUNDARY), which is not read. Save the volume from VisIt as VTK.</source>
+        <translation>i suoi blocchi ripetono i valori dei blocchi vicini (HAS_BOUNDARY), cosa che non si legge. Salvare il volume da VisIt come VTK.</translation>
+    </message>
+    <message>
+        <source>Its data file has %1 more bytes behind the volume, which are not read.</source>
+        <translation>Il suo file di dati ha altri %1 byte dopo il volume, che non vengono letti.</translation>
+    </message>
+    <message>
+        <source>Its line &apos;%1: %2&apos; is not used.</source>
+        <translation>La sua riga «%1: %2» non viene usata.</translation>
+    </message>
+    <message>
+        <source>the number of atoms and the first point</source>
+        <translation>il numero di atomi e il primo punto</translation>
+    </message>
+    <message>
+        <source>a number of points and the step between them</source>
+        <translation>un numero di punti e il passo fra di essi</translation>
+    </message>
+    <message>
+        <source>it ends in its header, after line %1. It is cut short.</source>
+        <translation>finisce nell&apos;intestazione, dopo la riga %1. È troncato.</translation>
+    </message>
+    <message>
+        <source>line %1 of it is not %2, as a Gaussian cube has it there. Correct the line, or write the file again.</source>
+        <translation>la sua riga %1 non contiene %2, come è d&apos;obbligo lì in un file cube di Gaussian. Correggere la riga, o scrivere di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>an atom (its number, charge and place)</source>
+        <translation>un atomo (numero, carica e posizione)</translation>
+    </message>
+    <message>
+        <source>its number of atoms is negative, and no list of orbitals follows the atoms. Correct it, or write the file again.</source>
+        <translation>il suo numero di atomi è negativo, ma agli atomi non segue un elenco di orbitali. Correggerlo, o scrivere di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>the list behind its atoms does not have the numbers of %1 orbitals. Correct it, or write the file again.</source>
+        <translation>l&apos;elenco dopo i suoi atomi non ha i numeri di %1 orbitali. Correggerlo, o scrivere di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>line 3 of it ends with &apos;%1&apos;, and a number of values at each point is wanted there. Correct it, or leave it out.</source>
+        <translation>la sua riga 3 finisce con «%1», dove si vuole il numero di valori in ogni punto. Correggerlo, o ometterlo.</translation>
+    </message>
+    <message>
+        <source>its numbers of points are negative along some axes, as if some steps were in angstrom and others in bohr. Make all of them positive or all negative.</source>
+        <translation>i suoi numeri di punti sono negativi lungo alcuni assi, come se alcuni passi fossero in angstrom e altri in bohr. Renderli tutti positivi o tutti negativi.</translation>
+    </message>
+    <message>
+        <source>It names 1 atom, which is not shown.</source>
+        <translation>Nomina 1 atomo, che non viene mostrato.</translation>
+    </message>
+    <message>
+        <source>It names %1 atoms, which are not shown.</source>
+        <translation>Nomina %1 atomi, che non vengono mostrati.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 values at each point, and at most %2 are read. Write fewer orbitals into a file.</source>
+        <translation>la sua intestazione chiede %1 valori in ogni punto, e se ne leggono al massimo %2. Scrivere meno orbitali in un file.</translation>
+    </message>
+    <message>
+        <source>It holds %1 values at each point; the others are not read.</source>
+        <translation>Contiene %1 valori in ogni punto; gli altri non vengono letti.</translation>
+    </message>
+    <message>
+        <source>it is a table of colours for pictures, which has the same ending as Gaussian cubes. It holds no volume.</source>
+        <translation>è una tabella di colori per immagini, che ha la stessa estensione dei file cube di Gaussian. Non contiene un volume.</translation>
+    </message>
+    <message>
+        <source>its values have no positions in it. Export a field with its positions, all in one file.</source>
+        <translation>i suoi valori vi stanno senza posizioni. Esportare un campo con le sue posizioni, tutto in un solo file.</translation>
+    </message>
+    <message>
+        <source>its positions are of the class &apos;%1&apos;, and only &apos;gridpositions&apos; are read, a regular grid. Resample the field on a regular grid, or export its points as a table or its cells as .vtu.</source>
+        <translation>le sue posizioni sono della classe «%1», e si legge solo «gridpositions», una griglia regolare. Ricampionare il campo su una griglia regolare, o esportarne i punti come tabella o le celle come .vtu.</translation>
+    </message>
+    <message>
+        <source>the number of dimensions of its grid is %1, and a volume has three. Export a field of three.</source>
+        <translation>il numero di dimensioni della sua griglia è %1, e un volume ne ha tre. Esportare un campo con tre dimensioni.</translation>
+    </message>
+    <message>
+        <source>its &apos;gridpositions&apos; do not have one &apos;origin&apos; and three &apos;delta&apos; of three numbers each. Correct them.</source>
+        <translation>il suo «gridpositions» non ha un solo «origin» e tre «delta», ciascuno di tre numeri. Correggerli.</translation>
+    </message>
+    <message>
+        <source>its array has %1 items, and its grid %2 points. Correct the numbers, or export it again.</source>
+        <translation>il suo array ha %1 elementi, e la sua griglia %2 punti. Correggere i numeri, o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its values are of the type &apos;%1&apos;, which is not read. Export real numbers.</source>
+        <translation>i suoi valori sono di tipo «%1», che non si legge. Esportare numeri reali.</translation>
+    </message>
+    <message>
+        <source>its array does not say where its data are. Export it again.</source>
+        <translation>il suo array non dice dove stanno i suoi dati. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has no OpenDX field with data in it. Export one field with its positions and data, all in one file.</source>
+        <translation>non ha un campo OpenDX che contenga dati. Esportare un solo campo con le sue posizioni e i suoi dati, tutto in un solo file.</translation>
+    </message>
+    <message>
+        <source>its array has the shape 0. Export it again.</source>
+        <translation>il suo array ha la forma 0. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>It holds %1 fields; the others are not read.</source>
+        <translation>Contiene %1 campi; gli altri non vengono letti.</translation>
+    </message>
+    <message>
+        <source>it is not understood as an OpenDX file: %1. Write it again as one field with regular positions.</source>
+        <translation>non è comprensibile come file OpenDX: %1. Scriverlo di nuovo come un solo campo con posizioni regolari.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; behind &apos;%2&apos; is no whole number</source>
+        <translation>«%1» dopo «%2» non è un numero intero</translation>
+    </message>
+    <message>
+        <source>no name follows &apos;data file&apos;</source>
+        <translation>dopo «data file» non segue un nome</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; behind &apos;data&apos; says no place</source>
+        <translation>«%1» dopo «data» non indica una posizione</translation>
+    </message>
+    <message>
+        <source>an array has rank %1, and its shape %2 numbers</source>
+        <translation>un array ha rango %1, e la sua forma %2 numeri</translation>
+    </message>
+    <message>
+        <source>it has more than %1 objects</source>
+        <translation>ha più di %1 oggetti</translation>
+    </message>
+    <message>
+        <source>an object has more than %1 words</source>
+        <translation>un oggetto ha più di %1 parole</translation>
+    </message>
+    <message>
+        <source>an array of it should have %1 items, and the file ends before. It is cut short, or the number is wrong.</source>
+        <translation>un suo array dovrebbe avere %1 elementi, ma il file finisce prima. È troncato, o il numero è sbagliato.</translation>
+    </message>
+    <message>
+        <source>&apos;--%1&apos; chooses among several volumes or components, and &apos;%2&apos; has one number for each point. Leave it out.</source>
+        <translation>«--%1» sceglie fra più volumi o componenti, e «%2» ha un solo numero per ogni punto. Ometterlo.</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.hdr)</source>
+        <translation>NIfTI (*.nii *.hdr)</translation>
+    </message>
+    <message>
+        <source>MRC and CCP4 maps (*.mrc *.ccp4 *.map)</source>
+        <translation>Mappe MRC e CCP4 (*.mrc *.ccp4 *.map)</translation>
+    </message>
+    <message>
+        <source>its header names %1 files. Put the samples into fewer.</source>
+        <translation>la sua intestazione nomina %1 file. Mettere i campioni in un numero minore di file.</translation>
+    </message>
+    <message>
+        <source>its matrix turns space into its further axes. Write one volume of it.</source>
+        <translation>la sua matrice ruota lo spazio nei suoi assi ulteriori. Scriverne un solo volume.</translation>
+    </message>
+    <message>
+        <source>Its header gives the same by two names, which differ: %1 was taken, and %2 (%3) was not.</source>
+        <translation>La sua intestazione indica la stessa cosa con due nomi, in modo diverso: è stato preso %1, e non %2 (%3).</translation>
+    </message>
+    <message>
+        <source>it holds no image: its ObjectType is &apos;%1&apos;. TAn reads images alone of this format.</source>
+        <translation>non contiene un&apos;immagine: il suo ObjectType è «%1». Di questo formato TAn legge solo immagini.</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions, and a volume has three. Write its pictures as one volume, or a part of it with three.</source>
+        <translation>ha %1 dimensioni, e un volume ne ha tre. Scrivere le sue immagini come un solo volume, o una sua parte che ne ha tre.</translation>
+    </message>
+    <message>
+        <source>Its header does not say in which order the bytes of a number are: that of this machine was taken, %1 endian.</source>
+        <translation>La sua intestazione non dice in quale ordine stanno i byte di un numero: è stato preso quello di questo computer, %1 endian.</translation>
+    </message>
+    <message>
+        <source>Its header says how intensities follow from samples (times %1, plus %2), which was not applied.</source>
+        <translation>La sua intestazione dice come le intensità si ricavano dai campioni (moltiplicare per %1, aggiungere %2), cosa che non è stata applicata.</translation>
+    </message>
+    <message>
+        <source>Its CenterOfRotation was not used: a sample lies at Offset plus its directions times its distances, as in ITK.</source>
+        <translation>Il suo CenterOfRotation non è stato usato: un campione sta in Offset più le direzioni per le distanze, come in ITK.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and the header of a map alone has %2. It is no map, or cut short: copy the file again.</source>
+        <translation>ha %1 byte, e la sola intestazione di una mappa ne ha %2. Non è una mappa, o è troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>Its cell angles are %1, which no cell has; right angles were taken.</source>
+        <translation>Gli angoli della sua cella sono %1, che nessuna cella ha; sono stati presi angoli retti.</translation>
+    </message>
+    <message>
+        <source>Its header says that its columns, rows and sections run along the axes %1, %2 and %3, which cannot be; x, y and z were taken.</source>
+        <translation>La sua intestazione dice che colonne, righe e sezioni corrono lungo gli assi %1, %2 e %3, il che è impossibile; sono stati presi x, y e z.</translation>
+    </message>
+    <message>
+        <source>Its ORIGIN is no finite number and was not used.</source>
+        <translation>Il suo ORIGIN non è un numero finito e non è stato usato.</translation>
+    </message>
+    <message>
+        <source>By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at %2; its ORIGIN was taken.</source>
+        <translation>Secondo NXSTART, NYSTART e NZSTART (%1) il primo campione starebbe in %2; è stato preso il suo ORIGIN.</translation>
+    </message>
+    <message>
+        <source>IMOD wrote it without the flag that its ORIGIN has the usual sign: the first sample may lie at the negative of it.</source>
+        <translation>IMOD lo ha scritto senza l&apos;indicatore che il suo ORIGIN ha il segno usuale: il primo campione può stare nel suo opposto.</translation>
+    </message>
+    <message>
+        <source>Its header has a matrix that turns the map (LSKFLG), which was not used.</source>
+        <translation>La sua intestazione ha una matrice che ruota la mappa (LSKFLG), che non è stata usata.</translation>
+    </message>
+    <message>
+        <source>Its bytes were taken as unsigned, from 0 to 255, as IMOD&apos;s flag says.</source>
+        <translation>I suoi byte sono stati presi senza segno, da 0 a 255, come dice l&apos;indicatore di IMOD.</translation>
+    </message>
+    <message>
+        <source>Its bytes were taken as unsigned, from 0 to 255, since its header says that the largest value is %1.</source>
+        <translation>I suoi byte sono stati presi senza segno, da 0 a 255, perché la sua intestazione dice che il valore massimo è %1.</translation>
+    </message>
+    <message>
+        <source>its samples have four bits each (mode 101), which is not read. Write it with bytes (mode 0), for instance by IMOD&apos;s &apos;newstack -mode 0&apos;.</source>
+        <translation>i suoi campioni hanno quattro bit ciascuno (modo 101), cosa che non si legge. Scriverlo con byte (modo 0), per esempio con «newstack -mode 0» di IMOD.</translation>
+    </message>
+    <message>
+        <source>its samples are of mode %1, which is not read. Write it with mode 2 (floating point).</source>
+        <translation>i suoi campioni sono di modo %1, che non si legge. Scriverlo con il modo 2 (virgola mobile).</translation>
+    </message>
+    <message>
+        <source>Its samples are complex numbers (mode %1), as of a Fourier transform: their places are not those of a body.</source>
+        <translation>I suoi campioni sono numeri complessi (modo %1), come di una trasformata di Fourier: le loro posizioni non sono quelle di un corpo.</translation>
+    </message>
+    <message>
+        <source>The machine stamp of its header does not say in which order its bytes are: the one in which its numbers make sense was taken, %1 endian.</source>
+        <translation>Il contrassegno del computer (machine stamp) nella sua intestazione non dice in quale ordine stanno i byte: è stato preso quello in cui i numeri hanno senso, %1 endian.</translation>
+    </message>
+    <message>
+        <source>Its header says that it is a stack of %1 pictures, and no volume (space group 0, MZ 1); it was read as a volume.</source>
+        <translation>La sua intestazione dice che è una pila di %1 immagini e non un volume (gruppo spaziale 0, MZ 1); è stato letto come volume.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 x %2 x %3 points, behind an extension of %4 bytes. It is damaged, or no map: copy or export it again.</source>
+        <translation>la sua intestazione dice che ha %1 x %2 x %3 punti, dopo un&apos;estensione di %4 byte. È danneggiato, o non è una mappa: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it does not begin as the headers of NIfTI and Analyze 7.5 do. It is of another format, or damaged.</source>
+        <translation>non comincia come le intestazioni di NIfTI e Analyze 7.5. È di un altro formato, o danneggiato.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and a header of NIfTI has %2. It is cut short, or of another format: copy the file again.</source>
+        <translation>ha %1 byte, e un&apos;intestazione NIfTI ne ha %2. È troncato, o di un altro formato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>sconosciute</translation>
+    </message>
+    <message>
+        <source>of the scanner</source>
+        <translation>dello scanner</translation>
+    </message>
+    <message>
+        <source>aligned to another scan</source>
+        <translation>allineate a un&apos;altra scansione</translation>
+    </message>
+    <message>
+        <source>of Talairach</source>
+        <translation>di Talairach</translation>
+    </message>
+    <message>
+        <source>of MNI 152</source>
+        <translation>di MNI 152</translation>
+    </message>
+    <message>
+        <source>of a template</source>
+        <translation>di un modello di riferimento</translation>
+    </message>
+    <message>
+        <source>Its qform would place it elsewhere, mirrored and up to %1 away; it was not used.</source>
+        <translation>La sua qform lo collocherebbe altrove, specchiato e a una distanza fino a %1; non è stata usata.</translation>
+    </message>
+    <message>
+        <source>Its qform would place it elsewhere, up to %1 away; it was not used.</source>
+        <translation>La sua qform lo collocherebbe altrove, a una distanza fino a %1; non è stata usata.</translation>
+    </message>
+    <message>
+        <source>Its pixdim says that samples are %1 x %2 x %3 apart, which was not used.</source>
+        <translation>Il suo pixdim dice che i campioni distano %1 x %2 x %3, cosa che non è stata usata.</translation>
+    </message>
+    <message>
+        <source>distances alone (pixdim)</source>
+        <translation>solo le distanze (pixdim)</translation>
+    </message>
+    <message>
+        <source>Its header says neither where it lies nor which side of it is the left one: it has no sform and no qform.</source>
+        <translation>La sua intestazione non dice né dove si trova né quale lato è il sinistro: non ha né sform né qform.</translation>
+    </message>
+    <message>
+        <source>distances, and the origin as SPM writes it</source>
+        <translation>le distanze, e l&apos;origine come la scrive SPM</translation>
+    </message>
+    <message>
+        <source>Its header, of Analyze 7.5, does not say which side of it is the left one. Convert it to NIfTI with a program that knows where it comes from.</source>
+        <translation>La sua intestazione, di Analyze 7.5, non dice quale lato è il sinistro. Convertirlo in NIfTI con un programma che ne conosca la provenienza.</translation>
+    </message>
+    <message>
+        <source>Its code for the orientation, %1, was not used.</source>
+        <translation>Il suo codice per l&apos;orientamento, %1, non è stato usato.</translation>
+    </message>
+    <message>
+        <source>Its sform leads nowhere (its steps lie in a plane, or are no finite numbers); it was not used.</source>
+        <translation>La sua sform non porta da nessuna parte (i suoi passi stanno in un piano, o non sono numeri finiti); non è stata usata.</translation>
+    </message>
+    <message>
+        <source>Its qform leads nowhere (its numbers are not finite, or too large or small); it was not used.</source>
+        <translation>La sua qform non porta da nessuna parte (i suoi numeri non sono finiti, o sono troppo grandi o piccoli); non è stata usata.</translation>
+    </message>
+    <message>
+        <source>sform, coordinates %1</source>
+        <translation>sform, coordinate %1</translation>
+    </message>
+    <message>
+        <source>qform, coordinates %1</source>
+        <translation>qform, coordinate %1</translation>
+    </message>
+    <message>
+        <source>its samples are floating-point numbers of 128 bits, which are not read: what they are differs from machine to machine. Write them with 64 bits.</source>
+        <translation>i suoi campioni sono numeri in virgola mobile a 128 bit, che non si leggono: il loro significato cambia da computer a computer. Scriverli a 64 bit.</translation>
+    </message>
+    <message>
+        <source>its samples are single bits, which are not read. Write them as bytes.</source>
+        <translation>i suoi campioni sono singoli bit, che non si leggono. Scriverli come byte.</translation>
+    </message>
+    <message>
+        <source>its samples are of the type %1, which NIfTI does not know. The file is damaged: copy or export it again.</source>
+        <translation>i suoi campioni sono di tipo %1, che NIfTI non conosce. Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 dimensions. It is damaged: copy or export it again.</source>
+        <translation>la sua intestazione dice che ha %1 dimensioni. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 points along its dimension %2. It is damaged: copy or export it again.</source>
+        <translation>la sua intestazione dice che ha %1 punti lungo la dimensione %2. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>It holds %1 times as many samples along its last dimensions; the first were read.</source>
+        <translation>Contiene %1 volte tanti campioni lungo le ultime dimensioni; sono stati letti i primi.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied by %1, as SPM means it by the header&apos;s first unused field.</source>
+        <translation>I campioni sono stati moltiplicati per %1, come SPM intende con il primo campo inutilizzato dell&apos;intestazione.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied by %1, and %2 was added, as the header of the file asks.</source>
+        <translation>I campioni sono stati moltiplicati per %1, e si è aggiunto %2, come chiede l&apos;intestazione del file.</translation>
+    </message>
+    <message>
+        <source>its header says that its samples begin at byte %1, where they cannot be. It is damaged: copy or export it again.</source>
+        <translation>la sua intestazione dice che i campioni cominciano al byte %1, dove non possono stare. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its samples are in a file &apos;%1&apos;, which is missing. Copy it into the folder of this one: the two belong together.</source>
+        <translation>i suoi campioni stanno in un file «%1», che manca. Copiarlo nella cartella di questo: i due vanno insieme.</translation>
+    </message>
+    <message>
+        <source>its header is not that of a NumPy array: %1. Save the array again by numpy.save().</source>
+        <translation>la sua intestazione non è quella di un array NumPy: %1. Salvare di nuovo l&apos;array con numpy.save().</translation>
+    </message>
+    <message>
+        <source>it has no dictionary</source>
+        <translation>non ha un dizionario</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>«%1» non è comprensibile</translation>
+    </message>
+    <message>
+        <source>&apos;descr&apos;, &apos;fortran_order&apos; or &apos;shape&apos; is missing</source>
+        <translation>manca «descr», «fortran_order» o «shape»</translation>
+    </message>
+    <message>
+        <source>its first bytes are others</source>
+        <translation>i suoi primi byte sono altri</translation>
+    </message>
+    <message>
+        <source>it has version %1 of NumPy&apos;s format, and versions 1 to 3 are read. Save it again by numpy.save() of an earlier NumPy.</source>
+        <translation>ha la versione %1 del formato di NumPy, e si leggono le versioni da 1 a 3. Salvarlo di nuovo con numpy.save() di un NumPy meno recente.</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>ne manca la fine</translation>
+    </message>
+    <message>
+        <source>its elements are records of several fields. Save one field by itself: numpy.save(name, array[&apos;field&apos;]).</source>
+        <translation>i suoi elementi sono record di più campi. Salvare un solo campo: numpy.save(name, array[«field»]).</translation>
+    </message>
+    <message>
+        <source>its elements are objects of Python, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
+        <translation>i suoi elementi sono oggetti di Python, che solo Python sa leggere. Salvare un array di numeri: array.astype(«float32»).</translation>
+    </message>
+    <message>
+        <source>its elements have the type &apos;%1&apos;, which is not read. Save numbers of a usual type: array.astype(&apos;float64&apos;).</source>
+        <translation>i suoi elementi sono di tipo «%1», che non si legge. Salvare numeri di un tipo usuale: array.astype(«float64»).</translation>
+    </message>
+    <message>
+        <source>its array has the shape (%1), and a volume needs three dimensions of more than one element. Save a part that has them, such as array[0] or array[..., 0].</source>
+        <translation>il suo array ha la forma (%1), e un volume richiede tre dimensioni di più di un elemento. Salvarne una parte che le ha, come array[0] o array[..., 0].</translation>
+    </message>
+    <message>
+        <source>axes x, y, z: the first one runs fastest</source>
+        <translation>assi x, y, z: il primo varia più in fretta</translation>
+    </message>
+    <message>
+        <source>axes z, y, x: the last one runs fastest</source>
+        <translation>assi z, y, x: l&apos;ultimo varia più in fretta</translation>
+    </message>
+    <message>
+        <source>Behind its array it has %1 more bytes, which are not read.</source>
+        <translation>Dopo il suo array ha altri %1 byte, che non vengono letti.</translation>
+    </message>
+    <message>
+        <source>space directions</source>
+        <translation>space directions</translation>
+    </message>
+    <message>
+        <source>Its samples stand for numbers from %1 to %2 (&apos;old min&apos;, &apos;old max&apos;), from which they were quantized; they are taken as they are stored.</source>
+        <translation>I suoi campioni rappresentano numeri da %1 a %2 («old min», «old max»), da cui sono stati quantizzati; vengono presi come sono memorizzati.</translation>
+    </message>
+    <message>
+        <source>Its spacings and the ends of its axes are not used: its space directions say where it lies.</source>
+        <translation>Le sue spaziature e gli estremi dei suoi assi non vengono usati: le sue «space directions» dicono dove si trova.</translation>
+    </message>
+    <message>
+        <source>its text holds only %1 numbers where the header asks for %2. It is cut short, or the header is wrong.</source>
+        <translation>il suo testo contiene solo %1 numeri dove l&apos;intestazione ne chiede %2. È troncato, o l&apos;intestazione è sbagliata.</translation>
+    </message>
+    <message>
+        <source>its text holds more than the %1 numbers that the header asks for. Check the sizes.</source>
+        <translation>il suo testo contiene più dei %1 numeri che l&apos;intestazione chiede. Controllare le dimensioni.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 x %2 x %3 points with %4 numbers each, and only %5 bytes of text follow. It is cut short, or the header is wrong.</source>
+        <translation>la sua intestazione chiede %1 x %2 x %3 punti con %4 numeri ciascuno, ma seguono solo %5 byte di testo. È troncato, o l&apos;intestazione è sbagliata.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 x %2 x %3 points with %4 bytes each, and only %5 bytes are there. It is cut short, or the header is wrong.</source>
+        <translation>la sua intestazione chiede %1 x %2 x %3 punti con %4 byte ciascuno, ma ci sono solo %5 byte. È troncato, o l&apos;intestazione è sbagliata.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
+        <translation>ha %1 byte, e la sua intestazione ne chiede %2. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its %1 bytes of compressed data cannot hold the %2 that its header asks for. It is cut short: copy the file again.</source>
+        <translation>i suoi %1 byte di dati compressi non possono contenere i %2 che la sua intestazione chiede. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as of a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
+        <translation>i suoi campioni sono di un tipo che secondo il formato ha 4 byte, ma ci sono %1 byte per %2 campioni: quanti ne richiede un tipo di 8 byte. Scriverli come MET_INT o MET_LONG_LONG.</translation>
+    </message>
+    <message>
+        <source>%1 bytes behind its samples were not read.</source>
+        <translation>%1 byte dopo i suoi campioni non sono stati letti.</translation>
+    </message>
+    <message>
+        <source>it has not the %1 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short: copy the file again.</source>
+        <translation>non ha i %1 numeri che la sua intestazione chiede, ciascuno seguito da uno spazio o da una fine di riga. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its header asks for more samples than any file holds. It is damaged: copy or export it again.</source>
+        <translation>la sua intestazione chiede più campioni di quanti un file possa contenerne. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has one time step, and number %1 was asked for. Leave &apos;--time&apos; out.</source>
+        <translation>ha un solo passo temporale, ed è stato chiesto il numero %1. Omettere «--time».</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, and number %2 was asked for. Give one from 1 to %1.</source>
+        <translation>ha %1 passi temporali, ed è stato chiesto il numero %2. Indicarne uno da 1 a %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, time %3</source>
+        <translation>%1 di %2, tempo %3</translation>
+    </message>
+    <message>
+        <source>It holds %1 volumes; the others are not read.</source>
+        <translation>Contiene %1 volumi; gli altri non vengono letti.</translation>
+    </message>
+    <message>
+        <source>it has one number for each sample, and component &apos;%1&apos; was asked for. Leave &apos;--component&apos; out.</source>
+        <translation>ha un solo numero per ogni campione, ed è stata chiesta la componente «%1». Omettere «--component».</translation>
+    </message>
+    <message>
+        <source>it has no component &apos;%1&apos;. Choose one from 0 to %2, or &apos;magnitude&apos;.</source>
+        <translation>non ha una componente «%1». Sceglierne una da 0 a %2, oppure «magnitude».</translation>
+    </message>
+    <message>
+        <source>magnitude of %1</source>
+        <translation>modulo di %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2, counted from 0</source>
+        <translation>%1 di %2, contando da 0</translation>
+    </message>
+    <message>
+        <source>Each sample has %1 components; the others are not read.</source>
+        <translation>Ogni campione ha %1 componenti; le altre non vengono lette.</translation>
+    </message>
+    <message>
+        <source>%1 ...</source>
+        <translation>%1 ...</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2 The header &apos;%3&apos; names it as its data file.</source>
+        <translation>Impossibile leggere «%1»: %2 L&apos;intestazione «%3» lo nomina come suo file di dati.</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 bytes, and %2 bytes of compressed data cannot hold as many. It is cut short, or the header is wrong.</source>
+        <translation>la sua intestazione chiede %1 byte, e %2 byte di dati compressi non possono contenerne tanti. È troncato, o l&apos;intestazione è sbagliata.</translation>
+    </message>
+    <message>
+        <source>Files with several sets of values (Gaussian cube, OpenDX): one, by name or by number from 1; nothing takes the first.</source>
+        <translation>File con più insiemi di valori (Gaussian cube, OpenDX): uno, per nome o per numero da 1; se vuoto, il primo.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;, but a single one. Leave &apos;--array&apos; out.</source>
+        <translation>non ha un vettore «%1», ma uno solo. Omettere «--array».</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. It has %2: %3.</source>
+        <translation>non ha un vettore «%1». Ne ha %2: %3.</translation>
+    </message>
+    <message>
+        <source>%1, number %2 of %3</source>
+        <translation>%1, numero %2 di %3</translation>
+    </message>
+    <message>
+        <source>its values have one component. Leave &apos;--component&apos; out.</source>
+        <translation>i suoi valori hanno una sola componente. Omettere «--component».</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no component of values that have %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
+        <translation>«%1» non è una componente di valori che ne hanno %2: indicare «magnitude», o un numero da 0 a %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, from 0</source>
+        <translation>%1 di %2, da 0</translation>
+    </message>
+    <message>
+        <source>NumPy array (*.npy)</source>
+        <translation>Vettore NumPy (*.npy)</translation>
+    </message>
+    <message>
+        <source>Gaussian cube (*.cube *.cub)</source>
+        <translation>Gaussian cube (*.cube *.cub)</translation>
+    </message>
+    <message>
+        <source>OpenDX (*.dx)</source>
+        <translation>OpenDX (*.dx)</translation>
+    </message>
+    <message>
+        <source>Brick of values (*.bov)</source>
+        <translation>Brick of values (*.bov)</translation>
+    </message>
+    <message>
+        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;, or write the mesh as .vtu.</source>
+        <translation>Installare Python e meshio con «apt install python3-meshio», o scrivere la mesh come .vtu.</translation>
+    </message>
+    <message>
+        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;.</source>
+        <translation>Installare Python e meshio con «apt install python3-meshio».</translation>
+    </message>
+    <message>
+        <source>Export it again, as .vtu if the program can.</source>
+        <translation>Esportarlo di nuovo, come .vtu se il programma lo consente.</translation>
+    </message>
+    <message>
+        <source>it is of no format that TAn leaves to meshio. Let TAn choose the reader.</source>
+        <translation>non è di un formato che TAn lascia a meshio. Lasciare a TAn la scelta della lettura.</translation>
+    </message>
+    <message>
+        <source>Gmsh mesh (*.msh)</source>
+        <translation>Mesh Gmsh (*.msh)</translation>
+    </message>
+    <message>
+        <source>MED mesh (*.med)</source>
+        <translation>Mesh MED (*.med)</translation>
+    </message>
+    <message>
+        <source>XDMF mesh (*.xdmf *.xmf)</source>
+        <translation>Mesh XDMF (*.xdmf *.xmf)</translation>
+    </message>
+    <message>
+        <source>Nastran mesh (*.bdf *.nas *.fem)</source>
+        <translation>Mesh Nastran (*.bdf *.nas *.fem)</translation>
+    </message>
+    <message>
+        <source>Abaqus mesh (*.inp)</source>
+        <translation>Mesh Abaqus (*.inp)</translation>
+    </message>
+    <message>
+        <source>Medit mesh (*.mesh *.meshb)</source>
+        <translation>Mesh Medit (*.mesh *.meshb)</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos;, which does not lie in its folder. Move the files together.</source>
+        <translation>nomina il file «%1», che non si trova nella sua cartella. Spostare i file insieme.</translation>
+    </message>
+    <message>
+        <source>it holds a mesh, and no values at its points or cells. Export the results with the mesh, as .vtu if the program can.</source>
+        <translation>contiene una mesh, ma nessun valore nei suoi punti o nelle sue celle. Esportare i risultati insieme alla mesh, come .vtu se il programma lo consente.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;; there are %2.</source>
+        <translation>non ha un vettore «%1»; ci sono %2.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has the components 0 to %2, and no component %3.</source>
+        <translation>il suo vettore «%1» ha le componenti da 0 a %2, e nessuna componente %3.</translation>
+    </message>
+    <message>
+        <source>one of its cells has a corner that is not one of its %1 points. It is damaged.</source>
+        <translation>una delle sue celle ha un vertice che non è uno dei suoi %1 punti. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>its points lie in a plane. A mesh of three dimensions is wanted.</source>
+        <translation>i suoi punti giacciono in un piano. Serve una mesh a tre dimensioni.</translation>
+    </message>
+    <message>
+        <source>%1 cells of the kind &apos;%2&apos; were left out: TAn knows none like them.</source>
+        <translation>%1 celle del tipo «%2» sono state omesse: TAn non ne conosce di simili.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, and no step %2.</source>
+        <translation>ha %1 passi temporali, e nessun passo %2.</translation>
+    </message>
+    <message>
+        <source>meshio, which reads such files, is not installed. Install it by &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
+        <translation>meshio, che legge file di questo tipo, non è installato. Installarlo con «apt install python3-meshio» (altri sistemi: «pip install meshio»), o scrivere la mesh come .vtu.</translation>
+    </message>
+    <message>
+        <source>meshio needs the Python module &apos;%1&apos; for it. Install it by &apos;apt install python3-%1&apos;, or write the mesh as .vtu.</source>
+        <translation>meshio richiede per questo file il modulo Python «%1». Installarlo con «apt install python3-%1», o scrivere la mesh come .vtu.</translation>
+    </message>
+    <message>
+        <source>the system says: %1. See that the file and those that it names can be read.</source>
+        <translation>il sistema segnala: %1. Verificare che il file e quelli che nomina siano leggibili.</translation>
+    </message>
+    <message>
+        <source>meshio does not understand it (%1). Open it in the program that wrote it, and export it again, as .vtu if the program can.</source>
+        <translation>meshio non lo capisce (%1). Aprirlo nel programma che l&apos;ha scritto ed esportarlo di nuovo, come .vtu se il programma lo consente.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;index&apos; is not understood. Give the name of each dimension with a number from 1, as in member=3,type=1.</source>
+        <translation>«%1» per «index» non è comprensibile. Indicare il nome di ogni dimensione con un numero da 1, come in member=3,type=1.</translation>
+    </message>
+    <message>
+        <source>its list &apos;%1&apos; is missing or shorter than its elements ask for. It is damaged: export it again.</source>
+        <translation>il suo elenco «%1» manca o è più corto di quanto richiedono i suoi elementi. È danneggiato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its list &apos;%1&apos; names number %2, and there are %3. It is damaged: export it again.</source>
+        <translation>il suo elenco «%1» nomina il numero %2, e ce ne sono %3. È danneggiato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; has not %2 values at time step %3. It is damaged or was not written to its end: export it again.</source>
+        <translation>la sua variabile «%1» non ha %2 valori al passo temporale %3. È danneggiato o non è stato scritto fino alla fine: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has no coordinates of its nodes (&apos;%1&apos;). Write it with a mesh.</source>
+        <translation>non ha le coordinate dei suoi nodi («%1»). Scriverlo con una mesh.</translation>
+    </message>
+    <message>
+        <source>its coordinates &apos;%1&apos; are not those of %2 nodes. It is damaged: export it again.</source>
+        <translation>le sue coordinate «%1» non sono quelle di %2 nodi. È danneggiato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it names a variable number %1 at its nodes and has no values of it. Export it again.</source>
+        <translation>nomina una variabile numero %1 nei suoi nodi e non ne ha i valori. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 e altri %2</translation>
+    </message>
+    <message>
+        <source>it has no part &apos;%1&apos;. There is: %2.</source>
+        <translation>non ha una parte «%1». Parti presenti: %2.</translation>
+    </message>
+    <message>
+        <source>it has no elements. Write it with a mesh.</source>
+        <translation>non ha elementi. Scriverlo con una mesh.</translation>
+    </message>
+    <message>
+        <source>its elements are of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <translation>i suoi elementi sono di una forma che TAn non conosce: %1. Dividerli in elementi più semplici.</translation>
+    </message>
+    <message>
+        <source>it is a mesh without results: no variables of nodes or elements. Open the file that the solver wrote, or write it with values.</source>
+        <translation>è una mesh senza risultati: nessuna variabile di nodi o elementi. Aprire il file scritto dal risolutore, o scriverlo con i valori.</translation>
+    </message>
+    <message>
+        <source>it has no variables of nodes or elements. Write it with one.</source>
+        <translation>non ha variabili di nodi o elementi. Scriverlo con almeno una.</translation>
+    </message>
+    <message>
+        <source>moved by &apos;%1&apos;</source>
+        <translation>con lo spostamento «%1»</translation>
+    </message>
+    <message>
+        <source>It has displacements (&apos;%1&apos;); its nodes stay where they were before. &apos;displace&apos; moves them.</source>
+        <translation>Ha degli spostamenti («%1»); i suoi nodi restano dove erano prima. «displace» li sposta.</translation>
+    </message>
+    <message>
+        <source>1 of its blocks has lines or surfaces and is left out.</source>
+        <translation>1 dei suoi blocchi ha linee o superfici ed è omesso.</translation>
+    </message>
+    <message>
+        <source>%1 of its blocks have lines or surfaces and are left out.</source>
+        <translation>%1 dei suoi blocchi hanno linee o superfici e sono omessi.</translation>
+    </message>
+    <message>
+        <source>%1 of its blocks have elements of a shape that TAn does not know (&apos;%2&apos;) and are left out.</source>
+        <translation>%1 dei suoi blocchi hanno elementi di una forma che TAn non conosce («%2») e sono omessi.</translation>
+    </message>
+    <message>
+        <source>it has no displacements, whose names begin with &apos;disp&apos;. Leave &apos;displace&apos; out.</source>
+        <translation>non ha spostamenti, i cui nomi cominciano con «disp». Omettere «displace».</translation>
+    </message>
+    <message>
+        <source>%1 elements have nodes besides those of linear and quadratic shapes, which were left out.</source>
+        <translation>%1 elementi hanno nodi oltre a quelli delle forme lineari e quadratiche, che sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has values for its surfaces, not its points. Choose an array of points.</source>
+        <translation>il suo vettore «%1» ha valori per le sue superfici, non per i suoi punti. Scegliere un vettore di punti.</translation>
+    </message>
+    <message>
+        <source>none of the blocks that are taken has &apos;%1&apos;. Choose another array or part.</source>
+        <translation>nessuno dei blocchi presi ha «%1». Scegliere un altro vettore o un&apos;altra parte.</translation>
+    </message>
+    <message>
+        <source>1 of its blocks has no &apos;%1&apos; and was left out.</source>
+        <translation>1 dei suoi blocchi non ha «%1» ed è stato omesso.</translation>
+    </message>
+    <message>
+        <source>%1 of its blocks have no &apos;%2&apos; and were left out.</source>
+        <translation>%1 dei suoi blocchi non hanno «%2» e sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>it has no variable &apos;%1&apos; with three dimensions of space. Choose one of these: %2.</source>
+        <translation>non ha una variabile «%1» con tre dimensioni spaziali. Sceglierne una di queste: %2.</translation>
+    </message>
+    <message>
+        <source>it is a mesh by the conventions %1, which are not read. Convert it to .vtu, for instance with ParaView.</source>
+        <translation>è una mesh secondo le convenzioni %1, che non si leggono. Convertirla in .vtu, per esempio con ParaView.</translation>
+    </message>
+    <message>
+        <source>it holds no variables but coordinates. Write it with values.</source>
+        <translation>non contiene variabili, tranne le coordinate. Scriverlo con i valori.</translation>
+    </message>
+    <message>
+        <source>none of its variables has numbers along three dimensions of space with two points or more: %1. TAn takes volumes: choose a file of several levels, or join files along one.</source>
+        <translation>nessuna delle sue variabili ha numeri lungo tre dimensioni spaziali con due o più punti: %1. TAn accetta volumi: scegliere un file con più livelli, o unire più file lungo una dimensione.</translation>
+    </message>
+    <message>
+        <source>its variable %1 does not extend along three dimensions of space with two points or more. Choose one that does.</source>
+        <translation>la sua variabile %1 non si estende lungo tre dimensioni spaziali con due o più punti. Sceglierne una che lo fa.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; is of the type %2, which is not a number. Choose another one.</source>
+        <translation>la sua variabile «%1» è di tipo %2, che non è un numero. Sceglierne un&apos;altra.</translation>
+    </message>
+    <message>
+        <source>it has no time step: nothing was written along its dimension &apos;%1&apos;.</source>
+        <translation>non ha passi temporali: nulla è stato scritto lungo la sua dimensione «%1».</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers along &apos;%2&apos;, and %3 is asked for with &apos;index&apos;.</source>
+        <translation>ha %1 numeri lungo «%2», e con «index» si chiede il numero %3.</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 di %3</translation>
+    </message>
+    <message>
+        <source>its variable %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <translation>la sua variabile %1 non ha un&apos;altra dimensione «%2», che viene chiesta con «index».</translation>
+    </message>
+    <message>
+        <source>%1, time %2</source>
+        <translation>%1, tempo %2</translation>
+    </message>
+    <message>
+        <source>%1, time %2 (%3)</source>
+        <translation>%1, tempo %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1, with which the NetCDF library fills what nobody wrote</source>
+        <translation>%1, con cui la libreria NetCDF riempie ciò che nessuno ha scritto</translation>
+    </message>
+    <message>
+        <source>the NetCDF library says of %1: %2. Copy or export the file again.</source>
+        <translation>la libreria NetCDF segnala (%1): %2. Copiare o esportare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos;</source>
+        <translation>la sua variabile «%1»</translation>
+    </message>
+    <message>
+        <source>it does not begin as NetCDF files do. It is of another format, or damaged.</source>
+        <translation>non comincia come i file NetCDF. È di un altro formato, o danneggiato.</translation>
+    </message>
+    <message>
+        <source>the NetCDF library cannot open it: %1. Copy or export it again.</source>
+        <translation>la libreria NetCDF non riesce ad aprirlo: %1. Copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its variables</source>
+        <translation>le sue variabili</translation>
+    </message>
+    <message>
+        <source>its groups</source>
+        <translation>i suoi gruppi</translation>
+    </message>
+    <message>
+        <source>its dimensions</source>
+        <translation>le sue dimensioni</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; has a dimension that no group around it has. It is damaged: copy or export it again.</source>
+        <translation>la sua variabile «%1» ha una dimensione che nessun gruppo attorno a essa possiede. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>Its longitudes &apos;%1&apos; begin anew within it: they were continued by whole turns of 360 degrees.</source>
+        <translation>Le sue longitudini «%1» ricominciano da capo al suo interno: sono state proseguite con giri interi di 360 gradi.</translation>
+    </message>
+    <message>
+        <source>numbers of &apos;%1&apos;</source>
+        <translation>numeri di «%1»</translation>
+    </message>
+    <message>
+        <source>Its coordinate &apos;%1&apos; counts downwards; it is z as it is, so that up is where z falls.</source>
+        <translation>La sua coordinata «%1» conta verso il basso; viene presa come z così com&apos;è, perciò l&apos;alto è dove z diminuisce.</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>It says which map projection its coordinates belong to (&apos;%1&apos;), which is not used.</source>
+        <translation>Dice a quale proiezione cartografica appartengono le sue coordinate («%1»), ma questa non viene usata.</translation>
+    </message>
+    <message>
+        <source>all beyond %1 to %2</source>
+        <translation>tutti quelli fuori dell&apos;intervallo da %1 a %2</translation>
+    </message>
+    <message>
+        <source>all below %1</source>
+        <translation>tutti quelli sotto %1</translation>
+    </message>
+    <message>
+        <source>all above %1</source>
+        <translation>tutti quelli sopra %1</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>numeri</translation>
+    </message>
+    <message>
+        <source>%1, %2, height (PH + PHB) / 9.81 in m</source>
+        <translation>%1, %2, altezza (PH + PHB) / 9.81 in m</translation>
+    </message>
+    <message>
+        <source>The variable to take, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
+        <translation>La variabile da prendere, per nome o numero; «automatic» prende la prima che non è costante.</translation>
+    </message>
+    <message>
+        <source>Of Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Di variabili Exodus con più componenti: il numero di una, da 0, oppure «magnitude».</translation>
+    </message>
+    <message>
+        <source>Further dimensions</source>
+        <translation>Altre dimensioni</translation>
+    </message>
+    <message>
+        <source>Of variables with more dimensions than space and time: the number along each, from 1, as in member=3; else the first is taken.</source>
+        <translation>Di variabili con più dimensioni di quelle di spazio e tempo: il numero lungo ciascuna, da 1, come in member=3; altrimenti si prende il primo.</translation>
+    </message>
+    <message>
+        <source>Of Exodus files: one element block, by its name, its number from 1 or its id; without it all that have the values.</source>
+        <translation>Di file Exodus: un blocco di elementi, per nome, per numero da 1 o per id; se vuoto, tutti quelli che hanno i valori.</translation>
+    </message>
+    <message>
+        <source>Displace</source>
+        <translation>Sposta</translation>
+    </message>
+    <message>
+        <source>Of Exodus files with displacements: moves the nodes by them.</source>
+        <translation>Di file Exodus con spostamenti: sposta i nodi secondo questi.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libnetcdf-dev&apos;), or convert the file to NRRD or VTU.</source>
+        <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libnetcdf-dev»), o convertire il file in NRRD o VTU.</translation>
+    </message>
+    <message>
+        <source>Install the NetCDF library with &apos;apt install libnetcdf19&apos; (other systems: netcdf-c).</source>
+        <translation>Installare la libreria NetCDF con «apt install libnetcdf19» (altri sistemi: netcdf-c).</translation>
+    </message>
+    <message>
+        <source>Copy or export it again; &apos;ncdump -h&apos; tells what is in it.</source>
+        <translation>Copiarlo o esportarlo di nuovo; «ncdump -h» dice che cosa contiene.</translation>
+    </message>
+    <message>
+        <source>NetCDF (*.nc *.nc4 *.netcdf *.cdf *.ncdf)</source>
+        <translation>NetCDF (*.nc *.nc4 *.netcdf *.cdf *.ncdf)</translation>
+    </message>
+    <message>
+        <source>The solution says: Mach number %1, angle of attack %2, Reynolds number %3, time %4. They are not used.</source>
+        <translation>La soluzione indica: numero di Mach %1, angolo di attacco %2, numero di Reynolds %3, tempo %4. Non vengono usati.</translation>
+    </message>
+    <message>
+        <source>all %1 grids</source>
+        <translation>tutte le %1 griglie</translation>
+    </message>
+    <message>
+        <source>grid %1 of %2</source>
+        <translation>griglia %1 di %2</translation>
+    </message>
+    <message>
+        <source>It holds %1 grids; the others are not read.</source>
+        <translation>Contiene %1 griglie; le altre non vengono lette.</translation>
+    </message>
+    <message>
+        <source>its %1 grids make no mesh together. %2 Or choose one of them: &apos;grid&apos; from 1 to %3.</source>
+        <translation>le sue %1 griglie non formano insieme una mesh. %2 Oppure scegliere una di esse: «grid» da 1 a %3.</translation>
+    </message>
+    <message>
+        <source>Which grid of a PLOT3D file that holds several, from 1; 0 joins all into one mesh.</source>
+        <translation>Quale griglia di un file PLOT3D che ne contiene più d&apos;una, da 1; 0 le unisce tutte in una mesh.</translation>
+    </message>
+    <message>
+        <source>it has numbers in %1 of its columns, and points need at least four: x, y, z and a value.</source>
+        <translation>ha numeri in %1 delle sue colonne, e i punti ne richiedono almeno quattro: x, y, z e un valore.</translation>
+    </message>
+    <message>
+        <source>which of its columns are x, y and z? It has %1. Name three of them by &apos;--positions&apos;, or in Import Options, as in --positions %2.</source>
+        <translation>quali delle sue colonne sono x, y e z? Ha %1. Indicarne tre con «--positions», o nelle opzioni di importazione, come in --positions %2.</translation>
+    </message>
+    <message>
+        <source>The points of its %1 parts were put together.</source>
+        <translation>I punti delle sue %1 parti sono stati riuniti.</translation>
+    </message>
+    <message>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; &apos;automatic&apos; finds them by their names; if there are no names, it takes the first three.</source>
+        <translation>Tabelle di punti: le colonne di x, y e z, per nome o numero, come in a,b,c o 1,2,3; «automatic» le trova dai loro nomi; se non ci sono nomi, prende le prime tre.</translation>
+    </message>
+    <message>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first that are measured, not counters or constants.</source>
+        <translation>I valori da prendere, per nome o numero; «automatic» prende i primi che sono misurati, non contatori o costanti.</translation>
+    </message>
+    <message>
+        <source>Its section &apos;%1&apos; is not read.</source>
+        <translation>La sua sezione «%1» non viene letta.</translation>
+    </message>
+    <message>
+        <source>Its coordinates are in different units (%1, %2, %3) and are taken as they stand.</source>
+        <translation>Le sue coordinate sono in unità diverse (%1, %2, %3) e vengono prese così come sono.</translation>
+    </message>
+    <message>
+        <source>Its depths (&apos;%1&apos;) are taken for z as they stand: if they are positive, the data stand on their head.</source>
+        <translation>Le sue profondità («%1») vengono prese come z così come sono: se sono positive, i dati risultano capovolti.</translation>
+    </message>
+    <message>
+        <source>it has no section &apos;[Data]&apos;, and so no points.</source>
+        <translation>non ha una sezione «[Data]», e quindi nemmeno punti.</translation>
+    </message>
+    <message>
+        <source>line %1 says that %2 points follow, and there are more.</source>
+        <translation>la riga %1 dice che seguono %2 punti, e ce ne sono di più.</translation>
+    </message>
+    <message>
+        <source>line %1 says that %2 points follow, and there are %3. The copy may be incomplete: copy the file again.</source>
+        <translation>la riga %1 dice che seguono %2 punti, e ce ne sono %3. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>Its array &apos;%1&apos; has %2 values for %3 cells and is not read.</source>
+        <translation>Il suo vettore «%1» ha %2 valori per %3 celle e non viene letto.</translation>
+    </message>
+    <message>
+        <source>Its array &apos;%1&apos; has %2 values for %3 points and is not read.</source>
+        <translation>Il suo vettore «%1» ha %2 valori per %3 punti e non viene letto.</translation>
+    </message>
+    <message>
+        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in ParaView by the filter Tetrahedralize or Tessellate.</source>
+        <translation>ha celle di una forma che TAn non conosce: %1. Dividerle in celle più semplici, in ParaView con il filtro Tetrahedralize o Tessellate.</translation>
+    </message>
+    <message>
+        <source>cell %1 (from 0) is a polyhedron whose faces are not there.</source>
+        <translation>la cella %1 (da 0) è un poliedro le cui facce mancano.</translation>
+    </message>
+    <message>
+        <source>a face of cell %1 (from 0) has %2 points, more than are listed, or fewer than three. It is damaged.</source>
+        <translation>una faccia della cella %1 (da 0) ha %2 punti, più di quelli elencati, o meno di tre. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>1 cell has nodes in the middle of its faces, which were not used.</source>
+        <translation>1 cella ha nodi nel mezzo delle sue facce, che non sono stati usati.</translation>
+    </message>
+    <message>
+        <source>%1 cells have nodes in the middle of their faces, which were not used.</source>
+        <translation>%1 celle hanno nodi nel mezzo delle loro facce, che non sono stati usati.</translation>
+    </message>
+    <message>
+        <source>1 cell is of a higher order: it was read by its corners alone, with straight edges.</source>
+        <translation>1 cella è di ordine superiore: è stata letta solo con i suoi vertici, con spigoli diritti.</translation>
+    </message>
+    <message>
+        <source>%1 cells are of a higher order: they were read by their corners alone, with straight edges.</source>
+        <translation>%1 celle sono di ordine superiore: sono state lette solo con i loro vertici, con spigoli diritti.</translation>
+    </message>
+    <message>
+        <source>The patches of its boundary are not read: %1.</source>
+        <translation>Le zone del suo contorno (patch) non vengono lette: %1.</translation>
+    </message>
+    <message>
+        <source>Its zones of cells are not told apart: %1.</source>
+        <translation>Le sue zone di celle non vengono distinte: %1.</translation>
+    </message>
+    <message>
+        <source>Its clouds of particles are not read.</source>
+        <translation>Le sue nuvole di particelle non vengono lette.</translation>
+    </message>
+    <message>
+        <source>its case is decomposed into folders that several processors share (processors2 ...), which VTK 9.1 does not read. Run reconstructPar, and open it again.</source>
+        <translation>il suo caso è decomposto in cartelle condivise da più processori (processors2 ...), che VTK 9.1 non legge. Eseguire reconstructPar, e aprirlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its case has no mesh: there is no &apos;constant/polyMesh&apos; in &apos;%1&apos;, and no folder of a processor. The file must lie in the folder of the case, beside &apos;constant&apos; and &apos;system&apos;.</source>
+        <translation>il suo caso non ha una mesh: non c&apos;è «constant/polyMesh» in «%1», né la cartella di un processore. Il file deve stare nella cartella del caso, accanto a «constant» e «system».</translation>
+    </message>
+    <message>
+        <source>the folders of %1 processors</source>
+        <translation>le cartelle di %1 processori</translation>
+    </message>
+    <message>
+        <source>Its case as a whole is not read: the folders of its processors go on to later times.</source>
+        <translation>Il suo caso intero non viene letto: le cartelle dei suoi processori arrivano a tempi successivi.</translation>
+    </message>
+    <message>
+        <source>The folders of its %1 processors are not read: the case as a whole is.</source>
+        <translation>Le cartelle dei suoi %1 processori non vengono lette: si legge il caso intero.</translation>
+    </message>
+    <message>
+        <source>1 other part has no &apos;%1&apos; and is not read: %2.</source>
+        <translation>1 altra parte non ha «%1» e non viene letta: %2.</translation>
+    </message>
+    <message>
+        <source>%1 other parts have no &apos;%2&apos; and are not read: %3.</source>
+        <translation>%1 altre parti non hanno «%2» e non vengono lette: %3.</translation>
+    </message>
+    <message>
+        <source>1 other part is not read: %1.</source>
+        <translation>1 altra parte non viene letta: %1.</translation>
+    </message>
+    <message>
+        <source>%1 other parts are not read: %2.</source>
+        <translation>%1 altre parti non vengono lette: %2.</translation>
+    </message>
+    <message>
+        <source>Field data, which belong to no point or cell, are not read: %1.</source>
+        <translation>I dati di campo (field data), che non appartengono a nessun punto e a nessuna cella, non vengono letti: %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, time %3, file &apos;%4&apos;</source>
+        <translation>%1 di %2, tempo %3, file «%4»</translation>
+    </message>
+    <message>
+        <source>VTK finds nothing in it that it can read. Export it in another format (.vtu, .vti).</source>
+        <translation>VTK non vi trova nulla che possa leggere. Esportarlo in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos;, which does not lie in its folder or below it. Put it there, and write its name anew.</source>
+        <translation>nomina il file «%1», che non si trova nella sua cartella o al di sotto di essa. Metterlo lì, e scriverne di nuovo il nome.</translation>
+    </message>
+    <message>
+        <source>it has the time &apos;%1&apos;, which is no number.</source>
+        <translation>ha il tempo «%1», che non è un numero.</translation>
+    </message>
+    <message>
+        <source>its XML ends or breaks in line %1. It is damaged or cut short: copy or export it again.</source>
+        <translation>il suo XML finisce o si interrompe alla riga %1. È danneggiato o troncato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its JSON breaks at byte %1. It is damaged or cut short: copy or export it again.</source>
+        <translation>il suo JSON si interrompe al byte %1. È danneggiato o troncato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has no list of &apos;files&apos;.</source>
+        <translation>non ha un elenco di «files».</translation>
+    </message>
+    <message>
+        <source>its file number %1 is not told by a &apos;name&apos; and a &apos;time&apos; as a number.</source>
+        <translation>il suo file numero %1 non è indicato da un «name» e da un «time» che sia un numero.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, more than a list of files has.</source>
+        <translation>ha %1 byte, più di quanti ne ha un elenco di file.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, and names none.</source>
+        <translation>è un elenco di file, e non ne nomina nessuno.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; is of none of VTK&apos;s own formats. Open that file by itself.</source>
+        <translation>il suo file «%1» non è di nessuno dei formati propri di VTK. Aprire quel file da solo.</translation>
+    </message>
+    <message>
+        <source>it has one time step, and number %1 is asked for. Leave &apos;time&apos; out.</source>
+        <translation>ha un solo passo temporale, e si chiede il numero %1. Omettere «time».</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 TAn cannot tell whether the file is damaged or of a kind that VTK does not read. Compare it with its original, or export it in another format (.vtu, .vti).</source>
+        <translation>VTK segnala: %1 TAn non può stabilire se il file è danneggiato o di un tipo che VTK non legge. Confrontarlo con il suo originale, o esportarlo in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK reads it twice and finds other values: where the file has none, it gives what was in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export it again, or in another format (.vtu, .vti).</source>
+        <translation>VTK lo legge due volte e trova valori diversi: dove il file non ne ha, restituisce ciò che era in memoria. Il file è incompleto, o di un tipo che VTK legge in modo errato. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>Lists of VTK files (*.pvd *.series)</source>
+        <translation>Elenchi di file VTK (*.pvd *.series)</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
+    </message>
+    <message>
+        <source>Export it again, or in another format (.vtu, .vti).</source>
+        <translation>Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>Install the NetCDF library with &apos;apt install libnetcdf19&apos;.</source>
+        <translation>Installare la libreria NetCDF con «apt install libnetcdf19».</translation>
     </message>
 </context>
 <context>
