@@ -44,7 +44,8 @@ Result<DepthScale> writeDepth(const std::filesystem::path& path, const Picture& 
     const DepthScale scale = scaleOf(picture.depth);
     QImage image(picture.width, picture.height, QImage::Format_Grayscale16);
     if (image.isNull())
-        return Error{ErrorKind::OutOfResource, "Not enough memory for the picture of depths. Make the picture smaller."};
+        return Error{ErrorKind::OutOfResource,
+                     "Not enough memory for the picture of depths. Make the picture smaller."};
     auto depth = picture.depth.begin();
     for (int row = 0; row < picture.height; ++row) {
         auto* greys = reinterpret_cast<std::uint16_t*>(image.scanLine(row));
