@@ -272,7 +272,11 @@ Result<ParameterValues> errorAsked(const Arguments& arguments, const Builder& bu
     const auto error = std::ranges::find(parameters, "error", &Parameter::id);
     if (!arguments.has("error") || error == parameters.end())
         return values;
-    return pluginValues(arguments, std::vector{*error});
+    const auto percent = numberOption(arguments, "error", 0, 0, 100);
+    if (!percent)
+        return percent.error();
+    values["error"] = *percent;
+    return values;
 }
 
 /// What a model of it takes, by whom.
