@@ -147,7 +147,8 @@ private:
             if (inOrder)
                 QVERIFY2(dataset.values.at(point) == reference.values[point], file.c_str());
             if (dataset.domain == DomainClass::RegularLattice) { // computed, not stored
-                for (std::size_t axis = 0; axis < 3; ++axis)
+                // VTK leaves out where a NIfTI lies; nifti_reader_test judges that.
+                for (std::size_t axis = 0; axis < 3 && !file.ends_with(".nii"); ++axis)
                     QVERIFY2(std::abs(place[axis] - reference.positions[point][axis]) < 1e-9, file.c_str());
                 continue;
             }
