@@ -10776,6 +10776,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Install the NetCDF library with &apos;apt install libnetcdf19&apos;.</source>
         <translation>Installieren Sie die NetCDF-Bibliothek mit „apt install libnetcdf19“.</translation>
     </message>
+    <message>
+        <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Take a smaller one.</source>
+        <translation>ihre Variable „%1“ hat %2 Werte, die nicht in die Hälfte des Speichers dieses Rechners passen. Nehmen Sie eine kleinere.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

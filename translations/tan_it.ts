@@ -10776,6 +10776,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Install the NetCDF library with &apos;apt install libnetcdf19&apos;.</source>
         <translation>Installare la libreria NetCDF con «apt install libnetcdf19».</translation>
     </message>
+    <message>
+        <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Take a smaller one.</source>
+        <translation>la sua variabile «%1» ha %2 valori, che non entrano in metà della memoria di questa macchina. Prenderne una più piccola.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

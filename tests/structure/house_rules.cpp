@@ -50,6 +50,7 @@ const std::vector<Room>& rooms()
         {tanRender, {tanBase, tanMesh, tanTransfer}},
         {tanPacked, {tanBase, tanModel}},
         {tanVersion, {tanBase}},
+        {tanZones, {tanBase, tanData}},
         {"core/base", {tanBase}},
         {"core/version", {tanBase, tanVersion}},
         {"core/remote", {tanBase, tanVersion, "core/base"}},

@@ -86,6 +86,8 @@ double NetCdfReader::score(const fs::path& path, std::span<const std::byte> firs
     const std::string_view bytes(reinterpret_cast<const char*>(firstBytes.data()), firstBytes.size());
     const bool isNamed = std::ranges::any_of(
         endings, [&](std::string_view ending) { return name.size() > ending.size() && name.ends_with(ending); });
+    if (name.ends_with(".mnc"))
+        return 0; // MINC, which is no grid by the conventions
     double score = isNamed ? byName : 0;
     if (isClassicNetCdf(firstBytes))
         score = bySignature;

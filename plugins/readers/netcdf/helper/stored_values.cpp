@@ -324,6 +324,12 @@ Result<NetCdfSamples> readSamples(const NetCdfFile& file, const NetCdfVariable& 
 {
     const StoredNumbers stored = storedNumbers(file, variable);
     const std::uint64_t count = valueCount(part);
+    if (const std::uint64_t machine = physicalBytes();
+        machine > 0 && count > machine / 2 / netCdfTypeBytes(variable.type))
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("its variable '%1' has %2 values, which do not fit into half of the memory of this "
+                                  "machine. Take a smaller one.",
+                                  printable(variable.name), count)};
     Buffer<std::byte> numbers(count * netCdfTypeBytes(variable.type));
     if (const Status read = readInPieces(file, variable, part, numbers.data(), progress); !read)
         return read.error();

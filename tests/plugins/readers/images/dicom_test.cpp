@@ -47,7 +47,7 @@ struct SliceStack {
             at.number = 1 + (k * 5 + 3) % 7;
             DicomElements elements = at.elements(function, slope, intercept);
             change(k, elements);
-            any = folder.write(name + std::to_string((k * 3) % count) + ".dcm", dicomFile(elements));
+            any = folder.write(name + std::to_string((k * 5) % 31) + ".dcm", dicomFile(elements));
         }
         return any;
     }

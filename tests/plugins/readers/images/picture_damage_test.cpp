@@ -52,7 +52,7 @@ private slots:
             folder.write("a1.dcm", whole.left(whole.size() * part / 12));
             for (const char* name : {"a0.dcm", "a1.dcm"}) {
                 const auto dataset = builtImagesReader().read(folder.path() / name, {}, {});
-                QVERIFY2(!dataset.ok(), name);
+                QVERIFY2(!dataset.ok(), (std::string(name) + ", part " + std::to_string(part)).c_str());
                 QVERIFY(!dataset.error().text().empty());
             }
         }

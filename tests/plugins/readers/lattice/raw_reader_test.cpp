@@ -61,8 +61,8 @@ void RawReaderTest::describesItsParameters()
         ids << QString::fromStdString(parameter.id);
         QVERIFY(!parameter.label.empty() && parameter.explanation.ends_with('.'));
     }
-    QCOMPARE(ids,
-             QStringList({"size", "type", "byte-order", "skip", "spacing", "origin", "unit", "array", "component"}));
+    QCOMPARE(ids, QStringList({"size", "type", "byte-order", "skip", "spacing", "origin", "unit", "array", "component",
+                               "time"}));
 }
 
 void RawReaderTest::readsEveryTypeAndOrder_data()

@@ -227,7 +227,7 @@ private slots:
                     nodes.push_back(corner + 1);
             file.add("fbconn1", {faceNodes}, nodes);
             file.add("fbepecnt1", {faces}, std::vector<int>(6, 4));
-            file.add("facconn1", {list}, countedFromOne(6));
+            file.text(file.add("facconn1", {list}, countedFromOne(6)), "elem_type", "NFACED");
             file.text(file.add("ebepecnt1", {exodus.elements[0]}, std::vector<int>{6}), "entity_type1", "FACE");
             file.add("vals_nod_var1", {exodus.time, exodus.nodes}, linearAt(cube));
         }
