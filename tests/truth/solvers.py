@@ -526,7 +526,8 @@ def openfoam(folder, opened="case.foam", content=b"", binary=False, packed=False
     if opened.endswith(".foam"):
         (folder / opened).write_bytes(content)
     values = values_at_points(len(points), [hexahedra], fields[times[take[1]]][take[0]])
-    return of_cells(folder / opened, points, values, [hexahedra], options, value_slack=3e-7, **said)
+    # VTK gives places in single precision.
+    return of_cells(folder / opened, points, values, [hexahedra], options, place_slack=3e-7, value_slack=3e-7, **said)
 
 
 add("OpenFOAM", "storage", "an empty .foam", openfoam, quick=True)

@@ -36,13 +36,13 @@ def col(text, kinds="x y z value"):
 
 
 TABLES = {
-    "x, y, z, temperature": dict(columns=col("x y z temperature"), taken={"array": "temperature", "places": "x.*y.*z"}),
+    "x, y, z, temperature": dict(columns=col("x y z temperature"), taken={"array": "temperature", "columns": "x.*y.*z"}),
     "value first": dict(columns=col("T x y z", "value x y z"), taken={"array": "^T$"}),
     "pandas' index": dict(columns=col("|x|y|z|temperature", "index x y z value"), taken={"array": "temperature"}),
     "ANSYS Mechanical": dict(columns=col("Node Number|X Location (mm)|Y Location (mm)|Z Location (mm)|Total Deformation (mm)", "index1 x y z value"),
                              between="\t", ending=".txt", taken={"array": "Total Deformation"}),
     "ANSYS Fluent": dict(columns=col("nodenumber|    x-coordinate|    y-coordinate|    z-coordinate|     temperature", "index1 x y z value"),
-                         between=", ", taken={"array": "temperature", "places": "x-coordinate.*y-coordinate.*z-coordinate"}),
+                         between=", ", taken={"array": "temperature", "columns": "x-coordinate.*y-coordinate.*z-coordinate"}),
     "ANSYS Fluent, without an ending of its own": dict(columns=col("nodenumber|x-coordinate|y-coordinate|z-coordinate|pressure", "index1 x y z value"),
                                                      between=",", ending=".txt", taken={"array": "pressure"}),
     "ANSYS CFX": dict(columns=col("X [ m ]| Y [ m ]| Z [ m ]| Temperature [ K ]"), title=("", "[Name]", "Domain", "", "[Data]"), between=", ",
@@ -55,8 +55,8 @@ TABLES = {
     "ParaView's spreadsheet": dict(columns=col("Block Number|Point ID|Points_0|Points_1|Points_2|temperature", "block index x y z value"), quoted=True,
                                    taken={"array": "temperature"}),
     "easting, northing, elevation": dict(columns=col("id Easting Northing Elevation Cu_ppm", "index1 x y z value"),
-                                         taken={"array": "Cu_ppm", "places": "Easting.*Northing.*Elevation"}),
-    "lon, lat, depth": dict(columns=col("lon lat depth salinity"), taken={"array": "salinity", "places": "lon.*lat.*depth"}),
+                                         taken={"array": "Cu_ppm", "columns": "Easting.*Northing.*Elevation"}),
+    "lon, lat, depth": dict(columns=col("lon lat depth salinity"), taken={"array": "salinity", "columns": "lon.*lat.*depth"}),
     "longitude, latitude, altitude": dict(columns=col("Longitude Latitude Altitude Ozone"), taken={"array": "Ozone"}),
     "coord_x": dict(columns=col("coord_x coord_y coord_z rho"), taken={"array": "rho"}),
     "centroids": dict(columns=col("id xc yc zc grade", "index1 x y z value"), taken={"array": "grade"}),

@@ -99,8 +99,9 @@ Result<DicomFolder> dicomFolder(const fs::path& path, const TellProgress& progre
             continue;
         }
         DicomHeader header = dicomHeader(beside[at]);
-        if (header.fault.empty() && header.rows > 0 && !header.hasPixels && !header.hasFloats)
-            header.fault = whyNoPictures(header); // it is cut right before its pixels
+        const bool mayBeSlice = header.rows > 0 || header.series == series || (isAlike && header.series.empty());
+        if (header.fault.empty() && mayBeSlice && !header.hasPixels && !header.hasFloats)
+            header.fault = whyNoPictures(header); // it is cut between two elements
         if (!header.fault.empty()) {
             if (isAlike || header.series == series)
                 return Error{ErrorKind::BadInput, Message::say("the file '%1' of its series: %2", name, header.fault)};
