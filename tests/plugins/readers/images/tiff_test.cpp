@@ -287,7 +287,8 @@ private slots:
         QVERIFY(refusal({layer<quint8>(0), wide}).find("another size") != std::string::npos);
         TiffPicture huge = layer<quint8>(0);
         huge.size = {65000, 65000};
-        QVERIFY(refusal({huge, huge}).find("should have") != std::string::npos);
+        const std::string ofHuge = refusal({huge, huge});
+        QVERIFY2(ofHuge.find("cut short") != std::string::npos, ofHuge.c_str());
         TiffPicture complex = layer<quint64>(0);
         complex.format = 6;
         QVERIFY(refusal({complex, complex}).find("SampleFormat") != std::string::npos);
