@@ -125,11 +125,12 @@ def limit_this_process(request):
 def check_references(path):
     """An XDMF names files of numbers: only such as lie beside it or below."""
     import xml.etree.ElementTree as tree
+    folder = os.path.realpath(os.path.dirname(path))
     for item in tree.parse(path).getroot().iter("DataItem"):
         if item.get("Format", "XML") == "XML":
             continue
         name = (item.text or "").strip().split(":")[0]
-        if os.path.isabs(name) or ".." in name.split("/"):
+        if not os.path.realpath(os.path.join(folder, name)).startswith(folder.rstrip("/") + "/"):
             raise Refusal("it names the file '%1', which does not lie in its folder. Move the files together.", name)
 
 
