@@ -526,11 +526,10 @@ def openfoam(folder, opened="case.foam", content=b"", binary=False, packed=False
     if opened.endswith(".foam"):
         (folder / opened).write_bytes(content)
     values = values_at_points(len(points), [hexahedra], fields[times[take[1]]][take[0]])
-    # VTK gives places in single precision.
-    return of_cells(folder / opened, points, values, [hexahedra], options, place_slack=3e-7, value_slack=3e-7, **said)
+    return of_cells(folder / opened, points, values, [hexahedra], options, value_slack=3e-7, **said)
 
 
-add("OpenFOAM", "storage", "an empty .foam", openfoam, quick=True)
+add("OpenFOAM", "storage", "an empty .foam", openfoam)
 add("OpenFOAM", "storage", "controlDict", openfoam, opened="system/controlDict")
 add("OpenFOAM", "storage", "binary", openfoam, binary=True)
 add("OpenFOAM", "storage", "packed by gzip", openfoam, packed=True)

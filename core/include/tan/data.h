@@ -467,14 +467,15 @@ struct ComplexValues {
 };
 
 /// The irregular dataset that such cells make (R1, S6, S20), a mesh that covers its domain once: every cell is cut into
-/// tetrahedra, quadratic ones through all their nodes; cells blanked or with a value that is not finite are holes.
-/// Harmless defects are repaired and listed in `remarks`: points on one place (the mean of their values), points that
-/// no cell uses, cells with a repeated corner, without volume, numbered the other way round or duplicated. Cells that
-/// overlap others, also by lying on the same side of a face, are taken out, which `faultyCells` lists, if they are at
-/// most a thousandth of the cells or of the volume (C10). The boundary may touch itself. Refused with a count and an
-/// example: polyhedra, more than a thousandth of faulty cells, numbers of points out of range, nothing left. Of a
-/// complex with a region the judgement is about what lies in it, and the mesh sound there. One thread, about 300 bytes
-/// a tetrahedron, and 100 more where cells overlap; safe from any thread.
+/// tetrahedra, quadratic ones through all their nodes, polyhedra between their points; cells blanked or with a value
+/// that is not finite are holes. Harmless defects are repaired and listed in `remarks`: points on one place (the mean
+/// of their values), points that no cell uses, cells with a repeated corner, without volume, numbered the other way
+/// round or duplicated. Cells that overlap others, also by lying on the same side of a face, are taken out, which
+/// `faultyCells` lists, if they are at most `mostFaulty` of the cells or of the volume (C10). The boundary may touch
+/// itself. Refused with a count and an example: more faulty cells than that, polyhedra without a cut among them,
+/// numbers of points out of range, nothing left. Of a complex with a region the judgement is about what lies in it, and
+/// the mesh sound there. One thread, about 300 bytes a tetrahedron, and 100 more where cells overlap; safe from any
+/// thread.
 TAN_API Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                          const Progress& progress = {});
 

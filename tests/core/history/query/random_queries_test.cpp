@@ -129,7 +129,7 @@ private slots:
             }
         }
         const QString counted = QString("%1 and %2 of %3").arg(smaller).arg(insertions).arg(pairs);
-        QVERIFY2(pairs >= 100 && smaller > pairs / 4 && insertions > 0, qPrintable(counted));
+        QVERIFY2(pairs >= 100 && smaller > pairs / 2 && insertions > 0, qPrintable(counted));
     }
 
     /// From each accuracy to any other: the mesh is that of the prefix.

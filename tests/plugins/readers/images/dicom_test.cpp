@@ -261,15 +261,17 @@ private slots:
 
     void valuesAreScaled()
     {
+        const auto lowered = [](const Eigen::Vector3d& place) { return world(place) - 200; }; // below 0 in part
         SliceStack volume;
+        volume.function = lowered;
         volume.slope = 0.25;
         volume.intercept = -100;
-        volume.change = [](int k, DicomElements& elements) {
+        volume.change = [&](int k, DicomElements& elements) {
             if (k % 2 == 0)
                 return;
             DicomSlice at; // another slope in every other slice
             at.position = {0, 0, 0.6 * k};
-            const DicomElements other = at.elements(world, 0.5, 20);
+            const DicomElements other = at.elements(lowered, 0.5, 20);
             for (const quint32 tag : {0x00281052u, 0x00281053u, 0x7fe00010u})
                 elements[tag] = other.at(tag);
         };
@@ -277,7 +279,8 @@ private slots:
         const auto dataset = readFile(volume.write(folder));
         VERIFY_OK(dataset);
         QVERIFY(dataset->values.type() == SampleType::Float32);
-        QVERIFY2(distance(*dataset) <= 0.25, std::to_string(distance(*dataset)).c_str());
+        QVERIFY2(distance(*dataset, lowered) <= 0.25, std::to_string(distance(*dataset, lowered)).c_str());
+        QVERIFY(dataset->values.range().minimum < 0);
     }
 
     /// Bits above those that count hold something else.

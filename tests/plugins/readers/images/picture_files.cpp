@@ -188,6 +188,11 @@ QByteArray tiffFile(const std::vector<TiffPicture>& pages, const TiffWriting& wr
             entries.push_back({283, 5, 1, at});
             entries.push_back({296, 3, 1, page.resolutionUnit});
         }
+        constexpr int palette = 3;
+        if (page.photometric == palette) { // its colours, all black
+            const qint64 numbers = 3 * (qint64(1) << page.bits);
+            entries.push_back({320, 3, numbers, place(QByteArray(2 * numbers, '\0'))});
+        }
         if (page.format != 1)
             entries.push_back({339, 3, 1, page.format});
         const qint64 directory = place({});

@@ -282,6 +282,9 @@ private slots:
             return dataset.ok() ? std::string() : dataset.error().text();
         };
         QVERIFY(refusal({layer<quint8>(0)}).find("one slice") != std::string::npos);
+        TiffPicture palette = layer<quint8>(0);
+        palette.photometric = 3;
+        QVERIFY(refusal({palette, palette}).find("palette") != std::string::npos);
         TiffPicture wide = layer<quint8>(0);
         wide.size = {2, 6};
         QVERIFY(refusal({layer<quint8>(0), wide}).find("another size") != std::string::npos);

@@ -152,7 +152,7 @@ private slots:
         row("no axis", lines("0 0 0 0", "2 1 0 0\n2 0 1\n2 0 0 1\n"), {"line 5", "step"});
         row("atoms that are not there", lines("9000000000000000000 0 0 0", axes), {"ends in its header", "line 7"});
         row("the least number of atoms", lines("-9223372036854775808 0 0 0", axes), {"ends in its header", "line 7"});
-        row("atoms to the end", lines("3 0 0 0", axes + "1 1 0 0 0\n").left(52), {"line 8", "atom"});
+        row("atoms to the end", lines("3 0 0 0", axes + "1 1 0 0 0\n").left(46), {"ends in its header"});
         row("no atom", lines("1 0 0 0", axes + "1 1 0 0\n"), {"line 7", "atom"});
         row("no orbitals", "a\nb\n-1 0 0 0\n" + axes + "1 1 0 0 0\n0\n" + numbers, {"orbitals"});
         row("endless orbitals", "a\nb\n-1 0 0 0\n" + axes + "1 1 0 0 0\n18446744073709551615 1\n" + numbers,

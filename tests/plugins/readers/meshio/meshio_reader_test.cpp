@@ -2,6 +2,7 @@
 // Files as their formats' manuals have them, written by hand, with a linear function of the place.
 #include "plugins/readers/meshio/meshio_reader.h"
 #include "plugins/readers/meshio/meshio_texts.h"
+#include "tests/lacks.h"
 
 #include <QFile>
 #include <QProcess>
@@ -109,7 +110,7 @@ private slots:
     void aGmshMeshIsRead()
     {
         if (!hasMeshio())
-            QSKIP("skipped: meshio is not installed");
+            QSKIP_WITHOUT("meshio");
         const auto path = write("a.msh", gmshText);
         const auto dataset = reader_.read(path, {}, {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
@@ -136,7 +137,7 @@ private slots:
     void aStepOfAnXdmfIsRead()
     {
         if (!hasMeshio())
-            QSKIP("skipped: meshio is not installed");
+            QSKIP_WITHOUT("meshio");
         const auto path = write("series.xdmf", xdmfSeries());
         const auto dataset = reader_.read(path, {{"time", std::int64_t(2)}}, {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
@@ -164,7 +165,7 @@ private slots:
     void whatCannotBeReadIsRefused()
     {
         if (!hasMeshio())
-            QSKIP("skipped: meshio is not installed");
+            QSKIP_WITHOUT("meshio");
         QFETCH(QByteArray, name);
         QFETCH(QByteArray, content);
         QFETCH(QByteArray, told);
