@@ -30,7 +30,6 @@ void tellOfFile(const VtkSource& source, const VtkRequest& request, std::vector<
 FileContents finished(FileContents contents, const VtkSource& source, const VtkRequest& request)
 {
     contents.timeSteps = timesOf(source);
-    source.finishContents(contents);
     contents.untold = source.untold;
     tellOfFile(source, request, contents.taken, contents.leftOut);
     return contents;

@@ -25,8 +25,6 @@ struct VtkSource {
     std::function<void(Provenance&)> tell = [](Provenance&) {};
     /// Changes of what was found that the file asks for and VTK leaves out.
     std::function<void(VtkFindings&)> finish = [](VtkFindings&) {};
-    /// The same of what it holds.
-    std::function<void(FileContents&)> finishContents = [](FileContents&) {};
     std::vector<std::string> untold{"unit"}; ///< FileContents::untold of such files
     bool knowsContents = false;              ///< UpdateInformation() alone tells arrays and sizes
     /// The times of a source that has already taken the request's step by itself; else empty.
