@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -158,7 +159,12 @@ private slots:
         const Dataset dataset = sample(52);
         LiveBuild live;
         Looks looks;
-        const Progress looking({}, [&](double, const Message&) { looks.look(live, path("look.tan")); });
+        const auto coarsened = [&] { return looks.models.size() > 1; };
+        const Progress looking({}, [&](double, const Message&) {
+            looks.look(live, path("look.tan"));
+            if (!coarsened()) // meshes are shown half a second apart, or more; the whole build may take as long
+                std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        });
         QVERIFY(!live.hasMesh());
         const auto built = buildModel(*host_, dataset, "decimation", {}, path("built.tan"), looking, {.live = &live});
         QVERIFY2(built, built ? "" : built.error().text().c_str());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two hundred random models, whole and in blocks, and random queries of each kind: the mesh is the one that going
 // through the whole history gives, and the independent judge proves it (B1, B3, R14, R17, R25).
+#include "core/history/pair_limits.h"
 #include "core/history/query/region_refiner.h"
 #include "plugins/samples/samples.h"
 #include "tests/core/history/model_fixture.h"
@@ -99,8 +100,11 @@ private slots:
             MeshExtractor extractor(one.model);
             for (int round = 0; round < 9; ++round) {
                 MeshQuery query;
-                const double error = round % 3 == 0 ? anyError : between(random, 0, 20);
-                const double warping = round % 3 == 1 ? anyWarping : between(random, 0, 20);
+                double error = anyError, warping = anyWarping;
+                do { // in the build's ratio, a prefix answers
+                    error = round % 3 == 0 ? anyError : between(random, 0, 20);
+                    warping = round % 3 == 1 ? anyWarping : between(random, 0, 20);
+                } while (isInRatio(*one.model, unitLimits(*one.model, {error, warping})));
                 query.error = error;
                 query.warping = warping;
                 query.method = VariableMethod::ClosedSet;
@@ -129,7 +133,8 @@ private slots:
             }
         }
         const QString counted = QString("%1 and %2 of %3").arg(smaller).arg(insertions).arg(pairs);
-        QVERIFY2(pairs >= 100 && smaller > pairs / 2 && insertions > 0, qPrintable(counted));
+        const int often = timesOf(2, 4); // of other chances, 39 to 60 of 100
+        QVERIFY2(pairs >= 100 && smaller > pairs / often && insertions > 0, qPrintable(counted));
     }
 
     /// From each accuracy to any other: the mesh is that of the prefix.
