@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -79,6 +80,13 @@ PluginStatus inspect(const fs::path& path, const HostBuild& build)
     if (const Status compatible = checkCompatible(status.metadata, build); !compatible)
         return refuse(compatible.error().message);
     return status;
+}
+
+/// Why a library cannot be looked at now, if it is only that; Qt calls it no plugin then.
+std::optional<Error> lackOfMemoryFor(const fs::path& library)
+{
+    const auto file = MappedFile::open(library);
+    return !file && file.error().kind == ErrorKind::OutOfResource ? std::optional(file.error()) : std::nullopt;
 }
 
 /// Of a library in the user's own folder, DATA/tan/plugins.
@@ -176,9 +184,9 @@ void PluginHost::find()
             if (!seen.insert(fs::weakly_canonical(path, ignored)).second)
                 continue;
             PluginStatus status = inspect(path, options_.build);
-            if (!status.hasMetadata) // Qt does not say whether it could look at the file at all
-                if (const auto file = MappedFile::open(path); !file && file.error().kind == ErrorKind::OutOfResource)
-                    complete_ = file.error();
+            if (!status.hasMetadata)
+                if (const auto lack = lackOfMemoryFor(path))
+                    complete_ = *lack;
             entries_.push_back(std::make_unique<Entry>());
             entries_.back()->status = std::move(status);
             if (folder == options_.ownFolder && entries_.back()->usable())
@@ -337,6 +345,10 @@ Status PluginHost::open(Entry& entry)
         const std::string reason = entry.loader->errorString().toStdString();
         if (namesLackOfResources(reason))
             return lacking(Message(reason.ends_with('.') ? reason : reason + "."));
+        if (const auto lack = lackOfMemoryFor(entry.status.path)) {
+            complete_ = *lack;
+            return *lack;
+        }
         return bad(explainLoadError(reason, entry.status.metadata.remedy));
     }
     const std::string interface(pluginInterface(entry.status.metadata.kind));
