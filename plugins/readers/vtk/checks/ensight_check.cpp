@@ -102,6 +102,8 @@ public:
     }
 
     std::string_view line() const { return line_; }
+    /// False if the file ends in this line, of which more may have stood there.
+    bool lineEnds() const { return ends_; }
     bool startsWith(std::string_view word) const { return line_.starts_with(word); }
 
     void needNext(MarkedText what)
@@ -1014,6 +1016,11 @@ private:
             if (isGeometry)
                 lines.needNext(Message::marked("line of its description"));
             work(walk);
+            if (!lines.lineEnds())
+                checked_.remarks.push_back(
+                    Message::say("Its file '%1' ends without an end of line: if it was cut short there, its last "
+                                 "number is wrong.",
+                                 printable(name)));
         }
     }
 
