@@ -38,6 +38,7 @@ file(GET_RUNTIME_DEPENDENCIES RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDE
     EXECUTABLES "${prefix}/bin/tan" "${prefix}/bin/tan-desktop" "${libraries}/plugins/tan-read-vtk"
         "${libraries}/plugins/tan-read-images"
         "${libraries}/plugins/tan-read-netcdf"
+        "${libraries}/plugins/tan-read-hdf5"
     LIBRARIES ${ours} ${plugin_files} PRE_EXCLUDE_REGEXES ${of_the_machine})
 if(missing)
     message(FATAL_ERROR "The bundle lacks ${missing}")

@@ -3,7 +3,7 @@
 
 #include "plugins/api/cells_parameters.h"
 #include "plugins/api/placement_parameters.h"
-#include "plugins/readers/netcdf/further_dimensions.h"
+#include "plugins/process/further_dimensions.h"
 
 #include <algorithm>
 #include <iterator>

@@ -91,7 +91,8 @@ double NetCdfReader::score(const fs::path& path, std::span<const std::byte> firs
     double score = isNamed ? byName : 0;
     if (isClassicNetCdf(firstBytes))
         score = bySignature;
-    else if (bytes.starts_with("\x89HDF") && (isNamed || name.starts_with("wrfout"))) // also of other formats
+    else if (bytes.starts_with("\x89HDF") && // also of other formats
+             (isNamed || name.starts_with("wrfout") || bytes.find("_NCProperties") != std::string_view::npos))
         score = byBoth;
     std::error_code ignored;
     return score > 0 && !fs::exists(helper_, ignored) ? score * withoutLibrary : score;

@@ -86,6 +86,8 @@ VtkFormat bySignature(std::string_view bytes)
         return ofXml(bytes.substr(element));
     if (isSeriesJson(bytes))
         return VtkFormat::Series;
+    if (hasAt(bytes, 0, "\x89HDF") && bytes.find("VTKHDF") != std::string_view::npos)
+        return VtkFormat::Hdf;
     return looksLikeTecplot(bytes) ? VtkFormat::Tecplot : VtkFormat::None;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/netcdf/helper/fields.h"
 
-#include "plugins/readers/netcdf/further_dimensions.h"
+#include "plugins/process/further_dimensions.h"
 #include "plugins/readers/netcdf/helper/axes.h"
 #include "plugins/readers/netcdf/helper/stored_values.h"
 

@@ -92,6 +92,7 @@ private slots:
         QVERIFY(score("wrfout_d01_2000-01-01", QByteArray("CDF\2", 4)) > 0.8);
         QVERIFY(score("a.nc", hdf5) > 0.6 && score("MESH.EXO", hdf5) > 0.6 && score("wrfout_d01", hdf5) > 0.6);
         QCOMPARE(score("a.h5", hdf5), 0.);
+        QVERIFY(score("a.h5", hdf5 + "_NCProperties") > 0.65); // more than the reader of arrays in HDF5
         QVERIFY(score("a.g", "PLOT3D?") < 0.2);
         QCOMPARE(score("a.csv", "x,y,z"), 0.);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/readers/netcdf/further_dimensions.h"
+#include "plugins/process/further_dimensions.h"
 
 #include <algorithm>
 #include <string_view>
