@@ -134,12 +134,119 @@ def check_references(path):
             raise Refusal("it names the file '%1', which does not lie in its folder. Move the files together.", name)
 
 
+class GmshNumbers:
+    """What meshio drops of a .msh: the numbers of nodes and elements, by which each value says whose it is. Its readers of the
+    versions 2.2 and 4.1 keep them here, and leave the values to values_of(); of 4.0 meshio takes the values as they come."""
+
+    def __init__(self, numpy):
+        from meshio.gmsh import _gmsh22, _gmsh41, common
+        self.numpy, self.common = numpy, common
+        self.nodes, self.elements, self.sections = None, [], []
+        for module in (_gmsh22, _gmsh41):
+            module._read_data = self.read_section
+        self.keep_nodes(_gmsh22, 0)
+        self.keep_nodes(_gmsh41, 1)
+        self.keep_elements(_gmsh22, "_read_cells_ascii", lambda f, cells, tags, count: [
+            int(f.readline().split(None, 1)[0]) for _ in range(count)])
+        self.keep_elements(_gmsh22, "_read_cells_binary", lambda f, cells, tags, count: self.elements_of_22(_gmsh22, f, count))
+        self.keep_elements(_gmsh41, "_read_elements", lambda f, points, physical, bounds, is_text, size, names: (
+            self.elements_of_41(_gmsh41, f, is_text, size)))
+
+    def keep_nodes(self, module, below):
+        """`below`: meshio has already taken so much from their numbers."""
+        meshios = module._read_nodes
+
+        def read_nodes(*arguments):
+            result = meshios(*arguments)
+            self.nodes = self.numpy.asarray(result[1]).astype(self.numpy.int64) + below
+            return result
+
+        module._read_nodes = read_nodes
+
+    def keep_elements(self, module, name, numbers):
+        """Reads the section twice: once as meshio does, once for the numbers of its elements."""
+        meshios = getattr(module, name)
+
+        def read_elements(f, *arguments):
+            begin = f.tell()
+            result = meshios(f, *arguments)
+            end = f.tell()
+            f.seek(begin)
+            self.elements = self.numpy.asarray(numbers(f, *arguments), dtype=self.numpy.int64)
+            f.seek(end)
+            return result
+
+        setattr(module, name, read_elements)
+
+    def elements_of_22(self, module, f, count):
+        numbers = [self.numpy.zeros(0, self.numpy.int64)]
+        while sum(map(len, numbers)) < count:
+            kind, elements, tags = self.numpy.fromfile(f, count=3, dtype=module.c_int)
+            row = 1 + int(tags) + module.num_nodes_per_cell[module._gmsh_to_meshio_type[kind]]
+            numbers.append(self.numpy.fromfile(f, count=int(elements) * row, dtype=module.c_int).reshape(-1, row)[:, 0])
+        return self.numpy.concatenate(numbers)
+
+    def elements_of_41(self, module, f, is_text, size):
+        def fromfile(kind, count):
+            return self.numpy.fromfile(f, kind, int(count), sep=" " if is_text else "")
+
+        whole = module._size_type(size)
+        numbers = [self.numpy.zeros(0, self.numpy.int64)]
+        for _ in range(int(fromfile(whole, 4)[0])):
+            kind = fromfile(module.c_int, 3)[2]
+            row = 1 + module.num_nodes_per_cell[module._gmsh_to_meshio_type[kind]]
+            numbers.append(fromfile(whole, int(fromfile(whole, 1)[0]) * row).reshape(-1, row)[:, 0])
+        return self.numpy.concatenate([part.astype(self.numpy.int64) for part in numbers])
+
+    def read_section(self, f, section, _, __, is_text):
+        """A view: its name and others, its time and others, its step, components and count; then a number and values a row."""
+        words = [f.readline().decode().strip().replace('"', "") for _ in range(int(f.readline()))]
+        for _ in range(int(f.readline())):
+            f.readline()
+        _, components, count = [int(f.readline()) for _ in range(int(f.readline()))][:3]
+        if is_text:
+            table = self.numpy.fromfile(f, count=count * (1 + components), sep=" ").reshape(count, 1 + components)
+            numbers, values = table[:, 0].astype(self.numpy.int64), table[:, 1:]
+        else:
+            table = self.numpy.fromfile(f, [("number", "i4"), ("values", "f8", (components,))], count)
+            numbers, values = table["number"].astype(self.numpy.int64), table["values"]
+        if len(numbers) != count:
+            raise ValueError("a view ends before its last value")
+        self.common._fast_forward_to_end_block(f, section)
+        self.sections.append((section == "NodeData", words[0], numbers, values))
+
+    def values_of(self, mesh):
+        """Gives the mesh the values, NaN where the file tells none; what of the file is left out."""
+        views, of_points, of_cells = {}, {}, {}
+        for is_of_nodes, name, numbers, values in self.sections:
+            own = self.nodes if is_of_nodes else self.elements
+            order = self.numpy.argsort(own, kind="stable")
+            places = order[self.numpy.minimum(self.numpy.searchsorted(own, numbers, sorter=order), len(own) - 1)]
+            if (own[places] != numbers).any():
+                raise Refusal("its values '%1' name a node or an element %2, which it does not have.", name,
+                              int(numbers[own[places] != numbers][0]))
+            whole = self.numpy.full((len(own), values.shape[1]), self.numpy.nan)
+            whole[places] = values
+            if values.shape[1] == 1:
+                whole = whole[:, 0]
+            ends = self.numpy.cumsum([len(block.data) for block in mesh.cells])[:-1]
+            if is_of_nodes:
+                of_points[name] = whole
+            else:
+                of_cells[name] = self.numpy.split(whole, ends)
+            views[is_of_nodes, name] = views.get((is_of_nodes, name), 0) + 1
+        mesh.point_data = {**of_points, **mesh.point_data}  # the views first, as by meshio itself
+        mesh.cell_data = {**of_cells, **mesh.cell_data}
+        return [message("Of '%1' it has %2 steps; the last one is read.", name, count)
+                for (_, name), count in views.items() if count > 1]
+
+
 class Series:
     """The steps of a file: one, but of XDMF as many as it has."""
 
     def __init__(self, request):
         import meshio
-        self.times, self.mesh_of = [], None
+        self.times, self.mesh_of, self.left_out = [], None, []
         if request.format == "xdmf":
             check_references(request.path)
             os.chdir(os.path.dirname(request.path) or "/")  # its files are named from there; nothing is imported any more
@@ -148,7 +255,13 @@ class Series:
             if "Temporal" in kinds:
                 self.of_xdmf(request, meshio)
                 return
+        gmsh = None
+        if request.format == "gmsh":
+            import numpy
+            gmsh = GmshNumbers(numpy)
         mesh = meshio.read(request.path, file_format=request.format)
+        if gmsh is not None and gmsh.sections:
+            self.left_out = gmsh.values_of(mesh)
         self.mesh_of = lambda step: mesh
 
     def of_xdmf(self, request, meshio):
@@ -273,9 +386,9 @@ def provenance(array, component, guessed, series, request):
     return listed(parts)
 
 
-def left_out_of(left_out):
+def left_out_of(left_out, series):
     return listed([message("%1 cells of the kind '%2' were left out: TAn knows none like them.", count, kind)
-                   for kind, count in left_out.items()])
+                   for kind, count in left_out.items()] + series.left_out)
 
 
 def array_of_bytes(values):
@@ -303,7 +416,7 @@ def findings(series, request, numpy):
     name = array.name if component is None else "%s, %s" % (array.name, component)
     yield struct.pack("=B", CELLS) + no_lattice() + text("") + text("") + listed([text("unit")])
     yield struct.pack("=B?", sample_type(array) if component is None else 7, array.per_cell) + text(name) + listed([])
-    yield provenance(array, component, guessed, series, request) + left_out_of(left_out)
+    yield provenance(array, component, guessed, series, request) + left_out_of(left_out, series)
     yield struct.pack("=Q", len(positions)) + positions.tobytes()
     yield struct.pack("=Q", values.nbytes) + values.tobytes()
     for part in (shapes, offsets, corners):
@@ -320,7 +433,7 @@ def contents(series, request, numpy):
     volumes = sum(len(block.data) for block in mesh.cells if block.type in SHAPES)
     yield struct.pack("=?I", True, IRREGULAR) + no_lattice() + struct.pack("=QQ", len(mesh.points), volumes)
     yield struct.pack("=?B", True, sample_type(array)) + listed([]) + listed([text("unit")]) + listed([]) + listed([])
-    yield provenance(array, component, guessed, series, request) + left_out_of(left_out)
+    yield provenance(array, component, guessed, series, request) + left_out_of(left_out, series)
     yield struct.pack("=Q", len(series.times)) + struct.pack("=%dd" % len(series.times), *series.times)
 
     def described(one):

@@ -104,7 +104,7 @@ private slots:
             QVERIFY2(text.contains(QByteArray(sentence.text)), sentence.text);
             ++raised;
         }
-        QCOMPARE(text.count("raise Refusal(") + 2, raised); // and two sentences that are no refusals
+        QCOMPARE(text.count("raise Refusal(") + 3, raised); // and three sentences that are no refusals
     }
 
     void aGmshMeshIsRead()
@@ -132,6 +132,48 @@ private slots:
         QCOMPARE(contents->arrays[1].components, 3);
         QVERIFY(contents->taken == (std::vector<Taken>{{TakenPart::Array, std::string("flow"), false},
                                                        {TakenPart::Component, std::string("1"), false}}));
+    }
+
+    /// Nodes and elements have numbers of any kind, and views name them in any order and not all of them.
+    void gmshValuesAreThoseOfTheirNumbers()
+    {
+        if (!hasMeshio())
+            QSKIP_WITHOUT("meshio");
+        const QByteArray views =
+            "$NodeData\n1\n\"heat\"\n1\n0.0\n3\n0\n1\n5\n50 6\n20 1\n40 3\n10 0\n30 2\n$EndNodeData\n"
+            "$ElementData\n1\n\"load\"\n1\n0.0\n3\n0\n1\n2\n9 8\n8 8\n$EndElementData\n"
+            "$ElementData\n1\n\"load\"\n1\n1.0\n3\n1\n1\n2\n9 3\n8 1\n$EndElementData\n";
+        const QByteArray places = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n";
+        const QByteArray old =
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n10 0 0 0\n20 1 0 0\n30 0 1 0\n40 0 0 1\n"
+            "50 1 1 1\n$EndNodes\n$Elements\n3\n7 2 2 7 7 10 20 30\n8 4 2 9 9 10 20 30 40\n"
+            "9 4 2 9 9 20 30 40 50\n$EndElements\n";
+        const QByteArray recent =
+            "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 1 1 1 0 0\n$EndEntities\n"
+            "$Nodes\n1 5 10 50\n3 1 0 5\n10\n20\n30\n40\n50\n" +
+            places +
+            "$EndNodes\n$Elements\n2 3 7 9\n3 1 2 1\n7 10 20 30\n3 1 4 2\n8 10 20 30 40\n"
+            "9 20 30 40 50\n$EndElements\n";
+        for (const QByteArray& mesh : {old, recent}) {
+            const auto path = write("numbers.msh", mesh + views);
+            const auto heat = reader_.read(path, {{"array", std::string("heat")}}, {});
+            QVERIFY2(heat.ok(), heat.ok() ? "" : heat.error().text().c_str());
+            for (std::uint64_t point = 0; point < heat->pointCount(); ++point)
+                QCOMPARE(heat->values.at(point), heatAt(heat->position(point)));
+            // Of cells, the mean: 1 where only the first tetrahedron is, 3 at the far corner of the second.
+            const auto load = reader_.read(path, {{"array", std::string("load")}}, {});
+            QVERIFY2(load.ok(), load.ok() ? "" : load.error().text().c_str());
+            QCOMPARE(load->pointCount(), std::uint64_t(5));
+            for (std::uint64_t point = 0; point < load->pointCount(); ++point) {
+                const double sum = load->position(point).sum();
+                QCOMPARE(load->values.at(point), sum < 0.5 ? 1. : sum > 2 ? 3. : 2.);
+            }
+            QCOMPARE(load->source.leftOut.size(), std::size_t(1));
+            QCOMPARE(load->source.leftOut[0].text(), std::string("Of 'load' it has 2 steps; the last one is read."));
+            const auto astray =
+                reader_.read(write("astray.msh", mesh + QByteArray(views).replace("\n9 3", "\n5 3")), {}, {});
+            QVERIFY(!astray.ok() && astray.error().text().find("a node or an element 5") != std::string::npos);
+        }
     }
 
     void aStepOfAnXdmfIsRead()
