@@ -96,15 +96,15 @@ Message limitMessage(std::string_view words, std::string_view library)
                             "(ulimit -v).",
                             library, neededBytesText(*space));
     if (const auto half = numberBehind(machineWord))
-        return Message::say("%1 needs more than %2 of memory for it, half of what this machine has. It is damaged, or "
-                            "too large for this machine: take a part of it.",
+        return Message::say("%1 needs more than %2 of memory for it, half of what this machine has. It may be damaged, "
+                            "or too large for this machine: take a part of it.",
                             library, neededBytesText(*half));
     if (const auto memory = numberBehind(memoryWord))
-        return Message::say("%1 needs more than %2 of memory for it, which files of its size do not need. It is "
-                            "damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
+        return Message::say("%1 needs more than %2 of memory for it, which files of its size do not need. It "
+                            "may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
                             library, neededBytesText(*memory));
     return Message::say("%1 needs more than %2 seconds of the processor for it, which files of its size do not need. "
-                        "It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
+                        "It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
                         library, numberBehind(timeWord).value_or(0));
 }
 

@@ -322,8 +322,8 @@ Error explainEnd(const ReadingProgram& program, RunningProgram& process, const s
                                        "programs, or take a part of the file.",
                                        program.library));
     return cannotRead(file, ErrorKind::BadInput,
-                      Message::say("%1's reader crashed. The file is damaged, larger than memory, or of a kind that "
-                                   "%1 reads badly. %2",
+                      Message::say("%1's reader crashed, and TAn cannot tell why: the file may be damaged, or of a "
+                                   "kind that %1 reads badly. %2",
                                    program.library, program.otherwise));
 }
 

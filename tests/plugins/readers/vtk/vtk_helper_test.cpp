@@ -171,7 +171,8 @@ private slots:
         row("too many files for a library",
             loader + "cannot open shared object file: Too many open files' >&2; exit 127", ErrorKind::OutOfResource,
             "Close other programs");
-        row("it broke down", "kill -SEGV $$", ErrorKind::BadInput, "a.vti': VTK's reader crashed");
+        row("it broke down", "kill -SEGV $$", ErrorKind::BadInput,
+            "a.vti': VTK's reader crashed, and TAn cannot tell why: the file may be damaged");
         row("the system ended it", "kill -KILL $$", ErrorKind::OutOfResource, "a.vti': the system ended VTK");
         row("it was ended by Ctrl-C", "kill -INT $$", ErrorKind::Cancelled, "Reading was cancelled.");
         row("nothing that makes sense", "head -c 100000 /dev/zero", ErrorKind::BadInput, "a.vti");
