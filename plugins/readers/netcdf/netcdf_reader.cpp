@@ -3,6 +3,7 @@
 
 #include "plugins/api/placement_parameters.h"
 #include "plugins/process/found_dataset.h"
+#include "plugins/process/parts.h"
 #include "plugins/readers/netcdf/classic_check.h"
 #include "plugins/readers/netcdf/netcdf_parameters.h"
 
@@ -130,8 +131,12 @@ Result<Dataset> NetCdfReader::readAny(const std::optional<Eigen::AlignedBox3d>& 
     if (findings.kind == FoundKind::Lattice)
         std::ranges::move(remarkOnSpacing(values, findings.untold, findings.lattice),
                           std::back_inserter(findings.remarks));
+    const bool isMesh = findings.kind == FoundKind::Cells;
     const Source source{path.filename().string() + ", " + findings.arrayName, path, 0, findings.arrayName};
     auto dataset = datasetOf(std::move(findings), source, region, progress.part(untilFound, 1), values);
+    if (!dataset && isMesh && dataset.error().kind == ErrorKind::BadInput && request->part.empty())
+        if (const auto contents = probe(path, values, progress))
+            return errorOfParts(dataset.error(), contents->blocks);
     if (!dataset)
         return dataset.error();
     progress.report(1, Message::marked("Reading"));
