@@ -51,5 +51,7 @@ Result<CellsFile> readVtu(std::string_view bytes, const CellsRequest& request, c
 Result<FileContents> probeVtu(std::string_view bytes, const CellsRequest& request);
 /// The type that a VTK XML file says it has ("UnstructuredGrid"); empty if it begins otherwise.
 std::string vtkXmlType(std::string_view firstBytes);
+/// Whether such a file is packed by anything but zlib, which readVtu() refuses.
+bool isPackedOtherwise(std::string_view firstBytes);
 
 } // namespace tetra

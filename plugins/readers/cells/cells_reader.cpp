@@ -124,8 +124,8 @@ double CellsReader::score(const std::filesystem::path& path, std::span<const std
 {
     constexpr double sure = 0.95, toSayWhatIsWrong = 0.2;
     const std::string type = vtkXmlType(asText(firstBytes));
-    if (type == "UnstructuredGrid")
-        return sure;
+    if (type == "UnstructuredGrid") // packed otherwise, VTK reads them
+        return isPackedOtherwise(asText(firstBytes)) ? toSayWhatIsWrong : sure;
     if (fileEnding(path) == ".vtu")
         return type.empty() ? sure : toSayWhatIsWrong;
     return fileEnding(path) == ".inp" && looksLikeUcd(asText(firstBytes)) ? sure : 0;

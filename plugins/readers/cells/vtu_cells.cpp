@@ -211,9 +211,7 @@ private:
         if (std::ranges::find(types_, std::uint64_t(PolyhedronType)) == types_.end())
             return {};
         if (piece_.faces.type.empty() || piece_.faceOffsets.type.empty())
-            return bad(Message::say("it has polyhedra, but not their faces, in the arrays 'faces' and 'faceoffsets'. "
-                                    "Save it by an older version of VTK or ParaView, or divide its cells into "
-                                    "tetrahedra."));
+            return readListedFaces();
         auto ends = readDoubles(head_, piece_.faceOffsets, piece_.cells); // -1 for other cells
         if (!ends)
             return ends.error();
@@ -226,6 +224,51 @@ private:
         if (!faces)
             return faces.error();
         faces_ = *std::move(faces);
+        return {};
+    }
+
+    /// As VTK writes them from 9.4 on: the faces of the piece, and for each cell the numbers of its faces.
+    Status readListedFaces()
+    {
+        for (const VtuArray* array : {&piece_.facePoints, &piece_.faceEnds, &piece_.cellFaces, &piece_.cellFaceEnds})
+            if (array->type.empty())
+                return bad(Message::say("it has polyhedra, but not their faces: these stand in the arrays 'faces' and "
+                                        "'faceoffsets' or, since VTK 9.4, 'face_connectivity', 'face_offsets', "
+                                        "'polyhedron_to_faces' and 'polyhedron_offsets'. Save it anew, or divide its "
+                                        "cells into tetrahedra."));
+        const auto points = readAllIntegers(head_, piece_.facePoints), ends = readAllIntegers(head_, piece_.faceEnds);
+        if (!points || !ends)
+            return points ? ends.error() : points.error();
+        const auto cellEnds = readIntegers(head_, piece_.cellFaceEnds, piece_.cells);
+        if (!cellEnds)
+            return cellEnds.error();
+        const auto cellFaces = readIntegers(head_, piece_.cellFaces, cellEnds->back());
+        if (!cellFaces)
+            return cellFaces.error();
+        if (!std::ranges::is_sorted(*ends) || (!ends->empty() && ends->back() > points->size()) ||
+            !std::ranges::is_sorted(*cellEnds))
+            return bad(Message::say("the offsets of its faces do not rise, or lead beyond their points."));
+        // A face lies in two cells at most; cells that are there twice are borne.
+        constexpr std::uint64_t mostUses = 8;
+        const std::uint64_t most = mostUses * (points->size() + ends->size()) + piece_.cells;
+        faceEnds_.assign(piece_.cells, -1);
+        for (std::uint64_t cell = 0, at = 0; cell < piece_.cells; at = (*cellEnds)[cell++]) {
+            if (types_[cell] != PolyhedronType)
+                continue;
+            faces_.push_back((*cellEnds)[cell] - at);
+            for (std::uint64_t i = at; i < (*cellEnds)[cell]; ++i) {
+                const std::uint64_t face = (*cellFaces)[i];
+                if (face >= ends->size())
+                    return bad(Message::say("the polyhedron %1 has the face %2 of %3.", cell, face, ends->size()));
+                const std::uint64_t begin = face == 0 ? 0 : (*ends)[face - 1], count = (*ends)[face] - begin;
+                if (faces_.size() + count > most)
+                    return bad(Message::say("its polyhedra use its faces more often than cells of a mesh can."));
+                faces_.push_back(count);
+                const auto of = std::span(*points).subspan(begin, count);
+                faces_.insert(faces_.end(), of.begin(), of.end());
+            }
+            faceEnds_[cell] = static_cast<double>(faces_.size());
+        }
         return {};
     }
 

@@ -43,6 +43,24 @@ public:
     {
     }
 
+    /// How many numbers the header before them says that there are.
+    Result<std::uint64_t> countTold()
+    {
+        std::uint64_t bytes = 0, blocks = 0, blockBytes = 0;
+        if (!head_.packed)
+            return takeHeader(bytes) ? Result<std::uint64_t>(bytes / size_) : tooShort();
+        if (!takeHeader(blocks))
+            return tooShort();
+        if (blocks == 0)
+            return std::uint64_t(0);
+        if (!takeHeader(blockBytes) || !takeHeader(bytes))
+            return tooShort();
+        const std::uint64_t whole = bytes > 0 ? blocks - 1 : blocks, most = mostPacking * array_.content.size();
+        if (bytes > most || (whole > 0 && blockBytes > (most - bytes) / whole))
+            return tooShort();
+        return (whole * blockBytes + bytes) / size_;
+    }
+
     /// The numbers in the machine's byte order.
     Result<std::vector<std::byte>> run()
     {
@@ -219,6 +237,21 @@ Result<std::vector<double>> readDoubles(const VtuHead& head, const VtuArray& arr
 Result<std::vector<std::uint64_t>> readIntegers(const VtuHead& head, const VtuArray& array, std::uint64_t count)
 {
     return readNumbers<std::uint64_t>(head, array, count);
+}
+
+Result<std::vector<std::uint64_t>> readAllIntegers(const VtuHead& head, const VtuArray& array)
+{
+    if (array.format == "ascii") {
+        std::uint64_t words = 0;
+        for (auto at = array.content.find_first_not_of(blanks); at != std::string_view::npos;
+             at = array.content.find_first_not_of(blanks, array.content.find_first_of(blanks, at)))
+            ++words;
+        return readIntegers(head, array, words);
+    }
+    if (bytesOf(array) == 0)
+        return readIntegers(head, array, 0); // which says what is wrong
+    const auto count = ArrayReading(head, array, 0).countTold();
+    return count ? readIntegers(head, array, *count) : count.error();
 }
 
 std::optional<SampleType> sampleTypeOf(const VtuArray& array)

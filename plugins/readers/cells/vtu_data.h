@@ -19,6 +19,9 @@ Result<std::vector<double>> readDoubles(const VtuHead& head, const VtuArray& arr
 /// Negative numbers become large ones.
 Result<std::vector<std::uint64_t>> readIntegers(const VtuHead& head, const VtuArray& array, std::uint64_t count);
 
+/// All numbers of an array, as many as the file says that it has.
+Result<std::vector<std::uint64_t>> readAllIntegers(const VtuHead& head, const VtuArray& array);
+
 /// The type of samples that holds an array's values; nothing if they are no numbers.
 std::optional<SampleType> sampleTypeOf(const VtuArray& array);
 

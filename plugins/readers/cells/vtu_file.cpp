@@ -331,13 +331,29 @@ Result<FileContents> probeVtu(std::string_view bytes, const CellsRequest& reques
     return contents;
 }
 
-std::string vtkXmlType(std::string_view firstBytes)
+namespace {
+
+/// Of the element that such a file begins with; empty without it.
+std::string vtkXmlAttribute(std::string_view firstBytes, std::string_view name)
 {
     const std::size_t element = firstBytes.find("<VTKFile");
     if (element == std::string_view::npos)
         return {};
     const auto tag = XmlTags(firstBytes.substr(element)).next();
-    return tag ? tag->attribute("type") : std::string();
+    return tag ? tag->attribute(name) : std::string();
+}
+
+} // namespace
+
+std::string vtkXmlType(std::string_view firstBytes)
+{
+    return vtkXmlAttribute(firstBytes, "type");
+}
+
+bool isPackedOtherwise(std::string_view firstBytes)
+{
+    const std::string compressor = vtkXmlAttribute(firstBytes, "compressor");
+    return !compressor.empty() && compressor != "vtkZLibDataCompressor";
 }
 
 } // namespace tetra

@@ -115,7 +115,11 @@ private:
                                 .offsets = {},
                                 .types = {},
                                 .faces = {},
-                                .faceOffsets = {}});
+                                .faceOffsets = {},
+                                .facePoints = {},
+                                .faceEnds = {},
+                                .cellFaces = {},
+                                .cellFaceEnds = {}});
         return {};
     }
 
@@ -174,6 +178,14 @@ private:
             where = &piece.faces;
         else if (inside_ == "Cells" && array.name == "faceoffsets")
             where = &piece.faceOffsets;
+        else if (inside_ == "Cells" && array.name == "face_connectivity")
+            where = &piece.facePoints;
+        else if (inside_ == "Cells" && array.name == "face_offsets")
+            where = &piece.faceEnds;
+        else if (inside_ == "Cells" && array.name == "polyhedron_to_faces")
+            where = &piece.cellFaces;
+        else if (inside_ == "Cells" && array.name == "polyhedron_offsets")
+            where = &piece.cellFaceEnds;
         if (where != nullptr)
             *where = std::move(array);
     }
@@ -197,8 +209,9 @@ private:
         for (VtuPiece& piece : head_.pieces) {
             std::ranges::for_each(piece.pointArrays, fill);
             std::ranges::for_each(piece.cellArrays, fill);
-            for (VtuArray* array : {&piece.positions, &piece.connectivity, &piece.offsets, &piece.types, &piece.faces,
-                                    &piece.faceOffsets})
+            for (VtuArray* array :
+                 {&piece.positions, &piece.connectivity, &piece.offsets, &piece.types, &piece.faces, &piece.faceOffsets,
+                  &piece.facePoints, &piece.faceEnds, &piece.cellFaces, &piece.cellFaceEnds})
                 fill(*array);
         }
         return {};

@@ -28,7 +28,10 @@ struct VtuPiece {
     std::vector<VtuArray> pointArrays;
     std::vector<VtuArray> cellArrays;
     VtuArray positions, connectivity, offsets, types;
-    VtuArray faces, faceOffsets; ///< of polyhedra; may be missing
+    VtuArray faces, faceOffsets; ///< of polyhedra, as VTK before 9.4 writes them; may be missing
+    /// The same as VTK writes them from 9.4 on; may be missing. The points of the faces, one face after the other, with
+    /// where each ends; and the numbers of the faces of each cell, one cell after the other, with where each ends.
+    VtuArray facePoints{}, faceEnds{}, cellFaces{}, cellFaceEnds{};
 };
 
 /// The structure of a .vtu file; views into its bytes.

@@ -268,6 +268,66 @@ private slots:
         QCOMPARE(mixed->complex.offsets, (std::vector<std::uint64_t>{0, 4, 20}));
     }
 
+    /// As VTK writes them from 9.4 on: a tetrahedron between two polyhedra of four sides that share a face.
+    void polyhedraWithListedFaces()
+    {
+        const auto binary = [](const std::string& name, const std::vector<std::int64_t>& numbers) {
+            const std::uint32_t bytes = static_cast<std::uint32_t>(8 * numbers.size());
+            QByteArray all(reinterpret_cast<const char*>(&bytes), sizeof bytes);
+            all.append(reinterpret_cast<const char*>(numbers.data()), static_cast<qsizetype>(bytes));
+            return "<DataArray Name=\"" + name + "\" type=\"Int64\" format=\"binary\">" + all.toBase64().toStdString() +
+                   "</DataArray>";
+        };
+        const auto inWords = [](const std::string& name, const std::vector<std::int64_t>& numbers) {
+            std::string text;
+            for (const std::int64_t number : numbers)
+                text += std::to_string(number) + ' ';
+            return array(name, "Int64", text);
+        };
+        struct Lists {
+            std::vector<std::int64_t> points{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2, 1, 4, 2, 1, 3, 4, 2, 4, 3};
+            std::vector<std::int64_t> ends{3, 6, 9, 12, 15, 18, 21};
+            std::vector<std::int64_t> cellFaces{0, 1, 2, 3, 2, 4, 5, 6};
+            std::vector<std::int64_t> cellEnds{4, 4, 8};
+        };
+        const auto read = [&](const Lists& lists, bool isBinary) {
+            const auto one = [&](const std::string& name, const std::vector<std::int64_t>& numbers) {
+                return isBinary ? binary(name, numbers) : inWords(name, numbers);
+            };
+            VtuText text = cellText(42, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
+            text.counts = R"(NumberOfPoints="5" NumberOfCells="3")";
+            text.connectivity = array("connectivity", "Int64", "0 1 2 3 0 1 2 3 1 2 3 4");
+            text.offsets = array("offsets", "Int64", "4 8 12");
+            text.types = array("types", "UInt8", "42 10 42") + one("face_connectivity", lists.points) +
+                         one("face_offsets", lists.ends) + one("polyhedron_to_faces", lists.cellFaces) +
+                         one("polyhedron_offsets", lists.cellEnds);
+            return readVtu(text.text(), {}, {});
+        };
+        for (const bool isBinary : {false, true}) {
+            const auto file = read({}, isBinary);
+            QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
+            QCOMPARE(file->complex.offsets, (std::vector<std::uint64_t>{0, 16, 20, 36}));
+            QCOMPARE(file->complex.corners,
+                     (std::vector<std::uint64_t>{3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 3, 2, 0, 1,
+                                                 2, 3, 3, 1, 2, 3, 3, 1, 4, 2, 3, 1, 3, 4, 3, 2, 4, 3}));
+        }
+        for (const Lists& wrong :
+             {Lists{.cellFaces = {0, 1, 2, 3, 2, 4, 5, 7}}, Lists{.cellFaces = {0, 1, 2, 3, 2, 4, 5}},
+              Lists{.cellEnds = {4, 3, 8}}, Lists{.cellEnds = {4, 4}}, Lists{.ends = {3, 6, 9, 12, 15, 18, 22}},
+              Lists{.ends = {3, 6, 9, 12, 18, 15, 21}},
+              Lists{.points = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2, 1, 9, 2, 1, 3, 4, 2, 4, 3}},
+              Lists{.ends = {3, 6, 9, 12, 15, 18, -1}}})
+            for (const bool isBinary : {false, true})
+                QVERIFY(!read(wrong, isBinary));
+        // One face of many points, used again and again, would need memory by the square of the file.
+        Lists bomb{.points = std::vector<std::int64_t>(1000, 1), .ends = {1000}, .cellFaces = {}, .cellEnds = {}};
+        bomb.cellFaces.assign(1000, 0);
+        bomb.cellEnds = {1000, 1000, 1000};
+        const auto refused = read(bomb, true);
+        QVERIFY(!refused.ok());
+        QVERIFY(QString::fromStdString(refused.error().text()).contains("more often than cells of a mesh can"));
+    }
+
     /// Prisms of more sides: every point of a face lies in its plane, each edge in two faces.
     void prismsOfMoreSides()
     {
