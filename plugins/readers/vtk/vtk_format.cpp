@@ -59,15 +59,20 @@ bool hasAt(std::string_view bytes, std::size_t place, std::string_view wanted)
     return bytes.size() >= place + wanted.size() && bytes.substr(place, wanted.size()) == wanted;
 }
 
-/// The format of a text that begins with the element VTKFile, by its type; meshes are left to the reader of these.
+/// The format of a text that begins with the element VTKFile, by its type; meshes are left to the reader of these,
+/// unless they are packed by what that does not know.
 VtkFormat ofXml(std::string_view text)
 {
     text = text.substr(0, text.find('>'));
-    const auto isOfType = [&](const std::string& type) {
-        return text.find("type=\"" + type + "\"") != std::string_view::npos ||
-               text.find("type='" + type + "'") != std::string_view::npos;
+    const auto says = [&](const std::string& name, const std::string& value) {
+        return text.find(name + "=\"" + value + "\"") != std::string_view::npos ||
+               text.find(name + "='" + value + "'") != std::string_view::npos;
     };
-    return isOfType("UnstructuredGrid") ? VtkFormat::None : isOfType("Collection") ? VtkFormat::Series : VtkFormat::Xml;
+    const bool isPackedForVtk =
+        says("compressor", "vtkLZ4DataCompressor") || says("compressor", "vtkLZMADataCompressor");
+    if (says("type", "UnstructuredGrid"))
+        return isPackedForVtk ? VtkFormat::Xml : VtkFormat::None;
+    return says("type", "Collection") ? VtkFormat::Series : VtkFormat::Xml;
 }
 
 bool isSeriesJson(std::string_view bytes)

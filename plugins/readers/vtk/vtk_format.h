@@ -13,7 +13,7 @@ namespace tetra {
 /// The formats that VTK reads for us.
 enum class VtkFormat : std::uint8_t {
     None,
-    Xml,    ///< vti, vtr, vts, vtp, the parallel ones, those of vtu too, vtm
+    Xml,    ///< vti, vtr, vts, vtp, the parallel ones, those of vtu too, vtm; vtu that LZ4 or LZMA packs
     Legacy, ///< vtk
     Hdf,
     EnSight,

@@ -50,7 +50,7 @@ std::vector<Parameter> vtkParameters()
     Parameter part = textParameter(
         "part", Message::marked("Part"),
         Message::marked("Of files with several blocks or parts: one, by name or number from 1; without it all "
-                        "irregular meshes that have the values, or the first grid."),
+                        "volumes that have the values, as one mesh."),
         "");
     std::vector<Parameter> all{array, component, time, part};
     std::ranges::move(cellsParameters(), std::back_inserter(all));

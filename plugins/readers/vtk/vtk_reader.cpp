@@ -3,6 +3,7 @@
 
 #include "plugins/api/placement_parameters.h"
 #include "plugins/process/found_dataset.h"
+#include "plugins/process/parts.h"
 #include "plugins/process/reading_process.h"
 #include "plugins/readers/vtk/unwritten_memory.h"
 #include "plugins/readers/vtk/vtk_format.h"
@@ -42,6 +43,11 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
 Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const std::optional<Eigen::AlignedBox3d>& region,
                           const ParameterValues& values, const Progress& progress)
 {
+    if (const Status placed = placeByUser(values, findings.untold, findings.lattice, findings.lengthUnit); !placed)
+        return placed.error();
+    if (findings.kind == VtkDataKind::Lattice)
+        std::ranges::move(remarkOnSpacing(values, findings.untold, findings.lattice),
+                          std::back_inserter(findings.remarks));
     const Source source{path.filename().string() + ", " + findings.arrayName, path, 0, findings.arrayName};
     auto dataset = datasetOf(std::move(findings), source, region, progress, values);
     if (!dataset)
@@ -117,37 +123,58 @@ Result<Dataset> VtkReader::readAround(const Eigen::AlignedBox3d& region, const f
 Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& region, const fs::path& path,
                                    const ParameterValues& values, const Progress& progress) const
 {
-    constexpr double untilFound = 0.7; // of the time, roughly; the rest makes the dataset out of it
-    const auto request = requestFor(path, values);
+    auto request = requestFor(path, values);
     if (!request)
         return request.error();
-    auto answer = ask(helper_, *request, progress.part(0, untilFound));
+    bool isMesh = false;
+    const auto readAsked = [&](const Progress& part) -> Result<Dataset> {
+        constexpr double untilFound = 0.7; // of the time, roughly; the rest makes the dataset out of it
+        auto answer = ask(helper_, *request, part.part(0, untilFound));
+        if (!answer)
+            return answer.error();
+        auto& findings = std::get<VtkFindings>(*answer);
+        isMesh = findings.kind == VtkDataKind::Cells;
+        return toDataset(std::move(findings), path, region, values, part.part(untilFound, 1));
+    };
+    auto dataset = readAsked(progress);
+    if (dataset || dataset.error().kind != ErrorKind::BadInput || !isMesh || !request->part.empty())
+        return dataset;
+    // All parts make no mesh: which there are, and whether they are grids, of which the first can be read alone.
+    request->joinsGrids = false;
+    const auto contents = contentsAsked(*request, progress);
+    if (!contents || contents->blocks.size() < 2)
+        return dataset;
+    if (!contents->domain || !isOnLattice(*contents->domain))
+        return errorOfParts(dataset.error(), contents->blocks);
+    auto first = readAsked(progress);
+    if (!first)
+        return errorOfParts(dataset.error(), contents->blocks);
+    first->source.leftOut.push_back(notJoinedText(dataset.error().message));
+    return first;
+}
+
+Result<FileContents> VtkReader::contentsAsked(VtkRequest request, const Progress& progress) const
+{
+    request.contentsOnly = true;
+    auto answer = ask(helper_, request, progress);
     if (!answer)
         return answer.error();
-    auto& findings = std::get<VtkFindings>(*answer);
-    if (const Status placed = placeByUser(values, findings.untold, findings.lattice, findings.lengthUnit); !placed)
-        return placed.error();
-    if (findings.kind == VtkDataKind::Lattice)
-        std::ranges::move(remarkOnSpacing(values, findings.untold, findings.lattice),
-                          std::back_inserter(findings.remarks));
-    return toDataset(std::move(findings), path, region, values, progress.part(untilFound, 1));
+    return std::get<FileContents>(*std::move(answer));
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,
                                       const Progress& progress) const
 {
-    auto request = requestFor(path, values);
+    const auto request = requestFor(path, values);
     if (!request)
         return request.error();
-    request->contentsOnly = true;
-    auto answer = ask(helper_, *request, progress);
-    if (!answer)
-        return answer.error();
-    auto& contents = std::get<FileContents>(*answer);
+    auto contents = contentsAsked(*request, progress);
+    if (!contents)
+        return contents;
     std::string lengthUnit;
-    if (const Status placed = placeByUser(values, contents.untold, contents.lattice, lengthUnit); !placed)
+    if (const Status placed = placeByUser(values, contents->untold, contents->lattice, lengthUnit); !placed)
         return placed.error();
-    return std::move(contents);
+    return contents;
 }
 
 } // namespace tetra

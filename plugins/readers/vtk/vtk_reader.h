@@ -6,6 +6,8 @@
 
 namespace tetra {
 
+struct VtkRequest;
+
 /// The program in which VTK reads, at this place.
 ReadingProgram vtkReadingProgram(std::filesystem::path helper);
 
@@ -29,6 +31,7 @@ public:
 private:
     Result<Dataset> readAny(const std::optional<Eigen::AlignedBox3d>& region, const std::filesystem::path& path,
                             const ParameterValues& values, const Progress& progress) const;
+    Result<FileContents> contentsAsked(VtkRequest request, const Progress& progress) const;
 
     std::filesystem::path helper_;
 };

@@ -119,7 +119,10 @@ private:
         const vtkIdType place = places == nullptr || cell >= places->GetNumberOfValues() ? -1 : places->GetValue(cell);
         if (place < 0 || place >= length)
             return Error{ErrorKind::BadInput,
-                         Message::say("cell %1 (from 0) is a polyhedron whose faces are not there.", cell)};
+                         Message::say("cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: from "
+                                      "VTK 9.4 on they are written in another way, which TAn reads in a single "
+                                      ".vtu that is not packed, or packed by zlib. Save it as one.",
+                                      cell)};
         const std::span<const vtkIdType> faces(all->GetPointer(0), static_cast<std::size_t>(length));
         const auto start = static_cast<std::size_t>(place);
         return addFaces(cell, faces.subspan(start + 1), faces[start]);

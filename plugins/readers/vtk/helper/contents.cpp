@@ -143,25 +143,33 @@ FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& re
     for (const VtkLeaf& leaf : leaves)
         if (!leaf.name.empty())
             contents.blocks.push_back(leaf.name);
+    const auto selection = selectParts(leaves, request);
     const auto part = request.part.empty() ? Result<std::size_t>(Error{}) : chooseLeaf(leaves, request.part);
-    for (const VtkLeaf& leaf : leaves) {
-        if (part && leaves[*part].data != leaf.data)
+    for (std::size_t number = 0; number < leaves.size(); ++number) {
+        vtkDataSet& data = *leaves[number].data;
+        if (part && *part != number)
             continue;
-        if (!contents.domain) {
-            contents.domain = domainOf(*leaf.data);
-            addGrid(*leaf.data, contents);
+        if (!selection || std::ranges::find(selection->parts, number) != selection->parts.end()) {
+            if (!contents.domain) {
+                contents.domain = domainOf(data);
+                addGrid(data, contents);
+            }
+            contents.points += static_cast<std::uint64_t>(data.GetNumberOfPoints());
+            contents.cells += static_cast<std::uint64_t>(data.GetNumberOfCells());
         }
-        contents.points += static_cast<std::uint64_t>(leaf.data->GetNumberOfPoints());
-        contents.cells += static_cast<std::uint64_t>(leaf.data->GetNumberOfCells());
-        for (const VtkArray& array : arraysOf(*leaf.data))
+        for (const VtkArray& array : arraysOf(data))
             if (std::ranges::find(contents.arrays, array.name, &FileArray::name) == contents.arrays.end())
                 contents.arrays.push_back({array.name, array.components, array.perCell, rangeOf(array)});
     }
-    if (const auto selection = selectParts(leaves, request)) {
-        Provenance provenance = provenanceOf(leaves, *selection, request);
-        contents.taken = std::move(provenance.taken);
-        contents.leftOut = std::move(provenance.leftOut);
+    if (!selection)
+        return contents;
+    if (selection->joinsVolumes) {
+        contents.domain = DomainClass::Irregular;
+        contents.lattice = {};
     }
+    Provenance provenance = provenanceOf(leaves, *selection, request);
+    contents.taken = std::move(provenance.taken);
+    contents.leftOut = std::move(provenance.leftOut);
     return contents;
 }
 

@@ -6,6 +6,7 @@
 #include "plugins/readers/vtk/helper/grid_findings.h"
 #include "plugins/readers/vtk/helper/provenance.h"
 #include "plugins/readers/vtk/helper/selection.h"
+#include "plugins/readers/vtk/helper/zone_findings.h"
 
 #include <vtkCellType.h>
 #include <vtkUnstructuredGrid.h>
@@ -37,13 +38,30 @@ Result<VtkFindings> findingsOfOne(vtkDataSet& data, const VtkArray& array, const
     return found;
 }
 
-/// Puts irregular meshes together that have the array.
-Result<VtkFindings> findingsOfMeshes(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection,
-                                     const VtkRequest& request)
+/// Puts volumes together that have the array: first the grids, then the irregular meshes.
+Result<VtkFindings> findingsOfVolumes(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection,
+                                      const VtkRequest& request)
 {
+    std::vector<VtkZone> zones;
+    for (const std::size_t part : selection.parts) {
+        if (isMesh(*leaves[part].data))
+            continue;
+        auto samples = samplesOf(*sameArray(*leaves[part].data, selection.array), request.component);
+        if (!samples)
+            return samples.error();
+        zones.push_back({leaves[part].name, leaves[part].data, *std::move(samples)});
+    }
     VtkFindings found;
+    if (!zones.empty()) {
+        auto joined = zoneFindings(std::move(zones), selection.array.perCell);
+        if (!joined)
+            return joined.error();
+        found = *std::move(joined);
+    }
     for (const std::size_t part : selection.parts) {
         vtkDataSet& data = *leaves[part].data;
+        if (!isMesh(data))
+            continue;
         const auto array = sameArray(data, selection.array);
         const auto samples = samplesOf(*array, request.component);
         if (!samples)
@@ -57,6 +75,21 @@ Result<VtkFindings> findingsOfMeshes(const std::vector<VtkLeaf>& leaves, const V
     return found;
 }
 
+/// The same of a choice of parts.
+Result<VtkFindings> findingsOfParts(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection,
+                                    const VtkRequest& request)
+{
+    auto found = selection.joinsVolumes
+                     ? findingsOfVolumes(leaves, selection, request)
+                     : findingsOfOne(*leaves[selection.parts.front()].data, selection.array, request);
+    if (!found)
+        return found.error();
+    Provenance provenance = provenanceOf(leaves, selection, request);
+    found->taken = std::move(provenance.taken);
+    found->leftOut = std::move(provenance.leftOut);
+    return found;
+}
+
 } // namespace
 
 Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& request)
@@ -64,15 +97,18 @@ Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequ
     const auto selection = selectParts(leaves, request);
     if (!selection)
         return selection.error();
-    auto found = selection->joinsMeshes
-                     ? findingsOfMeshes(leaves, *selection, request)
-                     : findingsOfOne(*leaves[selection->parts.front()].data, selection->array, request);
-    if (!found)
-        return found.error();
-    Provenance provenance = provenanceOf(leaves, *selection, request);
-    found->taken = std::move(provenance.taken);
-    found->leftOut = std::move(provenance.leftOut);
-    return found;
+    auto found = findingsOfParts(leaves, *selection, request);
+    if (found || found.error().kind != ErrorKind::OutOfResource || !selection->joinsVolumes)
+        return found;
+    VtkRequest apart = request;
+    apart.joinsGrids = false;
+    const auto first = selectParts(leaves, apart);
+    if (!first || first->joinsVolumes)
+        return found;
+    auto alone = findingsOfParts(leaves, *first, apart);
+    if (alone)
+        alone->leftOut.push_back(notJoinedText(found.error().message));
+    return alone;
 }
 
 } // namespace tetra

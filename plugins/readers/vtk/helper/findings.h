@@ -8,8 +8,8 @@
 
 namespace tetra {
 
-/// What the request asks for out of what VTK read: one part, or all irregular meshes that have the values, or the first
-/// grid. The error says what is not there, and what is.
+/// What the request asks for out of what VTK read: one part, or all volumes that have the values as one mesh. Of grids
+/// that do not fit into memory together the first alone. The error says what is not there, and what is.
 Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& request);
 
 } // namespace tetra

@@ -48,6 +48,7 @@ Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request
     const auto data = runSource(source, request, log, progress);
     if (!data)
         return data.error();
+    source.refine(**data);
     return finished(contentsOf(leavesOf(**data), request), source, request);
 }
 
@@ -57,6 +58,7 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
     const auto data = runSource(source, request, log, progress);
     if (!data)
         return data.error();
+    source.refine(**data);
     auto found = findingsOf(leavesOf(**data), request);
     if (!found)
         return found.error();

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/openfoam_source.h"
 
+#include "plugins/readers/vtk/foam_points.h"
+#include "plugins/readers/vtk/helper/exact_places.h"
+#include "plugins/readers/vtk/helper/leaves.h"
+
+#include <vtkDataObject.h>
 #include <vtkDummyController.h>
+#include <vtkInformation.h>
 #include <vtkOpenFOAMReader.h>
 #include <vtkPOpenFOAMReader.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
 #include <string_view>
 
 namespace tetra {
@@ -51,6 +60,9 @@ FoamCase lookAtCase(const fs::path& folder)
         else if (name.starts_with("processor") && parseNumber<std::uint32_t>(name.substr(9)) && isFolder(path))
             found.processors.push_back(path);
     }
+    std::ranges::sort(found.processors, {}, [](const fs::path& path) { // 10 is behind 9
+        return parseNumber<std::uint32_t>(path.filename().string().substr(9)).value_or(0);
+    });
     return found;
 }
 
@@ -100,6 +112,63 @@ void tellLeftOut(vtkOpenFOAMReader& reader, const fs::path& folder, std::vector<
         leftOut.push_back(Message::say("Its clouds of particles are not read."));
 }
 
+/// The newest file of points that counts at this time, of a mesh in `region`, empty for that of the case itself.
+std::optional<fs::path> pointsAt(const fs::path& folder, const fs::path& region, double time)
+{
+    std::optional<fs::path> newest;
+    double newestTime = 0;
+    std::error_code ignored;
+    const auto consider = [&](const fs::path& at, double since) {
+        for (const char* name : {"points", "points.gz"})
+            if (const fs::path file = at / region / "polyMesh" / name;
+                fs::exists(file, ignored) && (!newest || since >= newestTime)) {
+                newest = file;
+                newestTime = since;
+            }
+    };
+    consider(folder / "constant", -std::numeric_limits<double>::infinity());
+    for (const fs::path& path : pathsIn(folder, ignored))
+        if (const auto since = parseNumber<double>(path.filename().string()); since && *since <= time)
+            consider(path, *since);
+    return newest;
+}
+
+/// The meshes of a case: of regions, and of the case itself, which has no name.
+std::vector<fs::path> regionsOf(const fs::path& folder)
+{
+    std::vector<fs::path> regions{{}};
+    std::error_code ignored;
+    for (const fs::path& path : pathsIn(folder / "constant", ignored))
+        if (isFolder(path / "polyMesh"))
+            regions.push_back(path.filename());
+    return regions;
+}
+
+/// Gives each part the places of its files, which VTK has rounded: those of the folders (of a case, or of all its
+/// processors) and of the region that agree with VTK's.
+void refinePlaces(vtkDataObject& data, std::span<const fs::path> folders)
+{
+    const double time = data.GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()) != 0
+                            ? data.GetInformation()->Get(vtkDataObject::DATA_TIME_STEP())
+                            : std::numeric_limits<double>::infinity();
+    const std::vector<fs::path> regions = regionsOf(folders.front());
+    for (const VtkLeaf& leaf : leavesOf(data)) {
+        auto* part = vtkPointSet::SafeDownCast(leaf.data);
+        for (std::size_t region = 0; part != nullptr && region < regions.size(); ++region) {
+            std::vector<double> places;
+            for (const fs::path& folder : folders) {
+                const auto file = pointsAt(folder, regions[region], time);
+                const auto more =
+                    file ? readFoamPoints(*file, static_cast<std::uint64_t>(part->GetNumberOfPoints())) : std::nullopt;
+                if (more)
+                    places.insert(places.end(), more->begin(), more->end());
+            }
+            if (setExactPlaces(*part, places))
+                break;
+        }
+    }
+}
+
 Error lacksMesh(const FoamCase& found, const fs::path& folder)
 {
     if (found.isCollated)
@@ -143,6 +212,9 @@ Result<VtkSource> makeOpenFoamSource(const std::string& path)
     source.selectArrays = [reader] {
         reader->EnableAllCellArrays();
         reader->EnableAllPointArrays();
+    };
+    source.refine = [folders = isDecomposed ? found.processors : std::vector{folder}](vtkDataObject& data) {
+        refinePlaces(data, folders);
     };
     source.tell = [reader, folder, isDecomposed, hasMesh = found.hasMesh,
                    processors = found.processors.size()](Provenance& provenance) {

@@ -24,8 +24,7 @@ std::string namesOf(const std::vector<VtkLeaf>& leaves, const std::vector<std::s
     return namesToldOf(names);
 }
 
-void tellParts(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection, const VtkRequest& request,
-               Provenance& provenance)
+void tellParts(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection, Provenance& provenance)
 {
     std::vector<std::size_t> others;
     for (std::size_t part = 0; part < leaves.size(); ++part)
@@ -34,8 +33,7 @@ void tellParts(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection
             others.push_back(part);
     if (others.empty() && selection.partsWithoutArray.empty())
         return;
-    const bool guessed = request.part.empty() && !selection.joinsMeshes;
-    addTaken({TakenPart::Block, namesOf(leaves, selection.parts), guessed}, provenance);
+    addTaken({TakenPart::Block, namesOf(leaves, selection.parts), selection.isGuess}, provenance);
     const std::string array = printable(selection.array.name);
     if (const auto& without = selection.partsWithoutArray; without.size() == 1)
         provenance.leftOut.push_back(
@@ -122,7 +120,7 @@ Provenance provenanceOf(const std::vector<VtkLeaf>& leaves, const VtkSelection& 
     Provenance provenance;
     const VtkLeaf& first = leaves[selection.parts.front()];
     tellArray(arraysOf(*first.data), selection.array, request, provenance);
-    tellParts(leaves, selection, request, provenance);
+    tellParts(leaves, selection, provenance);
     for (const std::size_t part : selection.parts) {
         std::vector<Message> told = arraysOfOtherLength(*leaves[part].data);
         tellFieldData(*leaves[part].data, request, told);

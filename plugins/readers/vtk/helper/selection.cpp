@@ -12,11 +12,6 @@
 namespace tetra {
 namespace {
 
-bool isMesh(const VtkLeaf& leaf)
-{
-    return vtkUnstructuredGrid::SafeDownCast(leaf.data) != nullptr && isVolume(*leaf.data);
-}
-
 Result<VtkSelection> selectOne(const std::vector<VtkLeaf>& leaves, std::size_t part, const VtkRequest& request)
 {
     const auto array = chooseArray(arraysOf(*leaves[part].data), request.array);
@@ -25,21 +20,26 @@ Result<VtkSelection> selectOne(const std::vector<VtkLeaf>& leaves, std::size_t p
     return VtkSelection{.parts = {part}, .array = *array};
 }
 
-Result<VtkSelection> selectMeshes(const std::vector<VtkLeaf>& leaves, const VtkRequest& request)
+/// Those of the volumes that have the array of the first one with one.
+Result<VtkSelection> selectVolumes(const std::vector<VtkLeaf>& leaves, const std::vector<std::size_t>& volumes,
+                                   const VtkRequest& request)
 {
-    std::vector<std::size_t> meshes;
-    for (std::size_t part = 0; part < leaves.size(); ++part)
-        if (isMesh(leaves[part]))
-            meshes.push_back(part);
     Result<VtkArray> array = Error{};
-    for (const std::size_t part : meshes)
+    for (const std::size_t part : volumes)
         if (array = chooseArray(arraysOf(*leaves[part].data), request.array); array)
             break;
     if (!array)
         return array.error();
-    VtkSelection selection{.parts = {}, .array = *array, .joinsMeshes = true};
-    for (const std::size_t part : meshes)
+    VtkSelection selection{.parts = {}, .array = *array};
+    for (const std::size_t part : volumes)
         (sameArray(*leaves[part].data, *array) ? selection.parts : selection.partsWithoutArray).push_back(part);
+    const std::size_t first = selection.parts.front();
+    const bool isGrid = !isMesh(*leaves[first].data);
+    if (isGrid && !request.joinsGrids && selection.parts.size() > 1) {
+        selection.parts = {first};
+        selection.isGuess = true;
+    }
+    selection.joinsVolumes = selection.parts.size() > 1 || !isGrid;
     return selection;
 }
 
@@ -47,13 +47,18 @@ Result<VtkSelection> selectMeshes(const std::vector<VtkLeaf>& leaves, const VtkR
 
 bool isVolume(vtkDataSet& data)
 {
+    if (const auto grid = gridOf(data))
+        return std::ranges::min(grid->lattice.size) > 1;
     auto* mesh = vtkUnstructuredGrid::SafeDownCast(&data);
-    if (mesh == nullptr)
-        return gridOf(data).has_value();
-    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    for (vtkIdType cell = 0; mesh != nullptr && cell < mesh->GetNumberOfCells(); ++cell)
         if (mesh->GetCellType(cell) > VTK_QUAD)
             return true;
     return false;
+}
+
+bool isMesh(vtkDataSet& data)
+{
+    return vtkUnstructuredGrid::SafeDownCast(&data) != nullptr;
 }
 
 std::optional<VtkArray> sameArray(vtkDataSet& data, const VtkArray& wanted)
@@ -74,10 +79,16 @@ Result<VtkSelection> selectParts(const std::vector<VtkLeaf>& leaves, const VtkRe
     }
     if (leaves.size() == 1)
         return selectOne(leaves, 0, request);
-    const auto volume = std::ranges::find_if(leaves, [](const VtkLeaf& leaf) { return isVolume(*leaf.data); });
-    if (volume != leaves.end() && isMesh(*volume))
-        return selectMeshes(leaves, request);
-    return selectOne(leaves, volume == leaves.end() ? 0 : static_cast<std::size_t>(volume - leaves.begin()), request);
+    std::vector<std::size_t> volumes;
+    for (std::size_t part = 0; part < leaves.size(); ++part)
+        if (isVolume(*leaves[part].data))
+            volumes.push_back(part);
+    if (!volumes.empty())
+        return selectVolumes(leaves, volumes, request);
+    auto first = selectOne(leaves, 0, request);
+    if (first)
+        first->isGuess = true;
+    return first;
 }
 
 } // namespace tetra

@@ -21,6 +21,8 @@ struct VtkSource {
     vtkSmartPointer<vtkAlgorithm> reader;
     /// Switches on what the request asks for, as far as the reader has switches; after UpdateInformation().
     std::function<void()> selectArrays = [] {};
+    /// Gives what was read the precision of the file, where VTK has less.
+    std::function<void(vtkDataObject&)> refine = [](vtkDataObject&) {};
     /// Adds what of the file as a whole is taken or left out; after the data were read.
     std::function<void(Provenance&)> tell = [](Provenance&) {};
     /// Changes of what was found that the file asks for and VTK leaves out.

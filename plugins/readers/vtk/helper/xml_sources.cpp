@@ -33,7 +33,7 @@ const std::map<std::string_view, Make> readers = {{"ImageData", make<vtkXMLImage
                                                   {"RectilinearGrid", make<vtkXMLRectilinearGridReader>},
                                                   {"StructuredGrid", make<vtkXMLStructuredGridReader>},
                                                   {"PolyData", make<vtkXMLPolyDataReader>},
-                                                  // Only of lists: others are read without VTK.
+                                                  // Of lists, and packed by LZ4 or LZMA: others are read without VTK.
                                                   {"UnstructuredGrid", make<vtkXMLUnstructuredGridReader>},
                                                   {"PImageData", make<vtkXMLPImageDataReader>},
                                                   {"PRectilinearGrid", make<vtkXMLPRectilinearGridReader>},

@@ -179,6 +179,52 @@ private slots:
                  qPrintable(leftOutOf(whole->source.leftOut)));
     }
 
+    /// VTK rounds them to single precision; they are those of the files all the same, of one folder or of processors,
+    /// and where the mesh moves those of the time.
+    void placesAreThoseOfTheFile()
+    {
+        const fs::path folder = newCase();
+        writeControl(folder);
+        const auto movePoints = [](const fs::path& mesh, int points, double from) {
+            writeText(mesh / "polyMesh/points", header("vectorField", "points") + list(points, [&](int i) {
+                                                    const int corner = i % 4;
+                                                    return "(" + formatNumber(from + 0.1 * (i / 4)) +
+                                                           (corner == 1 || corner == 2 ? " 0.7" : " 0.3") +
+                                                           (corner >= 2 ? " 1.1)" : " 0.9)");
+                                                }));
+        };
+        const auto verifyPlaces = [](const Result<Dataset>& dataset, double from) {
+            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+            QCOMPARE(dataset->pointCount(), std::uint64_t(16));
+            for (std::uint64_t point = 0; point < dataset->pointCount(); ++point) {
+                const Eigen::Vector3d place = dataset->position(point);
+                const double x = from + 0.1 * std::round((place[0] - from) / 0.1);
+                QVERIFY(std::abs(place[0] - x) < 1e-12 * from);
+                QVERIFY(place[1] == 0.3 || place[1] == 0.7);
+                QVERIFY(place[2] == 0.9 || place[2] == 1.1);
+            }
+            QVERIFY(!leftOutOf(dataset->source.leftOut).contains("single precision"));
+        };
+        writeMesh(folder / "constant", 3, 0);
+        writeTimes(folder, 3, 0, {0, 5});
+        movePoints(folder / "constant", 16, 1000.1);
+        movePoints(folder / "5", 16, 1000.4);
+        writeText(folder / "case.foam", "");
+        verifyPlaces(builtVtkReader().read(folder / "case.foam", {}, {}), 1000.1);
+        verifyPlaces(builtVtkReader().read(folder / "case.foam", {{"time", std::int64_t(2)}}, {}), 1000.4);
+
+        const fs::path parts = newCase();
+        writeControl(parts);
+        for (const int processor : {0, 1}) {
+            const fs::path part = parts / ("processor" + std::to_string(processor));
+            writeMesh(part / "constant", 1 + processor, processor);
+            movePoints(part / "constant", 8 + 4 * processor, 1000.1 + 0.1 * processor);
+            writeTimes(part, 1 + processor, processor, {0});
+        }
+        writeText(parts / "case.foam", "");
+        verifyPlaces(builtVtkReader().read(parts / "case.foam", {}, {}), 1000.1);
+    }
+
     void regionsHaveNames()
     {
         const fs::path folder = newCase();

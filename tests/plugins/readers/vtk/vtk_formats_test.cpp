@@ -54,6 +54,13 @@ private slots:
         for (const QByteArray& text :
              {vtuText(), QByteArray("whatever"), QByteArray("<VTKFile type='UnstructuredGrid'")})
             QCOMPARE(guess("a.vtu", text).score, 0.);
+        for (const char* compressor : {"vtkLZ4DataCompressor", "vtkLZMADataCompressor"}) { // only VTK unpacks these
+            const QByteArray text =
+                with(vtuText(), "<VTKFile", QByteArray("<VTKFile compressor=\"") + compressor + '"');
+            const std::span first = std::as_bytes(std::span(text.constData(), std::size_t(text.size())));
+            QVERIFY(guess("a.vtu", text).format == VtkFormat::Xml);
+            QVERIFY(CellsReader().score("a.vtu", first) < guess("a.vtu", text).score / 2);
+        }
         QCOMPARE(guess("a.g", "PLOT3D?").score, 0.);
         QCOMPARE(guess("a.xyz", "3 4 5\n0.1 0.2\n").score, 0.);
         QCOMPARE(guess("a.nrrd", "NRRD0004").score, 0.);
