@@ -44,7 +44,7 @@ std::array<double, 3> placeOf(const Dataset& dataset, std::uint64_t point)
     return {place[0], place[1], place[2]};
 }
 
-/// As VTK keeps the numbers of a PLOT3D text.
+/// As VTK keeps the numbers of a text of PLOT3D or EnSight.
 std::array<double, 3> singlePrecision(const std::array<double, 3>& place)
 {
     return {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2])};
@@ -75,8 +75,9 @@ private slots:
             const std::string file = name.chopped(4).toStdString();
             if (file.starts_with("blanked"))
                 continue; // an irregular mesh, in a test of its own
-            const ParameterValues first =
-                file == "two.xyz" ? ParameterValues{{"grid", std::int64_t(1)}} : ParameterValues();
+            const ParameterValues first = file == "two.xyz"      ? ParameterValues{{"grid", std::int64_t(1)}}
+                                          : file == "blocks.vtm" ? ParameterValues{{"part", std::string("1")}}
+                                                                 : ParameterValues();
             const auto dataset = readerOf(file).read(folder_.path() / file, first, {});
             QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
             compare(*dataset, Reference(dir.filePath(name)), file);
@@ -142,8 +143,9 @@ private:
         const bool inOrder =
             dataset.domain == DomainClass::RegularLattice || dataset.domain == DomainClass::Curvilinear;
         for (std::size_t point = 0; point < points; ++point) {
-            const auto place =
-                file.ends_with(".xyz") ? singlePrecision(placeOf(dataset, point)) : placeOf(dataset, point);
+            const auto place = file.ends_with(".xyz") || file.ends_with(".case")
+                                   ? singlePrecision(placeOf(dataset, point))
+                                   : placeOf(dataset, point);
             if (inOrder)
                 QVERIFY2(dataset.values.at(point) == reference.values[point], file.c_str());
             if (dataset.domain == DomainClass::RegularLattice) { // computed, not stored

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which files are VTK's, and what is said where VTK is missing (S6). Needs no VTK.
+#include "plugins/readers/cells/cells_reader.h"
 #include "plugins/readers/vtk/vtk_format.h"
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
@@ -7,6 +8,7 @@
 
 #include <map>
 #include <set>
+#include <span>
 
 using namespace tetra;
 
