@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The judge of the bench of truth finds what is wrong: meshes that hold a lattice rightly pass, and each with one thing wrong does not.
 Exit code 77: the libraries that judge are missing."""
+import collections
+import itertools
 import sys
 import types
 import unittest
@@ -86,6 +88,21 @@ class Judge(unittest.TestCase):
     def test_tetrahedra(self):
         self.mesh.cells[0].data[3] = self.mesh.cells[0].data[3][[1, 0, 2, 3]]
         self.assert_found("turned over")
+
+    def test_tetrahedra_flatter_than_the_rounding_of_their_volume(self):
+        """Between the points of a plane that is oblique, and thus a plane but for the rounding of its points. The signs that count: integers'."""
+        turn = numpy.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
+        points = numpy.concatenate([numpy.indices((4, 4)).reshape(2, -1).T @ turn[:2], [[0, 0, 3.0]]])
+        signs = collections.Counter()
+        for corners in itertools.combinations(range(16), 4):
+            tetrahedron = numpy.array([corners])
+            a, b, c, d = ([int(number * 2.0 ** 80) for number in points[corner]] for corner in corners)
+            b, c, d = ([corner[axis] - a[axis] for axis in range(3)] for corner in (b, c, d))
+            exact = (b[0] * (c[1] * d[2] - c[2] * d[1]) + b[1] * (c[2] * d[0] - c[0] * d[2]) + b[2] * (c[0] * d[1] - c[1] * d[0]))
+            volumes = bench.volumes_of(points, tetrahedron)
+            self.assertEqual(bench.flat_or_turned(points, tetrahedron, volumes), int(exact <= 0))
+            signs[exact > 0, volumes[0] > 0] += 1
+        self.assertEqual(len(signs), 4)  # without fractions each kind of mistake is made
 
     def test_a_sample_twice(self):
         self.mesh.points[5] = self.mesh.points[6]
