@@ -230,6 +230,12 @@ Error explain(const std::vector<Candidate>& all, const std::vector<Candidate>& f
                            nearest->length, length)
             : Message::say("it begins like a grid of %1 points, which takes %2 bytes or more, and has %3", size,
                            nearest->length, length);
+    constexpr std::uint64_t hardlyCut = 1000; // so much of a file is not lost
+    if (nearest->layout.text && nearest->length / hardlyCut > length)
+        return {ErrorKind::BadInput,
+                Message::say("%1: it is of another format that begins with whole numbers, such as a surface of "
+                             "MOVIE.BYU, or only the beginning of a grid. Export its data as PLOT3D, .vtu or a table.",
+                             wanted)};
     if (nearest->length > length)
         return {ErrorKind::BadInput, Message::say("%1: it is cut short. Copy the file again.", wanted)};
     return {ErrorKind::BadInput, Message::say("%1, which fits no kind of PLOT3D file.", wanted)};

@@ -61,6 +61,9 @@ Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven, co
     }
     const fs::path solution = firstExisting(solutionNames(path));
     if (solution.empty())
+        if (const auto grid = findPlot3dLayout(*source, Plot3dKind::Grid); !grid)
+            return inPlot3dFile(path, grid.error().message);
+    if (solution.empty())
         return inPlot3dFile(path,
                             Message::say("it is a grid without values, and no solution is beside it (%1). Say where it "
                                          "is with 'solution', or give it one of these names.",

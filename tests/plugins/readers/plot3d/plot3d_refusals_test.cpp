@@ -18,6 +18,7 @@ private slots:
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
     void refuses_data();
     void refuses();
+    void whatIsNoGridIsNotCalledOne();
 
 private:
     std::filesystem::path write(const std::string& name, const QByteArray& content) const
@@ -119,6 +120,34 @@ void Plot3dRefusalsTest::refuses()
     QCOMPARE(dataset.error().kind, ErrorKind::BadInput);
     const QString text = QString::fromStdString(dataset.error().text());
     QVERIFY2(text.contains(says) && text.contains(folder_->path()), qPrintable(text));
+}
+
+/// Without a solution beside it, too. A surface of MOVIE.BYU begins with whole numbers, like a text of PLOT3D: parts,
+/// points, polygons and edges, the polygons of each part, the points, their numbers in the polygons.
+void Plot3dRefusalsTest::whatIsNoGridIsNotCalledOne()
+{
+    QByteArray surface = "     1   400   380  1500\n     1   380\n";
+    for (int point = 0; point < 400; ++point)
+        surface += QByteArray::number(point % 20 * 0.5, 'f', 5) + " " + QByteArray::number(point / 20 * 0.5, 'f', 5) +
+                   " 0.00000\n";
+    for (int polygon = 0; polygon < 375; ++polygon)
+        surface += "     1     2     3    -4\n";
+    const auto saysOf = [&](const char* name, const QByteArray& content) {
+        const auto path = write(name, content);
+        const auto dataset = read(path);
+        const auto contents = asLoaded<Plot3dReader>().probe(path, {}, {});
+        if (dataset || contents)
+            return QString("it is read");
+        return dataset.error().text() == contents.error().text() ? QString::fromStdString(dataset.error().text())
+                                                                 : QString("probing says something else");
+    };
+    const QString text = saysOf("cow.g", surface);
+    QVERIFY2(text.contains("another format") && text.contains("MOVIE.BYU") && !text.contains("without values"),
+             qPrintable(text));
+    const QByteArray grid = testFile({.marks = true}, false);
+    QVERIFY(saysOf("whole.xyz", grid).contains("a grid without values"));
+    const QString cut = saysOf("cut.xyz", grid.chopped(1));
+    QVERIFY2(cut.contains("cut short"), qPrintable(cut));
 }
 
 QTEST_GUILESS_MAIN(Plot3dRefusalsTest)

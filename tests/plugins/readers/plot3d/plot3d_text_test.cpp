@@ -158,7 +158,7 @@ private slots:
         row("a huge size", "3000000000 4 5\n1 2 3\n", solution, "no PLOT3D file");
         row("sizes without an end", "1000000 1000 1000\n1 2 3\n", solution, "no PLOT3D file");
         row("one number", "7\n", solution, "no PLOT3D file");
-        row("more grids than sizes", "9999 3 4 5\n", solution, "cut short");
+        row("more grids than sizes", "9999 3 4 5\n", solution, "only the beginning of a grid");
     }
     void refuses()
     {
