@@ -45,7 +45,7 @@ Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays
     for (const FileArray& array : arrays)
         names += (names.empty() ? "" : ", ") + printable(array.name);
     if (names.empty())
-        return {ErrorKind::BadInput, Message::say("it has no values, of points or of cells.")};
+        return {ErrorKind::BadInput, Message::say("it has no values, of points or of cells. Write it with some.")};
     return {ErrorKind::WrongUsage, Message::say("it has no array '%1'. There are: %2.", printable(name), names)};
 }
 

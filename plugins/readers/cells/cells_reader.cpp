@@ -85,7 +85,7 @@ Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& 
 {
     constexpr double readingShare = 0.4;
     const auto reading = progress.part(0, readingShare);
-    const auto made = [&](Result<CellsFile> file, bool orPoints) -> Result<Dataset> {
+    const auto made = [&](Result<CellsFile> file) -> Result<Dataset> {
         if (!file)
             return file.error();
         file->complex.region = region;
@@ -98,12 +98,12 @@ Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& 
                             .valueName = file->arrayName,
                             .taken = file->taken,
                             .leftOut = file->leftOut};
-        return orPoints && isFlat(*file) ? pointsOf(*std::move(file), source)
-                                         : meshOf(*file, source, progress.part(readingShare, 1));
+        return isFlat(*file) ? pointsOf(*std::move(file), source)
+                             : meshOf(*file, source, progress.part(readingShare, 1));
     };
     return withFile<Dataset>(
-        path, [&](std::string_view bytes) { return made(readVtu(bytes, request, reading), true); },
-        [&](std::string_view bytes) { return made(readUcd(bytes, request, reading), false); });
+        path, [&](std::string_view bytes) { return made(readVtu(bytes, request, reading)); },
+        [&](std::string_view bytes) { return made(readUcd(bytes, request, reading)); });
 }
 
 Result<Dataset> withUnit(Result<Dataset> dataset, const ParameterValues& values)

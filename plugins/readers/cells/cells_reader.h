@@ -6,8 +6,8 @@
 namespace tetra {
 
 /// Reads meshes of cells into irregular datasets (R1): VTK XML unstructured grids (.vtu), of points alone into
-/// scattered ones, and AVS UCD in text (.inp), without a library of others. What irregularDataset() repairs is among
-/// the remarks.
+/// scattered ones, and AVS UCD in text (.inp), likewise, without a library of others. What irregularDataset() repairs
+/// is among the remarks.
 class CellsReader : public Reader {
 public:
     std::vector<std::string> nameFilters() const override;

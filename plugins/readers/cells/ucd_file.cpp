@@ -93,6 +93,7 @@ public:
         return {};
     }
     const UcdCounts& counts() const { return counts_; }
+    bool joinsPoints() const { return joinsPoints_; } ///< as far as cells() went
 
     Status points(std::vector<Eigen::Vector3d>& positions)
     {
@@ -251,6 +252,7 @@ private:
         }
         if (!nextWord(line).empty())
             return wrong(Message::say("a cell has more corners than its shape"));
+        joinsPoints_ = joinsPoints_ || (shape.shape == CellShape::Flat && shape.corners > 1);
         complex.shapes.push_back(shape.shape);
         complex.corners.insert(complex.corners.end(), corners.begin(), corners.begin() + shape.corners);
         complex.offsets.push_back(complex.corners.size());
@@ -260,6 +262,7 @@ private:
     UcdLines lines_;
     const Progress& progress_;
     UcdCounts counts_;
+    bool joinsPoints_ = false;
     std::unordered_map<std::int64_t, std::uint64_t> numbers_;
     std::unordered_map<std::int64_t, std::uint64_t> cellNumbers_;
 };
@@ -305,6 +308,7 @@ Result<CellsFile> readUcd(std::string_view bytes, const CellsRequest& request, c
         return status.error();
     if (const Status status = reading.cells(file.complex); !status)
         return status.error();
+    file.joinsPoints = reading.joinsPoints();
     std::vector<FileArray> arrays;
     for (const bool perCell : {false, true}) {
         const std::uint64_t perItem = perCell ? reading.counts().perCell : reading.counts().perPoint;

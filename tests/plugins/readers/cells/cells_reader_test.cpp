@@ -395,6 +395,25 @@ private slots:
         QVERIFY(contents->arrays[2].perCell);
     }
 
+    /// As of a .vtu: what has no volume gives its points.
+    void ucdOfSurfaces()
+    {
+        const std::string text = "5 2 1 1 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n"
+                                 "1 1 tri 1 2 3\n2 1 quad 1 2 5 4\n1 1\nheat, K\n1 1\n2 2\n3 3\n4 4\n5 5\n"
+                                 "1 1\nmaterial,\n1 1\n2 2\n";
+        const auto path = file("surface.inp", text);
+        const auto points = reader_.read(path, {}, {});
+        QVERIFY2(points.ok(), points ? "" : points.error().text().c_str());
+        QCOMPARE(points->domain, DomainClass::Scattered);
+        QCOMPARE(points->pointCount(), std::uint64_t(5));
+        QCOMPARE(points->position(4), Eigen::Vector3d(1, 1, 1));
+        QCOMPARE(points->values.range().maximum, 5.0);
+        QVERIFY(points->remarks[0].text().find("scattered points") != std::string::npos);
+        const auto ofCells = reader_.read(path, {{"array", std::string("material")}}, {});
+        QVERIFY(!ofCells.ok());
+        QVERIFY(ofCells.error().text().find("Choose an array of points") != std::string::npos);
+    }
+
     /// Only the part that is taken has to be sound: two cells that overlap, and one far from them.
     void whatLiesBeyondARegionMayOverlap()
     {
