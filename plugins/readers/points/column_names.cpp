@@ -43,13 +43,14 @@ constexpr std::string_view countedThings[] = {"node",   "point",    "cell",    "
                                               "row",    "object",   "sample",  "hole",    "part",   "process",
                                               "global", "original", "feature", "record",  "vertex", "particle",
                                               "atom",   "station",  "global",  "zone",    "region", "body"};
-constexpr std::string_view countingWords[] = {"id", "ids", "number", "numbers", "index", "idx", "no", "nr"};
+constexpr std::string_view countingWords[] = {"id",  "ids", "number", "numbers",  "index",
+                                              "idx", "no",  "nr",     "partition"};
 constexpr std::string_view counters[] = {
-    "",        "#",           "id",     "ids",        "index",     "idx",           "number", "num",      "no",
-    "nr",      "counter",     "row",    "rows",       "node",      "nodes",         "point",  "cell",     "element",
-    "elem",    "block",       "record", "serial",     "obs",       "nodenumber",    "nodeid", "nodeno",   "pointid",
-    "pointno", "pointnumber", "cellid", "cellnumber", "elementid", "elementnumber", "elemid", "objectid", "fid",
-    "oid",     "rownames"};
+    "",        "#",           "id",       "ids",        "index",     "idx",           "number", "num",      "no",
+    "nr",      "counter",     "row",      "rows",       "node",      "nodes",         "point",  "cell",     "element",
+    "elem",    "block",       "record",   "serial",     "obs",       "nodenumber",    "nodeid", "nodeno",   "pointid",
+    "pointno", "pointnumber", "cellid",   "cellnumber", "elementid", "elementnumber", "elemid", "objectid", "fid",
+    "oid",     "rownames",    "partition"};
 
 bool isLetter(char c)
 {

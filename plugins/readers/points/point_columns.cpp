@@ -37,6 +37,17 @@ std::string listOf(Columns columns)
     return columns.size() > most ? list + ", ..." : list;
 }
 
+/// Whether the name is that of a column with its unit, however that is set off: "T K", "t [K]", "T (K)".
+bool isNameWithUnit(const ColumnName& column, std::string_view wanted)
+{
+    if (column.unit.empty())
+        return false;
+    const ColumnName asked = parseColumnName(wanted);
+    const std::string quantity = inSmallLetters(column.quantity);
+    return (asked.unit == column.unit && inSmallLetters(asked.quantity) == quantity) ||
+           inSmallLetters(wanted) == quantity + " " + inSmallLetters(column.unit);
+}
+
 std::optional<std::size_t> findColumn(Columns columns, std::string_view wanted)
 {
     const auto number = [&](auto found) { return static_cast<std::size_t>(found - columns.begin()); };
@@ -50,6 +61,9 @@ std::optional<std::size_t> findColumn(Columns columns, std::string_view wanted)
         if (const auto alike = std::ranges::find(columns, inSmallLetters(wanted), lower); alike != columns.end())
             return number(alike);
     }
+    const auto named = [&](const TableColumn& column) { return isNameWithUnit(column.name, wanted); };
+    if (const auto found = std::ranges::find_if(columns, named); found != columns.end())
+        return number(found);
     constexpr std::string_view before = "column "; // as in labelOf()
     const auto place = parseNumber<std::size_t>(wanted.substr(wanted.starts_with(before) ? before.size() : 0));
     if (place && *place >= 1 && *place <= columns.size())

@@ -96,8 +96,8 @@ std::vector<Parameter> PointReader::parameters() const
     array.id = "array";
     array.label = Message::marked("Values");
     array.explanation =
-        Message::marked("The values to take, by name or number; 'automatic' takes the first that are measured, not "
-                        "counters or constants.");
+        Message::marked("Tables of points: the column of the values, by its name or its number in the table, from 1; "
+                        "'automatic' takes the first that is measured, not a counter or a constant.");
     array.defaultValue = std::string(automaticColumns);
     Parameter skip;
     skip.id = "skip-incomplete";

@@ -79,6 +79,9 @@ void noteUnits(const TableFront& front, PointTableHead& head)
         head.leftOut.push_back(
             Message::say("Its coordinates are in different units (%1, %2, %3) and are taken as they stand.",
                          printable(units[0]), printable(units[1]), printable(units[2])));
+    if (front.unusedUnits > 0)
+        head.leftOut.push_back(Message::say("The line of units below its names has %1 of them for %2 columns.",
+                                            front.unusedUnits, front.columns));
     const ColumnName& height = head.columns[head.chosen.position[2]].name;
     if (isDepth(height))
         head.leftOut.push_back(Message::say("Its depths ('%1') are taken for z as they stand: if they are positive, "

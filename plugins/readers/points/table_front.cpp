@@ -213,6 +213,20 @@ std::string comsolLengthUnit(std::string_view comments)
     return std::string(withoutBlanks(rest.substr(0, rest.find_first_of("\r\n"))));
 }
 
+/// Gives each column its unit. A column that counts has none, and a line between blanks no place for one that is empty.
+void placeUnits(TableFront& front)
+{
+    if (front.units.size() == front.columns + 1 && front.units.back().empty())
+        front.units.pop_back();
+    if (!front.names.empty() && front.units.size() + 1 == front.columns &&
+        kindOf(parseColumnName(front.names[0])) == ColumnKind::Counter)
+        front.units.insert(front.units.begin(), std::string());
+    if (front.units.size() == front.columns)
+        return;
+    front.unusedUnits = front.units.size();
+    front.units.clear();
+}
+
 /// Names, if there are any, units, if there are any. `lines` gives the line next that may be the names.
 Result<TableFront> plainFront(std::string_view text, TextLines lines)
 {
@@ -256,8 +270,7 @@ Result<TableFront> plainFront(std::string_view text, TextLines lines)
     if (const auto names = namesLine.empty() ? std::nullopt : namesOf(namesLine, front.namesAreComment, row))
         front.names = *names;
     front.columns = front.names.empty() ? row.size() : front.names.size();
-    if (front.units.size() != front.columns)
-        front.units.clear();
+    placeUnits(front);
     front.lengthUnit = comsolLengthUnit(text.substr(0, lines.position()));
     return front;
 }

@@ -25,6 +25,7 @@ struct TableFront {
     std::vector<std::string> names;   ///< one a column; empty if the table names none
     bool namesAreComment = false;     ///< which may say something else
     std::vector<std::string> units{}; ///< one a column, from a line of units; empty if there is none
+    std::size_t unusedUnits = 0;      ///< how many there are on a line of units that has another number of them
     std::string lengthUnit{};         ///< of the places, as a comment of COMSOL's says
     std::size_t columns = 0;
     char separator = ',';

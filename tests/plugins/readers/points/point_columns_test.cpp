@@ -291,6 +291,7 @@ private slots:
                                  "GlobalNodeId",
                                  "Element No",
                                  "Node ID [ ]",
+                                 "cell-partition",
                                  "sample_id"}) {
             const QByteArray text = QByteArray(name) + ",x,y,z,Q,R\n" + rows("kxyzvw", ",");
             const auto dataset = asLoaded<PointReader>().read(write(text), {}, {});
@@ -346,8 +347,11 @@ private slots:
         };
         check(path, chosen("T (C)"), "array: T (C); places: b, a, c; unit of the values: C", "");
         check(path, chosen("5"), "array: T (C); places: b, a, c; unit of the values: C", "");
-        check(write(",x,y,z,Q (K)\n" + rows("kxyzv", ",")), {{"array", std::string("q")}},
-              "array: Q; places: x, y, z; unit of the values: K", "");
+        for (const char* name : {"q", "Q K", "q (K)", "Q [K]", "Q [ K ]"})
+            check(write(",x,y,z,S (C),Q (K)\n" + rows("kxyzwv", ",")), {{"array", std::string(name)}},
+                  "array: Q; places: x, y, z; unit of the values: K", "");
+        QVERIFY(!asLoaded<PointReader>().read(path, chosen("T (Pa)"), {}));
+        QVERIFY(!asLoaded<PointReader>().read(path, chosen("T Pa"), {}));
     }
 
     void columnsAreListedWithTheirUnits()
@@ -363,6 +367,22 @@ private slots:
         QVERIFY(asLoaded<PointReader>().read(path, {{"array", std::string("column 1")}}, {}));
         const auto dataset = asLoaded<PointReader>().read(path, {{"unit", std::string("cm")}}, {});
         QCOMPARE(dataset->lengthUnit, std::string("cm"));
+    }
+
+    /// A counter has no unit, which leaves no trace between blanks.
+    void unitsBelowTheNamesMayLackThatOfTheCounter()
+    {
+        const QString taken = "array: T; places: x, y, z; unit of the values: K";
+        for (const char* units : {"- m m m K", "m m m K", "[m] [m] [m] [K]", "(-) (m) (m) (m) (K)"}) {
+            const auto path = write(QByteArray("nodenumber x y z T\n") + units + "\n" + rows("jxyzv", " "));
+            check(path, {}, taken, "");
+            QCOMPARE(asLoaded<PointReader>().read(path, {}, {})->lengthUnit, std::string("m"));
+        }
+        check(write("nodenumber,x,y,z,T,\n,m,m,m,K,\n" + rows("jxyzve", ",")), {}, taken, "");
+        check(write("nodenumber x y z T S\nm m m K\n" + rows("jxyzvw", " ")), {}, "array: T (a guess); places: x, y, z",
+              "The line of units below its names has 4 of them for 6 columns.");
+        check(write("x y z T\nm m m\n" + rows("xyzv", " ")), {}, "array: T; places: x, y, z",
+              "The line of units below its names has 3 of them for 4 columns.");
     }
 
     /// What is found in the first rows must not depend on how many there are.
