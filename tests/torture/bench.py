@@ -102,7 +102,7 @@ class Bench:
     """The programs under test, a folder to work in, and the whole datasets and models, made once."""
 
     def __init__(self, build, source, home, is_short):
-        self.build, self.source, self.with_vtk = build, source, not is_short
+        self.build, self.source, self.by_others = build, source, not is_short
         # Runs of which the shortest tells how long a command takes: the first ones read their files from the disk.
         self.timed = 2 if is_short else 4
         self.tan = build / "bin/tan"
@@ -158,7 +158,7 @@ class Bench:
             return Ran(process.returncode, time.monotonic() - began, out or b"", err or b"", hung=True)
 
     def inputs(self):
-        return self.once("inputs", lambda: inputs.make_inputs(self.build, self.source, self.whole / "inputs", self.with_vtk))
+        return self.once("inputs", lambda: inputs.make_inputs(self.build, self.source, self.whole / "inputs", self.by_others))
 
     def sample(self, kind):
         def make():

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The datasets that the torture bench damages: samples of TAn's own, files of the small writers of the tests and of those below, and
-those that VTK's writers make where python3-vtk9 is installed. All are small, so that thousands of attempts take minutes."""
+"""The datasets that the torture bench damages: samples of TAn's own, files of the small writers of the tests and of those below, and where
+their libraries are installed those of VTK's writers and of the bench of truth. All are small, so that thousands of attempts take minutes."""
+import concurrent.futures
+import hashlib
 import json
 import math
 import pathlib
@@ -21,7 +23,7 @@ class Input:
     name: str
     folder: pathlib.Path
     opened: str
-    # A list of points that ends early is another list of points: nothing in the file tells how many there were.
+    # The file that is opened may end early and be another one: nothing tells how many points, or lines of a header, there were.
     open_ended: bool = False
     options: tuple = ()
 
@@ -99,6 +101,8 @@ def nifti():
 WRITERS = (legacy_vtk, ucd, vtu, points, nifti)
 SAMPLES = (("nrrd", "marschner-lobb", "volume.nrrd", 9), ("nhdr", "c60", "volume.nhdr", 9), ("plot3d", "o-grid", "grid.xyz", 9),
            ("irregular", "part", "part.vtu", 6), ("stretched", "stretched", "stretched.vtr", 9), ("scattered", "scattered", "cloud.csv", 6))
+# Formats of the bench of truth: tables do not say how many points they have, headers of bricks not how many lines.
+OPEN_ENDED = ("table", "table, GSLIB", "BOV")
 # What belongs to the file that is opened, of those that VTK's writers make.
 COMPANIONS = {"image.mhd": ("image.raw", "image.zraw"), "run.case": ("run.geo", "run.heat00", "run.heat01")}
 
@@ -155,10 +159,34 @@ def vtk_inputs(source, folder):
         yield Input(place.name, place, whole.name)
 
 
-def make_inputs(build, source, folder, with_vtk=True):
+def truth_inputs(source, folder):
+    """Files of every format, by other libraries. They are kept until their writers change: some hold the time at which they were written,
+    and an attempt that is repeated is to meet the same bytes."""
+    writers = sorted((source / "tests/truth").glob("*.py"))
+    mark = hashlib.sha256(b"".join(path.read_bytes() for path in writers)).hexdigest()[:16]
+    place = folder / ("truth-" + mark)
+    listing = place / "written"
+    if not listing.is_file():
+        shutil.rmtree(place, ignore_errors=True)
+        place.mkdir(parents=True)
+        # By the interpreter that Debian's packages belong to; nothing where it lacks them, or is not there.
+        words = ["env", "/usr/bin/python3", source / "tests/truth/written.py", place]
+        written = subprocess.run(words, capture_output=True, check=False)
+        if written.returncode not in (0, 77, 127):
+            raise RuntimeError(written.stderr.decode("utf-8", "replace")[-300:])
+        listing.write_bytes(written.stdout)
+    for told in map(json.loads, listing.read_text(encoding="utf-8").splitlines()):
+        yield Input("truth-" + told["folder"], place / told["folder"], told["opened"], told["format"] in OPEN_ENDED, tuple(told["options"]))
+
+
+def make_inputs(build, source, folder, by_others=True):
     """Those that can be opened as they are: what cannot be opened whole tells nothing when it is cut."""
-    tan = build / "bin/tan"
-    made = [*own_inputs(folder), *test_inputs(build, folder), *sample_inputs(tan, folder),
-            *(vtk_inputs(source, folder) if with_vtk else ())]
-    return [one for one in made
-            if subprocess.run([tan, "info", one.folder / one.opened], capture_output=True, check=False).returncode == 0]
+    made = [*own_inputs(folder), *test_inputs(build, folder), *sample_inputs(build / "bin/tan", folder),
+            *((*vtk_inputs(source, folder), *truth_inputs(source, folder)) if by_others else ())]
+
+    def opens(one):
+        words = [build / "bin/tan", "info", one.folder / one.opened, *one.options]
+        return subprocess.run(words, capture_output=True, check=False).returncode == 0
+
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        return [one for one, can_be in zip(made, pool.map(opens, made)) if can_be]
