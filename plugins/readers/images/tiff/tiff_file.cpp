@@ -195,6 +195,34 @@ TiffTexts textsOf(TIFF* file)
     return texts;
 }
 
+/// libtiff takes a text or a resolution whose bytes lie behind the end of the file for one that is not there, with no
+/// more than a warning. The texts of ImageJ and OME, which tell what the pages are, often lie at the end.
+Status checkTexts(TIFF* file, const fs::path& path, std::uint64_t fileBytes)
+{
+    constexpr std::array used = {TIFFTAG_IMAGEDESCRIPTION, TIFFTAG_XRESOLUTION, TIFFTAG_YRESOLUTION};
+    const bool isBig = TIFFIsBigTIFF(file) != 0, isTurned = TIFFIsByteSwapped(file) != 0;
+    std::ifstream stream(path, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(TIFFCurrentDirOffset(file)));
+    const auto next = [&]<class Number>(Number number) -> std::uint64_t {
+        stream.read(reinterpret_cast<char*>(&number), sizeof number);
+        if (isTurned)
+            std::reverse(reinterpret_cast<char*>(&number), reinterpret_cast<char*>(&number + 1));
+        return number;
+    };
+    const auto nextPlace = [&] { return isBig ? next(std::uint64_t()) : next(std::uint32_t()); };
+    const std::uint64_t inPlace = isBig ? 8 : 4; // bytes that stand in the directory itself
+    const std::uint64_t entries = isBig ? next(std::uint64_t()) : next(std::uint16_t());
+    for (std::uint64_t entry = 0; entry < entries && stream; ++entry) {
+        const std::uint64_t tag = next(std::uint16_t()), type = next(std::uint16_t());
+        const std::uint64_t count = nextPlace(), at = nextPlace();
+        const std::uint64_t width = type <= TIFF_IFD8 ? TIFFDataWidth(static_cast<TIFFDataType>(type)) : 0;
+        const bool isUsed = stream.good() && std::ranges::find(used, tag) != used.end();
+        if (isUsed && width > 0 && count > inPlace / width && (at > fileBytes || count > (fileBytes - at) / width))
+            return behindEnd(Message::say("its description, or its resolution,"), fileBytes);
+    }
+    return {};
+}
+
 float floatOfHalf(std::uint16_t half)
 {
     const int exponent = half >> 10U & 0x1f;
@@ -303,6 +331,8 @@ Result<TiffFile> TiffFile::open(const fs::path& path)
     content->file = TIFFOpen(path.c_str(), "rm"); // not mapped: the file may be cut meanwhile
     if (content->file == nullptr)
         return libtiffError();
+    if (const Status there = checkTexts(content->file, path, content->bytes); !there)
+        return there.error();
     content->texts = textsOf(content->file);
     while (true) {
         const auto page = pageOf(content->file, content->bytes, content->pages.size() + 1);

@@ -67,6 +67,34 @@ private slots:
         }
     }
 
+    /// Where ImageJ's text lies at the end, a file that is cut within it has all of its pages, and is something else.
+    void cutDescription()
+    {
+        const PictureFolder folder;
+        for (const bool big : {false, true}) {
+            const TiffWriting writing{.little = !big, .big = big};
+            QByteArray stack = pages(writing);
+            const auto begin = stack.indexOf("ImageJ="), end = stack.indexOf('\0', begin) + 1;
+            const QByteArray text = stack.mid(begin, end - begin);
+            const auto place = [&](qsizetype at) {
+                return big ? numberBytes(quint64(at), writing.little) : numberBytes(quint32(at), writing.little);
+            };
+            const QByteArray field = numberBytes(quint16(2), writing.little) + place(text.size());
+            QVERIFY(stack.contains(field + place(begin)));
+            stack.replace(field + place(begin), field + place(stack.size()));
+            stack.replace(begin, text.size(), QByteArray(text.size(), '\0'));
+            stack += text;
+            const auto whole = builtImagesReader().probe(folder.write("pages.tif", stack), {}, {});
+            QVERIFY(whole.ok());
+            for (const auto cut : {text.size(), text.size() / 2, qsizetype(1)}) {
+                const auto read =
+                    builtImagesReader().read(folder.write("pages.tif", stack.left(stack.size() - cut)), {}, {});
+                QVERIFY(!read.ok());
+                QVERIFY2(read.error().text().find("cut short") != std::string::npos, read.error().text().c_str());
+            }
+        }
+    }
+
     void changedBytes()
     {
         std::mt19937 random(7);
