@@ -341,8 +341,11 @@ Result<TiffFile> TiffFile::open(const fs::path& path)
         content->pages.push_back(*page);
         if (TIFFLastDirectory(content->file) != 0)
             break;
-        if (TIFFReadDirectory(content->file) == 0)
-            return libtiffError();
+        if (TIFFReadDirectory(content->file) == 0) // without a word where pages follow each other in a circle
+            return lastWords().empty()
+                       ? damaged(Message::say("behind page %1 follows no page, or one that was there before.",
+                                              content->pages.size()))
+                       : libtiffError();
     }
     return TiffFile(std::move(content));
 }

@@ -95,6 +95,16 @@ private slots:
         }
     }
 
+    void pagesInACircle()
+    {
+        const PictureFolder folder;
+        QByteArray stack = pages({});
+        stack.replace(stack.size() - 4, 4, stack.mid(4, 4)); // the link of the last page: to the first one
+        const auto read = builtImagesReader().read(folder.write("pages.tif", stack), {}, {});
+        QVERIFY(!read.ok());
+        QVERIFY2(read.error().text().find("was there before") != std::string::npos, read.error().text().c_str());
+    }
+
     void changedBytes()
     {
         std::mt19937 random(7);
