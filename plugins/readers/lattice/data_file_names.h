@@ -24,8 +24,8 @@ struct NumberedName {
 /// Nothing if a text has no such directive, or several.
 std::optional<NumberedName> numberedName(std::string_view text);
 
-/// Headers that name more files than that are refused: the names alone take a hundred megabytes.
-inline constexpr std::uint64_t mostDataFiles = 1 << 20;
+/// Headers that name more files than that are refused: the paths alone take a hundred megabytes.
+inline constexpr std::uint64_t mostDataFiles = 1 << 18;
 
 /// Refuses names with characters that none should have: one with a zero byte would open another file than messages
 /// name.

@@ -95,6 +95,8 @@ void NrrdRefusalsTest::ofFiles_data()
     fields("control characters in a name", "data file: samples.\x01w\n", {"'samples.\\x01w'", "Correct it"});
     fields("pattern of too few files", "data file: slice%03d.raw 1 4 1\n", {"names 4 files", "sizes ask for"});
     fields("pattern of endless files", "data file: slice%03d.raw 1 1000000000 1\n", {"names 1000000000 files"});
+    fields("pattern of more files than there are", "sizes: 3 4 300000\ndata file: slice%d.raw 1 300000 1\n",
+           {"names 300000 files", "fewer"});
     fields("pattern without step", "data file: slice%03d.raw 1 5 0\n", {"the step"});
     fields("pattern of the wrong direction", "data file: slice%03d.raw 5 1 1\n", {"the step"});
     fields("pattern of words", "data file: slice%03d.raw one five 1\n", {"number of the first file"});
