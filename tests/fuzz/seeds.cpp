@@ -146,6 +146,54 @@ void addDescribedVolumes(const QString& folder)
             gzipped(QByteArray(16, '\1')));
 }
 
+/// A byte for the kind, and the text.
+void addPictureTexts(const QString& folder)
+{
+    Seeds seeds(folder, "picture-texts");
+    for (const char kind : {'\0', '\2'})
+        seeds.add(kind +
+                  QByteArray("ImageJ=1.54f\nimages=30\nchannels=2\nslices=5\nframes=3\nhyperstack=true\nunit=\\u00B5m\n"
+                             "spacing=-2.5\nfinterval=0.5\ncf=0\nc0=-32768.0\nc1=1.0\nvunit=gray value\n"));
+    const QByteArray pixels =
+        "<OME xmlns=\"http://www.openmicroscopy.org/Schemas/OME/2016-06\"><Image ID=\"Image:0\" "
+        "Name=\"one\"><Pixels ID=\"Pixels:0\" DimensionOrder=\"XYCZT\" Type=\"uint16\" SizeX=\"4\" "
+        "SizeY=\"3\" SizeZ=\"5\" SizeC=\"2\" SizeT=\"1\" PhysicalSizeX=\"0.5\" "
+        "PhysicalSizeZ=\"2\" PhysicalSizeZUnit=\"nm\"><Channel ID=\"Channel:0:0\" Name=\"DAPI\" "
+        "SamplesPerPixel=\"1\"/><Channel ID=\"Channel:0:1\"/>";
+    const QByteArray end = "</Pixels></Image></OME>";
+    seeds.add('\1' + pixels + "<TiffData/>" + end);
+    seeds.add('\1' + pixels +
+              "<TiffData FirstC=\"1\" FirstZ=\"2\" IFD=\"3\" PlaneCount=\"1\"><UUID "
+              "FileName=\"b.tif\">urn</UUID></TiffData>" +
+              end);
+    seeds.add('\x41' + QByteArray(pixels + end).replace("</OME>", "<Image><Pixels SizeZ=\"2\"/></Image></OME>"));
+}
+
+/// A dimension of records and another one, an attribute, and a variable of both.
+void addNetCdfHeaders(const QString& folder)
+{
+    Seeds seeds(folder, "netcdf-header");
+    for (const char version : {'\1', '\2', '\5'}) {
+        const auto number = [](qint64 value, int bytes) {
+            QByteArray text;
+            for (int byte = bytes - 1; byte >= 0; --byte)
+                text += static_cast<char>(value >> 8 * byte & 0xff);
+            return text;
+        };
+        const auto count = [&](qint64 value) { return number(value, version == '\5' ? 8 : 4); };
+        const auto name = [&](const char* letter) { return count(1) + QByteArray(letter).leftJustified(4, '\0'); };
+        constexpr int dimensions = 10, variables = 11, attributes = 12, characters = 2, singles = 5;
+        QByteArray head = QByteArray("CDF") + version + count(2) + number(dimensions, 4) + count(2) + name("t") +
+                          count(0) + name("x") + count(3);
+        head +=
+            number(attributes, 4) + count(1) + name("u") + number(characters, 4) + count(2) + QByteArray("mm\0\0", 4);
+        head += number(variables, 4) + count(1) + name("v") + count(2) + count(0) + count(1) + number(0, 4) + count(0) +
+                number(singles, 4) + count(12);
+        head += number(head.size() + (version == '\1' ? 4 : 8), version == '\1' ? 4 : 8);
+        seeds.add(head + QByteArray(24, '\1'));
+    }
+}
+
 void addGrids(const QString& folder)
 {
     Seeds seeds(folder, "plot3d");
@@ -258,6 +306,8 @@ int main(int count, char** words)
     addVolumes(folder);
     addHeaders(folder);
     addDescribedVolumes(folder);
+    addPictureTexts(folder);
+    addNetCdfHeaders(folder);
     addGrids(folder);
     addPoints(folder);
     addModels(folder);
