@@ -422,6 +422,23 @@ Status checkPixels(const gdcm::File& file, std::istream& stream, DicomHeader& he
     return {};
 }
 
+/// Before GDCM reads: it takes memory for all that unpacks, whatever it holds.
+Status checkExtent(std::string_view bytes)
+{
+    constexpr std::uint64_t least = 1U << 28U, timesPacked = 100;
+    const DicomExtent extent = dicomExtent(bytes);
+    if (!extent.isWhole)
+        return endsTooEarly();
+    const std::uint64_t most = least + timesPacked * bytes.size();
+    if (extent.deflatedAt && !unpacksWithin(bytes.substr(*extent.deflatedAt), most))
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("it unpacks to more than %1, which pictures in so few bytes do not. It is damaged; if "
+                         "not, export it without compression.",
+                         neededBytesText(most))};
+    return {};
+}
+
 } // namespace
 
 MarkedText dicomMarkText(DicomMark mark) noexcept
@@ -462,8 +479,8 @@ DicomHeader dicomHeader(const fs::path& path)
     }
     const auto mapped = MappedFile::open(path);
     const auto bytes = mapped ? (*mapped)->bytes() : std::span<const std::byte>();
-    if (!hasWholeElements({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
-        header.fault = endsTooEarly().message;
+    if (const Status sound = checkExtent({reinterpret_cast<const char*>(bytes.data()), bytes.size()}); !sound) {
+        header.fault = sound.error().message;
         return header;
     }
     gdcm::Reader reader;

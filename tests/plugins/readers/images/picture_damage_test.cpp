@@ -5,6 +5,9 @@
 
 #include <QTest>
 
+#include <zlib.h>
+
+#include <array>
 #include <random>
 
 using namespace tetra;
@@ -93,6 +96,33 @@ private slots:
                 QVERIFY2(read.error().text().find("cut short") != std::string::npos, read.error().text().c_str());
             }
         }
+    }
+
+    /// A file of 400 KB whose only element behind the head unpacks to 400 MB: refused before it takes that memory.
+    void deflatedWithoutEnd()
+    {
+        const QByteArray kind = dicomText(0x00020010, "UI", "1.2.840.10008.1.2.1.99");
+        const QByteArray length = dicomText(0x00020000, "UL", numberBytes(quint32(kind.size())));
+        QByteArray zeros(1 << 20, '\0'), packed;
+        z_stream stream{};
+        QCOMPARE(deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 9, Z_DEFAULT_STRATEGY), Z_OK);
+        std::array<Bytef, 1 << 16> room{};
+        for (int part = 0; part < 400; ++part) {
+            stream.next_in = reinterpret_cast<Bytef*>(zeros.data());
+            stream.avail_in = uInt(zeros.size());
+            do {
+                stream.next_out = room.data();
+                stream.avail_out = room.size();
+                deflate(&stream, part == 399 ? Z_FINISH : Z_NO_FLUSH);
+                packed.append(reinterpret_cast<const char*>(room.data()), qsizetype(room.size() - stream.avail_out));
+            } while (stream.avail_out == 0);
+        }
+        deflateEnd(&stream);
+        const PictureFolder folder;
+        const fs::path path = folder.write("a.dcm", QByteArray(128, '\0') + "DICM" + length + kind + packed);
+        const auto read = builtImagesReader().read(path, {}, {});
+        QVERIFY(!read.ok());
+        QVERIFY2(read.error().text().find("unpacks to more than") != std::string::npos, read.error().text().c_str());
     }
 
     void pagesInACircle()
