@@ -24,8 +24,8 @@ struct MeshioRequest {
     std::string path{};
     std::string format{};
     std::string array{};
-    std::string component{};
-    std::int64_t timeStep = 1;
+    std::string component{};                  ///< empty: the user does not say it, and the magnitude is taken
+    std::int64_t timeStep = 0;                ///< from 1; 0: the user does not say it, and the first is taken
     ErrorKind badInput = ErrorKind::BadInput; ///< the numbers of the kinds of its errors
     ErrorKind wrongUsage = ErrorKind::WrongUsage;
     WorkLimits limits{};
@@ -95,8 +95,10 @@ Result<MeshioRequest> requestFor(const fs::path& path, const std::vector<Paramet
         return Error{ErrorKind::BadInput,
                      Message::say("it is of no format that TAn leaves to meshio. Let TAn choose the reader.")};
     request.array = parameterValue<std::string>(parameters, values, "array");
-    request.component = parameterValue<std::string>(parameters, values, "component");
-    request.timeStep = parameterValue<std::int64_t>(parameters, values, "time");
+    if (values.contains("component"))
+        request.component = parameterValue<std::string>(parameters, values, "component");
+    if (values.contains("time"))
+        request.timeStep = parameterValue<std::int64_t>(parameters, values, "time");
     request.limits = limitsFor(bytes.size(), bytes.size(), physicalBytes());
     return request;
 }

@@ -89,7 +89,8 @@ class Request:
         self.format = given.words()
         self.array = given.words()
         self.component = given.words()
-        self.step = given.number("q")
+        asked_for = given.number("q")
+        self.step, self.step_is_guessed = max(1, asked_for), asked_for == 0
         self.kinds = {BAD_INPUT: given.number("i"), WRONG_USAGE: given.number("i")}
         self.memory = given.number("Q")
         self.is_half = given.number("?")
@@ -331,7 +332,7 @@ def samples_of(array, component, numpy):
     values = array.values.astype(numpy.float64)
     if array.components == 1:
         return values.reshape(len(values)), None
-    if component == "magnitude":
+    if component in ("", "magnitude"):
         return numpy.sqrt((values * values).sum(axis=1)), "magnitude"
     if not component.isdigit() or int(component) >= array.components:
         raise Refusal("its array '%1' has the components 0 to %2, and no component %3.", array.name, array.components - 1,
@@ -379,10 +380,10 @@ def positions_of(mesh, numpy):
 def provenance(array, component, guessed, series, request):
     parts = [taken(ARRAY, plain(array.name), guessed)]
     if component is not None:
-        parts.append(taken(COMPONENT, plain(component), request.component == "magnitude"))
+        parts.append(taken(COMPONENT, plain(component), request.component == ""))
     if len(series.times) > 1:
         time = "%g" % series.times[request.step - 1]
-        parts.append(taken(TIME_STEP, message("%1 of %2, time %3", request.step, len(series.times), time), request.step == 1))
+        parts.append(taken(TIME_STEP, message("%1 of %2, time %3", request.step, len(series.times), time), request.step_is_guessed))
     return listed(parts)
 
 

@@ -77,7 +77,8 @@ NetCdfRequest netCdfRequest(const ParameterValues& values)
     const auto all = netCdfParameters();
     NetCdfRequest request;
     request.array = parameterValue<std::string>(all, values, "array");
-    request.component = parameterValue<std::string>(all, values, "component");
+    if (values.contains("component"))
+        request.component = parameterValue<std::string>(all, values, "component");
     request.timeStep = parameterValue<std::int64_t>(all, values, "time");
     request.timeIsGiven = values.contains("time");
     request.index = parameterValue<std::string>(all, values, "index");

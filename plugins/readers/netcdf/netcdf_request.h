@@ -13,8 +13,8 @@ namespace tetra {
 struct NetCdfRequest {
     bool contentsOnly = false; ///< probe() instead of read()
     std::string path;
-    std::string array; ///< a name, or a number from 1; "automatic"
-    std::string component;
+    std::string array;                ///< a name, or a number from 1; "automatic"
+    std::string component;            ///< of Exodus files: empty: the user does not say it, and the magnitude is taken
     std::int64_t timeStep = 1;        ///< from 1
     bool timeIsGiven = false;         ///< by the user
     std::string index;                ///< of further dimensions: "member=2,type=1"; empty: the first

@@ -256,7 +256,7 @@ std::vector<Taken> takenOf(const ExodusFile& exodus, const NetCdfRequest& reques
         taken.push_back(
             {TakenPart::Component,
              chosen.component ? Message(printable(chosen.array.parts[*chosen.component])) : Message::say("magnitude"),
-             false});
+             !chosen.component && request.component.empty()});
     if (request.displaced && displacement(exodus) != nullptr)
         taken.push_back(
             {TakenPart::Places, Message::say("moved by '%1'", printable(displacement(exodus)->name)), false});

@@ -132,6 +132,8 @@ private slots:
         QCOMPARE(contents->arrays[1].components, 3);
         QVERIFY(contents->taken == (std::vector<Taken>{{TakenPart::Array, std::string("flow"), false},
                                                        {TakenPart::Component, std::string("1"), false}}));
+        const auto magnitude = reader_.probe(path, {{"array", std::string("flow")}}, {});
+        QVERIFY(magnitude && magnitude->taken.back() == (Taken{TakenPart::Component, std::string("magnitude"), true}));
     }
 
     /// Nodes and elements have numbers of any kind, and views name them in any order and not all of them.
@@ -186,6 +188,10 @@ private slots:
         for (std::uint64_t point = 0; point < dataset->pointCount(); ++point)
             QCOMPARE(dataset->values.at(point), heatAt(dataset->position(point)) + 10);
         QCOMPARE(dataset->source.taken.back().what.text(), std::string("2 of 2, time 2.5"));
+        QVERIFY(!dataset->source.taken.back().guessed);
+        const auto first = reader_.read(path, {{"time", std::int64_t(1)}}, {}), unasked = reader_.read(path, {}, {});
+        QVERIFY(first && unasked);
+        QVERIFY(!first->source.taken.back().guessed && unasked->source.taken.back().guessed);
     }
 
     void whatCannotBeReadIsRefused_data()

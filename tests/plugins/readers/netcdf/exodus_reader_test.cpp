@@ -325,6 +325,14 @@ private slots:
         const auto automatic = builtNetCdfReader().read(path(), {}, {});
         QVERIFY(automatic.ok());
         QCOMPARE(takenOf(automatic->source.taken, TakenPart::Array), std::string("T ?"));
+        const auto componentOf = [&](const ParameterValues& values) {
+            const auto dataset = builtNetCdfReader().read(path(), values, {});
+            return dataset ? takenOf(dataset->source.taken, TakenPart::Component) : dataset.error().text();
+        };
+        const std::pair<const std::string, ParameterValue> velocity("array", std::string("vel"));
+        QCOMPARE(componentOf({velocity}), std::string("magnitude ?"));
+        QCOMPARE(componentOf({velocity, {"component", std::string("magnitude")}}), std::string("magnitude"));
+        QCOMPARE(componentOf({velocity, {"component", std::string("1")}}), std::string("vel_y"));
     }
 
     void displacementsAreForTheUser()
