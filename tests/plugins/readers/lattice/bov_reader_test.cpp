@@ -113,7 +113,7 @@ private slots:
         const auto skipped = read(bov("BYTE_OFFSET: 3\n"), "abc" + numbers + "the end");
         QVERIFY2(skipped, text_);
         QVERIFY(distanceFromWorld(*skipped, 1) < 1e-5);
-        QVERIFY(sentences(skipped->source.leftOut).contains("7 more bytes"));
+        QVERIFY(sentences(skipped->source.leftOut).contains("7 bytes behind"));
         QVERIFY(!folder_.write("brick0000.values", numbers).empty());
         for (const char* const brick : {"", "DATA_BRICKLETS: 4 5 6\n"}) {
             const auto pattern = read(bov(QByteArray("DATA_FILE: brick%04d.values\n") + brick), "");

@@ -163,7 +163,7 @@ private slots:
         row("endless values", lines("0 0 0 0 5000000000000000000", axes), {"line 3"});
         row("more values than orbitals can be", lines("0 0 0 0 10001", axes) + QByteArray("1 ").repeated(6000),
             {"10001 values at each point"});
-        row("more values than text", lines("0 0 0 0 9", axes), {"2 x 2 x 2", "9 numbers each"});
+        row("more values than text", lines("0 0 0 0 9", axes), {"72 numbers", "16 bytes of text", "cut short"});
         row("signs that differ", lines("0 0 0 0", "2 1 0 0\n-2 0 1 0\n2 0 0 1\n"), {"negative along some axes"});
         row("one point", lines("0 0 0 0", "1 1 0 0\n2 0 1 0\n2 0 0 1\n"), {"1 x 2 x 2", "at least 2"});
         row("no points", lines("0 0 0 0", "0 1 0 0\n2 0 1 0\n2 0 0 1\n"), {"at least 2"});
@@ -191,7 +191,7 @@ private slots:
         const QByteArray file = cubeHeader(world, {}) + world.lastFastest(textNumber);
         QCOMPARE(refusal(file, {"tells its spacing itself"}, {{"spacing", std::string("1x1x1")}}), QByteArray());
         QCOMPARE(refusal(file, {"tells its unit itself"}, {{"unit", std::string("nm")}}), QByteArray());
-        QCOMPARE(refusal(file, {"one component"}, {{"component", std::string("1")}}), QByteArray());
+        QCOMPARE(refusal(file, {"one number for each sample"}, {{"component", std::string("1")}}), QByteArray());
     }
 
     void cutFilesAreRefused()

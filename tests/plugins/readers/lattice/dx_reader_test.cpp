@@ -210,7 +210,7 @@ private slots:
         const auto second = read(file, {{"component", std::string("1")}});
         QVERIFY2(second, text_);
         QVERIFY(distanceFromWorld(*second, 1) < 1e-5);
-        QCOMPARE(takenWords(second->source.taken), QByteArray("component: 1 of 3, from 0\n"));
+        QCOMPARE(takenWords(second->source.taken), QByteArray("component: 1 of 3, counted from 0\n"));
         QCOMPARE(second->source.valueName, std::string("density (component 1)"));
         const auto magnitude = read(file);
         QVERIFY2(magnitude, text_);

@@ -405,7 +405,7 @@ private slots:
         row("eleven dimensions", "NDims = 11\n", "it has 11 dimensions");
         row("too few sizes", "DimSize = 3 4\n", "not 3 numbers of points");
         row("no points", "DimSize = 3 4 0\n", "not 3 numbers of points");
-        row("more than there is", "DimSize = 3 4 6\n", "its header asks for");
+        row("more than there is", "DimSize = 3 4 6\n", "but there are only");
         row("more than any file", "NDims = 4\nDimSize = 3 4 2000000000 2000000000\nElementSpacing = 1 1 1 1\n", "");
         row("an unknown type", "ElementType = MET_STRING\n", "'MET_STRING', which is not read");
         row("no channels", "ElementNumberOfChannels = 0\n", "ElementNumberOfChannels is '0'");

@@ -263,7 +263,7 @@ private slots:
                                             {MrcFields{.mode = 7}, "mode 7"},
                                             {MrcFields{.size = {3, 0, 5}}, "3 x 0 x 5 points"},
                                             {MrcFields{.size = {3, 4, 1}}, "at least 2 along each axis"},
-                                            {MrcFields{.size = {3, 4, 6}}, "1264 bytes, and its header asks for 1312"},
+                                            {MrcFields{.size = {3, 4, 6}}, "288 bytes, but there are only 240 bytes"},
                                             {MrcFields{.size = {1 << 30, 1 << 30, 1 << 30}}, "points"}}) {
             const auto dataset = read(mrcHeader(fields) + samples);
             QVERIFY(!dataset.ok());

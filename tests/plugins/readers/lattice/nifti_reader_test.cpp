@@ -359,7 +359,7 @@ private slots:
         row("no dimensions", {.dim = {0, 3, 4, 5, 1, 1, 1, 1}}, "0 dimensions");
         row("eight dimensions", {.version = 2, .dim = {8, 3, 4, 5, 1, 1, 1, 1}}, "8 dimensions");
         row("negative", {.dim = {3, 3, -4, 5, 1, 1, 1, 1}}, "-4 points");
-        row("more than there is", {.dim = {3, 3, 4, 6, 1, 1, 1, 1}}, "592 bytes, and its header asks for 640");
+        row("more than there is", {.dim = {3, 3, 4, 6, 1, 1, 1, 1}}, "288 bytes, but there are only 240 bytes");
         row("more than any file", {.version = 2, .dim = {7, 3, 4, 5, 1 << 30, 1 << 30, 1 << 30, 1 << 30}},
             "more samples than any file");
         row("huge", {.version = 2, .dim = {3, 1LL << 62, 4, 5, 1, 1, 1, 1}}, "points");

@@ -162,7 +162,8 @@ private slots:
 
     void largeIntegersBecomeDoubles()
     {
-        const std::array<std::int64_t, 8> numbers{0, 1, -1, std::int64_t(1) << 40, -(std::int64_t(1) << 53), 5, 6, 7};
+        const std::array<std::int64_t, 8> numbers{0, 1, -1, std::int64_t(1) << 40, -(std::int64_t(1) << 53) - 1,
+                                                  5, 6, 7};
         QByteArray bytes;
         for (const std::int64_t number : numbers)
             bytes += numberBytes(number, std::endian::big);
@@ -215,7 +216,7 @@ private slots:
             read(npy(dictionaryOf("|u1", "(5, 4, 3)"), counting<std::uint8_t>(std::endian::little) + "second"));
         QVERIFY2(dataset, text_);
         QVERIFY(holdsTestSamples(dataset->values));
-        QVERIFY(sentences(dataset->source.leftOut).contains("6 more bytes"));
+        QVERIFY(sentences(dataset->source.leftOut).contains("6 bytes behind"));
     }
 
     void refuses_data()
@@ -284,7 +285,7 @@ private slots:
         const auto path = write(npy(dictionaryOf("|u1", "(5, 4, 3)"), counting<std::uint8_t>(std::endian::little)));
         QCOMPARE(refusalFault(path, {"'--size'"}, {{"size", std::string("3x4x5")}}), QByteArray());
         QCOMPARE(refusalFault(path, {"'pressure'", "single one"}, {{"array", std::string("pressure")}}), QByteArray());
-        QCOMPARE(refusalFault(path, {"one component"}, {{"component", std::string("1")}}), QByteArray());
+        QCOMPARE(refusalFault(path, {"one number for each sample"}, {{"component", std::string("1")}}), QByteArray());
         QCOMPARE(refusalFault(path, {"Give three numbers"}, {{"spacing", std::string("1x2")}}), QByteArray());
         QVERIFY(readFormat(path, text_, {{"array", std::string()}, {"component", std::string("magnitude")}}));
     }

@@ -81,8 +81,6 @@ void NrrdRefusalsTest::ofFiles_data()
     fields("binary junk", QByteArray("\xff\x00\x01junk\n", 8), {"line 2"});
 
     fields("unknown type", "type: quaternion\n", {"'quaternion'", "uint8"});
-    fields("int64", "type: long long\nendian: little\n", {"long long", "double"});
-    fields("uint64", "type: uint64_t\nendian: little\n", {"uint64_t", "double"});
     fields("block", "type: block\nblock size: 4\n", {"block"});
     fields("unknown endian", "type: short\nendian: middle\n", {"middle", "little and big"});
     fields("hex", "encoding: hex\n", {"'hex'", "gzip"});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Raw files: what the user's description makes of them, and what is said when it does not fit.
 #include "plugins/readers/lattice/lattice_reader.h"
-#include "plugins/readers/lattice/raw_guess.h"
+#include "plugins/readers/lattice/raw/raw_guess.h"
 #include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 
@@ -202,7 +202,7 @@ void RawReaderTest::refuses_data()
     row("absurd size", samples, {text("size", "4000000000x4000000000x4000000000")}, badInput,
         {"more than any machine"});
     row("unknown type", samples, {size, text("type", "number")}, wrongUsage, {"'number'", "uint8"});
-    row("int64", samples, {size, text("type", "int64")}, wrongUsage, {"int64", "double"});
+    row("int128", samples, {size, text("type", "int128")}, wrongUsage, {"int128", "double"});
     row("unknown order", samples, {size, text("byte-order", "both")}, wrongUsage, {"'both'"});
     row("spacing not understood", samples, {size, text("spacing", "1")}, wrongUsage, {"'1' for 'spacing'"});
     row("spacing zero", samples, {size, text("spacing", "1x1x0")}, badInput, {"positive"});
