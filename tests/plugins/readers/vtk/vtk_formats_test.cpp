@@ -43,6 +43,9 @@ private slots:
         QVERIFY(guess("a.vtu.series", "\n{ \"file-series-version\" : \"1.0\"").format == VtkFormat::Series);
         QVERIFY(guess("a.vtk.series", "{}").format == VtkFormat::Series);
         QVERIFY(guess("a.json", "{\"x\": 1}").format == VtkFormat::None);
+        const QByteArray hdf5("\x89HDF\r\n\x1a\n", 8);
+        QVERIFY(guess("a.h5", hdf5 + "VTKHDF").format == VtkFormat::Hdf);
+        QVERIFY(guess("a.h5", hdf5 + "fields").format == VtkFormat::None);
         for (const char* name : {"a.nrrd", "a.mha", "a.mhd", "a.nii", "a.nii.gz", "a.map"})
             QVERIFY2(guess(name, "NRRD0004").format == VtkFormat::None, name);
         QVERIFY(guess("a.csv", "x,y,z,v").format == VtkFormat::None);
