@@ -39,6 +39,7 @@ file(GET_RUNTIME_DEPENDENCIES RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDE
         "${libraries}/plugins/tan-read-images"
         "${libraries}/plugins/tan-read-netcdf"
         "${libraries}/plugins/tan-read-hdf5"
+        "${libraries}/plugins/tan-read-zarr"
     LIBRARIES ${ours} ${plugin_files} PRE_EXCLUDE_REGEXES ${of_the_machine})
 if(missing)
     message(FATAL_ERROR "The bundle lacks ${missing}")

@@ -60,9 +60,9 @@ Shows multiresolution models as isosurfaces and volumes, at any accuracy, and
 builds them.")
 set(CPACK_DEBIAN_VTK_PACKAGE_NAME tan-vtk-readers)
 set(CPACK_DEBIAN_VTK_PACKAGE_DEPENDS "${same_version}")
-set(CPACK_COMPONENT_VTK_DESCRIPTION "reads VTK, NetCDF, HDF5, DICOM, TIFF and more into TAn
-Programs in which VTK, the libraries of NetCDF and HDF5, GDCM and libtiff read
-files for TAn, each in a process of its own.")
+set(CPACK_COMPONENT_VTK_DESCRIPTION "reads VTK, NetCDF, HDF5, Zarr, DICOM, TIFF and more into TAn
+Programs in which VTK, the libraries of NetCDF and HDF5, Blosc, GDCM and libtiff
+read files for TAn, each in a process of its own.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME tan-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${core_of_same_version}, libeigen3-dev")

@@ -38,6 +38,7 @@ check test ! -e "$place/$libraries/tan/plugins/tan-read-vtk"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-images"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-netcdf"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-hdf5"
+check test ! -e "$place/$libraries/tan/plugins/tan-read-zarr"
 
 # Every plugin of the build is there, and is found beside the program.
 mv "$place" "$scratch/another place"
