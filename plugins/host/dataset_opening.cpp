@@ -133,12 +133,24 @@ Provided<Reader> bestReader(PluginHost& host, const std::filesystem::path& path,
     return best;
 }
 
-/// Whether an empty file is one of the reader's all the same, which then is certain of it: its name stands for files
-/// beside it.
-bool takesEmptyFile(const Reader& reader, const std::filesystem::path& path)
+/// Whether what has no bytes of its own is one of the reader's all the same, which then is certain of it: an empty file
+/// whose name stands for files beside it, a folder in which it knows files.
+bool takesWithoutBytes(const Reader& reader, const std::filesystem::path& path)
 {
     constexpr double certain = 1;
     return reader.score(path, {}) >= certain;
+}
+
+bool isFolder(const std::filesystem::path& path)
+{
+    std::error_code problem;
+    return std::filesystem::is_directory(path, problem);
+}
+
+/// The first bytes of a file; none of a folder that the reader takes as a whole.
+Result<Buffer<std::byte>> bytesFor(const Reader& reader, const std::filesystem::path& path)
+{
+    return isFolder(path) && takesWithoutBytes(reader, path) ? Buffer<std::byte>() : firstBytesOf(path);
 }
 
 /// What a reader is given: the file and its parameters, or others where it or its companion had to be unpacked.
@@ -204,7 +216,7 @@ Status addCompanion(const Reader& reader, const std::filesystem::path& path, Rea
 Result<ReadableFile> readableFile(const Reader& reader, const std::filesystem::path& path,
                                   const ParameterValues& values, const Progress& progress)
 {
-    const auto bytes = firstBytesOf(path);
+    const auto bytes = bytesFor(reader, path);
     if (!bytes)
         return bytes.error();
     ReadableFile file{path, values, {}, {}};
@@ -279,6 +291,9 @@ std::vector<std::string> readableFiles(PluginHost& host)
 
 Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::path& path)
 {
+    if (isFolder(path))
+        if (auto whole = bestReader(host, path, {}); whole.plugin != nullptr && takesWithoutBytes(*whole.plugin, path))
+            return whole;
     const auto bytes = firstBytesOf(path);
     if (!bytes)
         return bytes.error();
@@ -289,7 +304,7 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
                          path.string()),
             path};
     Provided<Reader> best = bestReader(host, path, *bytes);
-    if (bytes->empty() && (best.plugin == nullptr || !takesEmptyFile(*best.plugin, path)))
+    if (bytes->empty() && (best.plugin == nullptr || !takesWithoutBytes(*best.plugin, path)))
         return emptyFile(path);
     if (best.plugin == nullptr && isPackedByGzip(*bytes)) {
         const auto inside = firstUnpackedBytes(path);
@@ -307,11 +322,11 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
 {
     if (!id)
         return chooseReader(host, path);
-    const auto bytes = firstBytesOf(path);
+    auto reader = host.reader(*id);
+    const auto bytes = reader ? bytesFor(*reader->plugin, path) : firstBytesOf(path);
     if (!bytes)
         return bytes.error();
-    auto reader = host.reader(*id);
-    if (reader && bytes->empty() && !takesEmptyFile(*reader->plugin, path))
+    if (reader && bytes->empty() && !takesWithoutBytes(*reader->plugin, path))
         return emptyFile(path);
     return reader;
 }

@@ -13,8 +13,9 @@
 namespace tetra {
 
 /// The reader that suits a file best, by its name and first bytes, or by those of what is in it if it is packed by
-/// gzip. Errors: a file that cannot be read at all; an empty one, of which no reader is certain (score 1); none suits
-/// (and which readers are missing); a TAn model.
+/// gzip; of a folder the one that is certain of it (score 1 without any bytes). Errors: a file that cannot be read at
+/// all; an empty one, or a folder, of which no reader is certain; none suits (and which readers are missing); a TAn
+/// model.
 Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::path& path);
 
 /// The reader with this id, or without one as above.
