@@ -64,9 +64,9 @@ def field(folder, format="NETCDF4", dtype="f4", where=REGULAR, order=("height", 
                 stored = numpy.where(some_holes(), numpy.array(holes).astype(stored.dtype), stored)
             out = numpy.einsum("xyz->" + "".join(letters[one] for one in order), stored)
             if unwritten:  # the library fills what nobody writes
-                out = numpy.ma.masked_array(out, numpy.einsum("xyz->" + "".join(letters[one] for one in order), some_holes()))
-                variable.set_auto_mask(True)
-            if steps:
+                for at in numpy.argwhere(~numpy.einsum("xyz->" + "".join(letters[one] for one in order), some_holes())):
+                    variable[tuple(at)] = out[tuple(at)]
+            elif steps:
                 variable[step] = out
             else:
                 variable[:] = out

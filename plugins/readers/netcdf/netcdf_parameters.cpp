@@ -42,7 +42,8 @@ std::vector<Parameter> netCdfParameters()
 {
     Parameter array = parameterOf(
         "array", Message::marked("Values"),
-        Message::marked("The variable to take, by name or number; 'automatic' takes the first that is not constant."),
+        Message::marked("Of NetCDF and Exodus files: the variable, by name or number; 'automatic' takes the first that "
+                        "is not constant."),
         std::string("automatic"));
     Parameter component = parameterOf("component", Message::marked("Component"),
                                       Message::marked("Of Exodus variables with several components: the number of one, "

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/netcdf/helper/exodus_file.h"
 
+#include "plugins/readers/netcdf/helper/stored_values.h"
+
 #include <netcdf.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace tetra {
 namespace {
@@ -87,9 +90,25 @@ std::vector<ExodusArray> groupedArrays(const std::vector<std::string>& names, bo
     return arrays;
 }
 
+/// Steps, or parts of one, that a program never came to.
+void markUnwritten(const NetCdfFile& file, const NetCdfVariable& variable, ExodusValues& values)
+{
+    const auto named = file.numbers(variable, "_FillValue");
+    const auto unwritten = named.size() == 1 ? std::optional(named[0]) : libraryFillOf(file, variable);
+    if (!unwritten)
+        return;
+    const auto stored = static_cast<double>(*unwritten);
+    for (double& number : values.numbers)
+        if (number == stored) {
+            number = std::numeric_limits<double>::quiet_NaN();
+            values.noNumber = unwritten;
+        }
+    values.isGuessed = values.noNumber && named.empty();
+}
+
 /// Values of one time step, `count` of them, of a variable (time, values), or (values) without times.
-Result<std::vector<double>> valuesAt(const NetCdfFile& file, const NetCdfVariable& variable, std::size_t step,
-                                     std::uint64_t count, std::optional<std::size_t> number)
+Result<ExodusValues> valuesAt(const NetCdfFile& file, const NetCdfVariable& variable, std::size_t step,
+                              std::uint64_t count, std::optional<std::size_t> number)
 {
     const std::size_t rank = number ? 3 : 2;
     NetCdfPart part = file.whole(variable);
@@ -106,7 +125,12 @@ Result<std::vector<double>> valuesAt(const NetCdfFile& file, const NetCdfVariabl
         part.first[1] = *number;
         part.count[1] = 1;
     }
-    return file.readDoubles(variable, part);
+    auto numbers = file.readDoubles(variable, part);
+    if (!numbers)
+        return numbers.error();
+    ExodusValues values{.numbers = *std::move(numbers)};
+    markUnwritten(file, variable, values);
+    return values;
 }
 
 } // namespace
@@ -200,7 +224,7 @@ SampleType storedType(const ExodusFile& exodus, const ExodusArray& array)
     return SampleType::Float64;
 }
 
-Result<std::vector<double>> nodeValues(const ExodusFile& exodus, std::size_t variable, std::size_t step)
+Result<ExodusValues> nodeValues(const ExodusFile& exodus, std::size_t variable, std::size_t step)
 {
     const NetCdfFile& file = *exodus.file;
     if (const NetCdfVariable* alone = file.find(numbered("vals_nod_var", variable)))
@@ -212,14 +236,14 @@ Result<std::vector<double>> nodeValues(const ExodusFile& exodus, std::size_t var
         Message::say("it names a variable number %1 at its nodes and has no values of it. Export it again.", variable)};
 }
 
-Result<std::optional<std::vector<double>>> elementValues(const ExodusFile& exodus, std::size_t variable,
-                                                         const ExodusBlock& block, std::size_t step)
+Result<std::optional<ExodusValues>> elementValues(const ExodusFile& exodus, std::size_t variable,
+                                                  const ExodusBlock& block, std::size_t step)
 {
     const NetCdfVariable* found = exodus.file->find(numbered("vals_elem_var", variable) + numbered("eb", block.number));
     if (found == nullptr)
-        return std::optional<std::vector<double>>();
+        return std::optional<ExodusValues>();
     auto values = valuesAt(*exodus.file, *found, step, block.elements, std::nullopt);
-    return values ? Result<std::optional<std::vector<double>>>(std::optional(*std::move(values))) : values.error();
+    return values ? Result<std::optional<ExodusValues>>(std::optional(*std::move(values))) : values.error();
 }
 
 const ExodusArray* displacement(const ExodusFile& exodus)

@@ -60,12 +60,19 @@ Result<std::vector<Eigen::Vector3d>> nodePositions(const ExodusFile& exodus);
 /// The type in which a variable at nodes, or of elements of the block, is stored.
 SampleType storedType(const ExodusFile& exodus, const ExodusArray& array);
 
+/// Numbers of a variable, NaN where it has none.
+struct ExodusValues {
+    std::vector<double> numbers{};
+    std::optional<long double> noNumber{}; ///< which stored number stood there, if any did
+    bool isGuessed = false;                ///< the file does not name it: it is the library's
+};
+
 /// A variable at all nodes at one time step, from 0.
-Result<std::vector<double>> nodeValues(const ExodusFile& exodus, std::size_t variable, std::size_t step);
+Result<ExodusValues> nodeValues(const ExodusFile& exodus, std::size_t variable, std::size_t step);
 
 /// A variable of a block's elements; nothing where the block has none.
-Result<std::optional<std::vector<double>>> elementValues(const ExodusFile& exodus, std::size_t variable,
-                                                         const ExodusBlock& block, std::size_t step);
+Result<std::optional<ExodusValues>> elementValues(const ExodusFile& exodus, std::size_t variable,
+                                                  const ExodusBlock& block, std::size_t step);
 
 /// The array at nodes by which meshes are moved: "disp..." of a component for each dimension; null without one.
 const ExodusArray* displacement(const ExodusFile& exodus);

@@ -3,6 +3,7 @@
 
 #include "plugins/api/placement_parameters.h"
 #include "plugins/readers/netcdf/helper/exodus_cells.h"
+#include "plugins/readers/netcdf/helper/stored_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,40 +144,59 @@ Result<ChosenArray> chooseArray(const ExodusFile& exodus, const NetCdfRequest& r
                                                      printable(request.array), listed(names))};
 }
 
+/// What one part of the values says of those that nobody wrote holds for all.
+void tellUnwritten(const ExodusValues& part, ExodusValues& all)
+{
+    if (!part.noNumber)
+        return;
+    all.noNumber = part.noNumber;
+    all.isGuessed = all.isGuessed || part.isGuessed;
+}
+
 /// Calls `read` for the variable of the component, or of each one for the magnitude of all.
-template <class Read> Result<std::optional<std::vector<double>>> combined(const ChosenArray& chosen, const Read& read)
+template <class Read> Result<std::optional<ExodusValues>> combined(const ChosenArray& chosen, const Read& read)
 {
     if (chosen.component)
         return read(chosen.array.numbers[*chosen.component]);
-    std::vector<double> sums;
+    ExodusValues all;
+    std::vector<double>& sums = all.numbers;
     for (const std::size_t number : chosen.array.numbers) {
-        const Result<std::optional<std::vector<double>>> values = read(number);
+        const Result<std::optional<ExodusValues>> values = read(number);
         if (!values || !*values)
             return values;
-        sums.resize((*values)->size(), 0);
+        const std::vector<double>& component = (*values)->numbers;
+        sums.resize(component.size(), 0);
         for (std::size_t at = 0; at < sums.size(); ++at)
-            sums[at] += (**values)[at] * (**values)[at];
+            sums[at] += component[at] * component[at];
+        tellUnwritten(**values, all);
     }
     for (double& sum : sums)
         sum = std::sqrt(sum);
-    return std::optional(std::move(sums));
+    return std::optional(std::move(all));
 }
 
 /// The values at all nodes, or of the elements of the blocks one after the other, without those that have none.
 struct ArrayValues {
-    std::vector<double> values{};
+    ExodusValues values{};
     std::vector<std::pair<const ExodusBlock*, ExodusShape>> blocks{};
     bool isConstant = true;
 };
+
+bool areConstant(const std::vector<double>& values)
+{
+    const auto isNumber = [](double value) { return !std::isnan(value); };
+    const auto first = std::ranges::find_if(values, isNumber);
+    return std::all_of(first, values.end(), [&](double value) { return !isNumber(value) || value == *first; });
+}
 
 Result<ArrayValues> readValues(const ExodusFile& exodus, const ChosenArray& chosen, const ChosenBlocks& blocks,
                                std::size_t step)
 {
     ArrayValues read;
     if (!chosen.array.perCell) {
-        auto values = combined(chosen, [&](std::size_t number) -> Result<std::optional<std::vector<double>>> {
+        auto values = combined(chosen, [&](std::size_t number) -> Result<std::optional<ExodusValues>> {
             auto one = nodeValues(exodus, number, step);
-            return one ? Result<std::optional<std::vector<double>>>(std::optional(*std::move(one))) : one.error();
+            return one ? Result<std::optional<ExodusValues>>(std::optional(*std::move(one))) : one.error();
         });
         if (!values)
             return values.error();
@@ -190,11 +210,12 @@ Result<ArrayValues> readValues(const ExodusFile& exodus, const ChosenArray& chos
                 return values.error();
             if (!*values)
                 continue;
-            read.values.insert(read.values.end(), (*values)->begin(), (*values)->end());
+            read.values.numbers.insert(read.values.numbers.end(), (*values)->numbers.begin(), (*values)->numbers.end());
+            tellUnwritten(**values, read.values);
             read.blocks.push_back(block);
         }
     }
-    read.isConstant = std::ranges::all_of(read.values, [&](double value) { return value == read.values.front(); });
+    read.isConstant = areConstant(read.values.numbers);
     return read;
 }
 
@@ -227,7 +248,7 @@ Result<Wanted> readWanted(const ExodusFile& exodus, const ChosenBlocks& blocks, 
         if (!read)
             return read.error();
         const bool isUsable = !read->isConstant;
-        if (isUsable || !first || (first->value().read.values.empty() && !read->values.empty()))
+        if (isUsable || !first || (first->value().read.values.numbers.empty() && !read->values.numbers.empty()))
             first.emplace(Wanted{*std::move(chosen), *std::move(read)});
         if (isUsable)
             break;
@@ -238,6 +259,10 @@ Result<Wanted> readWanted(const ExodusFile& exodus, const ChosenBlocks& blocks, 
 Result<std::size_t> stepOf(const ExodusFile& exodus, const NetCdfRequest& request)
 {
     const auto steps = static_cast<std::int64_t>(std::max<std::size_t>(1, exodus.times.size()));
+    if (request.timeStep > steps && steps == 1)
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", request.timeStep)};
     if (request.timeStep < 1 || request.timeStep > steps)
         return Error{
             ErrorKind::WrongUsage,
@@ -300,7 +325,7 @@ Status displaceNodes(const ExodusFile& exodus, std::size_t step, std::vector<Eig
         if (!values)
             return values.error();
         for (std::size_t node = 0; node < positions.size(); ++node)
-            positions[node][static_cast<Eigen::Index>(axis)] += (*values)[node];
+            positions[node][static_cast<Eigen::Index>(axis)] += values->numbers[node];
     }
     return {};
 }
@@ -419,7 +444,7 @@ Status addCells(const ExodusFile& exodus, const ChosenBlocks& blocks, bool perCe
     for (const auto& [block, shape] : read.blocks)
         if (const Status added = addBlock(exodus, *block, shape, found); !added)
             return added.error();
-    leaveOutUnusedNodes(found, perCell ? nullptr : &read.values);
+    leaveOutUnusedNodes(found, perCell ? nullptr : &read.values.numbers);
     if (const std::size_t without = blocks.volumes.size() - read.blocks.size(); without == 1)
         found.remarks.push_back(
             Message::say("1 of its blocks has no '%1' and was left out.", printable(found.arrayName)));
@@ -456,13 +481,18 @@ Result<FileFindings> exodusFindings(const NetCdfFile& file, const NetCdfRequest&
     found.untold = {"unit"};
     found.type = wanted->chosen.component ? storedType(exodus, wanted->chosen.array) : SampleType::Float64;
     found.taken = takenOf(exodus, request, wanted->chosen);
+    if (const ExodusValues& values = wanted->read.values; values.noNumber)
+        found.taken.push_back(
+            {TakenPart::Fill,
+             values.isGuessed ? filledByLibrary(*values.noNumber) : Message(numberText(*values.noNumber)),
+             values.isGuessed});
     found.leftOut = leftOutOf(exodus, request, blocks);
     const bool perCell = wanted->chosen.array.perCell;
     const Status added =
         blocks.volumes.empty() ? asPoints(perCell, found) : addCells(exodus, blocks, perCell, wanted->read, found);
     if (!added)
         return added.error();
-    const std::span bytes = std::as_bytes(std::span(wanted->read.values));
+    const std::span bytes = std::as_bytes(std::span(wanted->read.values.numbers));
     found.samples.assign(bytes.begin(), bytes.end());
     return found;
 }

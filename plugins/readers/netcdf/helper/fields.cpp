@@ -76,12 +76,21 @@ std::string meshConvention(const NetCdfFile& file)
     return file.length("nCells") && file.length("nVertices") ? "MPAS" : "";
 }
 
-Error unknownField(const std::vector<NetCdfField>& fields, const std::string& wanted)
+/// What people call the values: "Temperature"; empty if the file does not say.
+std::string longNameOf(const NetCdfFile& file, const NetCdfVariable& variable)
+{
+    const std::string name = file.text(variable, "long_name");
+    return name.empty() ? file.text(variable, "standard_name") : name;
+}
+
+Error unknownField(const NetCdfFile& file, const std::vector<NetCdfField>& fields, const std::string& wanted)
 {
     constexpr std::size_t mostNamed = 40;
     Message names;
     for (std::size_t at = 0; at < std::min(mostNamed, fields.size()); ++at) {
-        const Message name("'" + printable(fields[at].variable->path) + "'");
+        const std::string longName = printable(longNameOf(file, *fields[at].variable));
+        const Message name("'" + printable(fields[at].variable->path) + "'" +
+                           (longName.empty() ? "" : " (" + longName + ")"));
         names = names.empty() ? name : Message::say("%1, %2", names, name);
     }
     if (fields.size() > mostNamed)
@@ -144,6 +153,11 @@ Result<NetCdfField> chooseField(const NetCdfFile& file, const std::vector<NetCdf
     const auto isNamed = [&](const NetCdfField& field) { return field.variable->name == wanted; };
     if (std::ranges::count_if(fields, isNamed) == 1)
         return *std::ranges::find_if(fields, isNamed);
+    for (const char* attribute : {"standard_name", "long_name"}) {
+        const auto isCalled = [&](const NetCdfField& field) { return file.text(*field.variable, attribute) == wanted; };
+        if (exact == nullptr && std::ranges::count_if(fields, isCalled) == 1)
+            return *std::ranges::find_if(fields, isCalled);
+    }
     if (exact != nullptr)
         return Error{ErrorKind::WrongUsage,
                      NetCdfFile::isNumeric(*exact)
@@ -155,7 +169,7 @@ Result<NetCdfField> chooseField(const NetCdfFile& file, const std::vector<NetCdf
                                         printable(exact->path), NetCdfFile::typeName(exact->type))};
     if (const auto number = parseNumber<std::uint64_t>(wanted); number && *number >= 1 && *number <= fields.size())
         return fields[*number - 1];
-    return unknownField(fields, wanted);
+    return unknownField(file, fields, wanted);
 }
 
 std::uint64_t lengthOf(const NetCdfFile& file, const NetCdfField& field, std::size_t place)
@@ -195,6 +209,10 @@ Result<FieldPart> partOf(const NetCdfFile& file, const NetCdfField& field, const
         return Error{ErrorKind::BadInput,
                      Message::say("it has no time step: nothing was written along its dimension '%1'.",
                                   printable(file.dimensions()[field.variable->dimensions[*field.time]].name))};
+    if (request.timeStep > steps && steps == 1)
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", request.timeStep)};
     if (request.timeStep < 1 || request.timeStep > steps)
         return Error{
             ErrorKind::WrongUsage,

@@ -28,7 +28,8 @@ std::vector<NetCdfField> fieldsOf(const NetCdfFile& file);
 /// Why a file has none, and what to do.
 Error noFields(const NetCdfFile& file);
 
-/// The one that is asked for by its path, its name alone or its number from 1. Error (WrongUsage): the list.
+/// The one that is asked for by its path, its name alone, its standard_name or long_name if no other one has that, or
+/// its number from 1. Error (WrongUsage): the list.
 Result<NetCdfField> chooseField(const NetCdfFile& file, const std::vector<NetCdfField>& fields,
                                 const std::string& wanted);
 

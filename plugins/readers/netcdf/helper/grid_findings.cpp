@@ -3,6 +3,7 @@
 
 #include "plugins/api/placement_parameters.h"
 #include "plugins/readers/netcdf/helper/axes.h"
+#include "plugins/readers/netcdf/helper/calendar.h"
 #include "plugins/readers/netcdf/helper/fields.h"
 #include "plugins/readers/netcdf/helper/places.h"
 #include "plugins/readers/netcdf/helper/stored_values.h"
@@ -20,7 +21,8 @@ struct PlacedField {
     std::vector<Taken> taken{}; ///< in the order of TakenPart
 };
 
-/// "2 of 5, time 0.5 (hours since 1900-01-01)"; a text where the file has texts for times.
+/// "2 of 5, 1900-01-01 00:30 (0.5 hours since 1900-01-01)"; "2 of 5, time 0.5 (months since 1900-01-01)" of units that
+/// make no date; a text where the file has texts for times.
 Result<std::optional<Taken>> takenTime(const NetCdfFile& file, const NetCdfField& field, const FieldPart& part,
                                        bool isGiven)
 {
@@ -36,8 +38,11 @@ Result<std::optional<Taken>> takenTime(const NetCdfFile& file, const NetCdfField
         if (!value)
             return value.error();
         const std::string units = file.text(*times, "units");
-        time = units.empty() ? Message::say("%1, time %2", time, formatNumber((*value)[0]))
-                             : Message::say("%1, time %2 (%3)", time, formatNumber((*value)[0]), printable(units));
+        const std::string number = formatNumber((*value)[0]);
+        const auto date = dateOf((*value)[0], units, file.text(*times, "calendar"));
+        time = date            ? Message::say("%1, %2 (%3 %4)", time, *date, number, printable(units))
+               : units.empty() ? Message::say("%1, time %2", time, number)
+                               : Message::say("%1, time %2 (%3)", time, number, printable(units));
     } else if (texts != nullptr && texts->dimensions.size() == 2 && texts->dimensions[0] == dimension) {
         const auto all = file.readTexts(*texts);
         if (all && part.timeIndex < all->size())
@@ -156,8 +161,7 @@ Result<FileFindings> gridFindings(const NetCdfFile& file, const NetCdfRequest& r
     found.taken = std::move(field->taken);
     const StoredNumbers stored = storedNumbers(file, *field->field.variable);
     if (read->samples.isDefaultFill && stored.defaultFill) {
-        const Message filled = Message::say("%1, with which the NetCDF library fills what nobody wrote",
-                                            formatNumber(static_cast<double>(*stored.defaultFill)));
+        const Message filled = filledByLibrary(*stored.defaultFill);
         std::erase_if(found.taken, [](const Taken& taken) { return taken.part == TakenPart::Fill; });
         found.taken.push_back({TakenPart::Fill,
                                stored.saysNoValue.empty() ? filled : Message::say("%1, %2", stored.saysNoValue, filled),

@@ -218,6 +218,12 @@ int NetCdfFile::attributeType(const NetCdfVariable& variable, const char* attrib
     return nc_inq_atttype(variable.group, variable.id, attribute, &type) == NC_NOERR ? type : 0;
 }
 
+bool NetCdfFile::fillsUnwritten(const NetCdfVariable& variable) const
+{
+    int isUnfilled = 0;
+    return nc_inq_var_fill(variable.group, variable.id, &isUnfilled, nullptr) != NC_NOERR || isUnfilled == 0;
+}
+
 std::vector<long double> NetCdfFile::numbers(const NetCdfVariable& variable, const char* attribute) const
 {
     nc_type type = NC_NAT;

@@ -57,6 +57,9 @@ public:
     std::vector<long double> numbers(const NetCdfVariable& variable, const char* attribute) const;
     /// The nc_type of an attribute; 0 without one.
     int attributeType(const NetCdfVariable& variable, const char* attribute) const;
+    /// Whether the library fills what nobody writes of a variable. Files of classic formats do not say, and are taken
+    /// to be filled, as they are unless a program asks otherwise.
+    bool fillsUnwritten(const NetCdfVariable& variable) const;
     bool hasGlobal(const char* attribute) const;
     std::string globalText(const char* attribute) const;
 

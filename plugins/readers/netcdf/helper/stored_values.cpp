@@ -46,7 +46,7 @@ int unsignedOf(int type)
     }
 }
 
-/// What the library fills a variable with that says nothing of it; bytes have no such number.
+/// What the library fills a variable of this type with that says nothing of it; bytes have no such number.
 std::optional<long double> defaultFillOf(int type)
 {
     switch (type) {
@@ -83,12 +83,28 @@ bool fitsStored(int type, long double number)
     return visitStored(type, [&]<class T>() { return storedAs<T>(number).has_value(); });
 }
 
+} // namespace
+
 std::string numberText(long double number)
 {
     if (number == std::trunc(number) && std::abs(number) < 9e18L)
         return std::to_string(static_cast<std::int64_t>(number));
-    return formatNumber(static_cast<double>(number));
+    const auto single = static_cast<float>(number); // "1e+20", which is not quite that
+    return single == number ? formatNumber(single) : formatNumber(static_cast<double>(number));
 }
+
+Message filledByLibrary(long double number)
+{
+    return Message::say("%1, with which the NetCDF library fills what nobody wrote", numberText(number));
+}
+
+std::optional<long double> libraryFillOf(const NetCdfFile& file, const NetCdfVariable& variable)
+{
+    const bool isFilled = file.attributeType(variable, "_FillValue") == 0 && file.fillsUnwritten(variable);
+    return isFilled ? defaultFillOf(variable.type) : std::nullopt;
+}
+
+namespace {
 
 /// A number with a fraction of packed whole numbers is one of unpacked values.
 bool isOfUnpacked(const StoredNumbers& stored, int attributeType, long double number)
@@ -118,8 +134,7 @@ void addNoValues(const NetCdfFile& file, const NetCdfVariable& variable, StoredN
     for (const std::string& text : texts)
         list += (list.empty() ? "" : ", ") + text;
     stored.saysNoValue = Message(list);
-    if (file.attributeType(variable, "_FillValue") == 0)
-        stored.defaultFill = defaultFillOf(variable.type);
+    stored.defaultFill = libraryFillOf(file, variable);
     if (stored.defaultFill && stored.type != variable.type && *stored.defaultFill < 0)
         stored.defaultFill = *stored.defaultFill + std::ldexp(1.0L, 8 * int(netCdfTypeBytes(stored.type)));
 }

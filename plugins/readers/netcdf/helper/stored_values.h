@@ -31,6 +31,16 @@ struct StoredNumbers {
 
 StoredNumbers storedNumbers(const NetCdfFile& file, const NetCdfVariable& variable);
 
+/// The number with which the library fills what nobody writes of the variable; nothing if the file names a _FillValue
+/// or says that nothing is filled, and of bytes, of which every number is a value.
+std::optional<long double> libraryFillOf(const NetCdfFile& file, const NetCdfVariable& variable);
+
+/// A stored number as files and people write it: "-32767", "1e+20" of the number of single precision next to that.
+std::string numberText(long double number);
+
+/// That this number stands where nobody wrote one, for TakenPart::Fill.
+Message filledByLibrary(long double number);
+
 /// The type of samples without holes; of 64-bit integers the smaller of the two they may become.
 SampleType sampleTypeOf(const StoredNumbers& stored);
 

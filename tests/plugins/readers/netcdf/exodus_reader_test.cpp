@@ -269,6 +269,39 @@ private slots:
         QCOMPARE(takenOf(contents->taken, TakenPart::Array), std::string("first ?"));
     }
 
+    /// A program that was stopped leaves what the library fills files with: no values.
+    void whatNobodyWrote()
+    {
+        for (const bool isNamed : {false, true}) {
+            {
+                ExodusTestFile exodus(path(), twoCubes, twoBlocks, {"step", "half"});
+                std::vector<double> values = linearAt<double>(twoCubes);
+                for (const char* name : {"vals_nod_var1", "vals_nod_var2"}) {
+                    const int variable = exodus.file.define(name, NC_DOUBLE, {exodus.time, exodus.nodes});
+                    if (isNamed)
+                        exodus.file.numbers<double>(variable, "_FillValue", {-1});
+                    exodus.file.put(variable, std::vector<double>(12, isNamed ? -1 : NC_FILL_DOUBLE));
+                    for (std::size_t node = 0; node < 12; ++node)
+                        if (twoCubes[node][0] > 1.5)
+                            values[node] = isNamed ? -1 : NC_FILL_DOUBLE;
+                    if (std::string(name) == "vals_nod_var2")
+                        exodus.file.put(variable, values);
+                }
+            }
+            const auto dataset = builtNetCdfReader().read(path(), {}, {});
+            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+            QCOMPARE(takenOf(dataset->source.taken, TakenPart::Array), std::string("half ?"));
+            QCOMPARE(dataset->bounds().max(), Eigen::Vector3d(1, 1, 1)); // the other cube is a hole
+            QVERIFY(distanceFromLinear(*dataset, 0) < 1e-12);
+            QCOMPARE(takenOf(dataset->source.taken, TakenPart::Fill),
+                     isNamed ? std::string("-1")
+                             : "9.96921e+36, with which the NetCDF library fills what nobody wrote ?");
+            const auto nothing = builtNetCdfReader().read(path(), {{"array", std::string("step")}}, {});
+            QVERIFY(!nothing.ok());
+            QVERIFY2(nothing.error().text().find("finite") != std::string::npos, nothing.error().text().c_str());
+        }
+    }
+
     void valuesOfElementsAndParts()
     {
         {

@@ -279,7 +279,8 @@ private slots:
         QVERIFY(std::abs(dataset->values.range().maximum - 287.394) < 1e-6);
         QCOMPARE(takenOf(dataset->source.taken, TakenPart::Unit), std::string("K"));
         QCOMPARE(takenOf(dataset->source.taken, TakenPart::Fill), std::string("-32767"));
-        QVERIFY(takenOf(dataset->source.taken, TakenPart::TimeStep).starts_with("1 of 2, time 1000 (hours since 1900"));
+        QVERIFY(takenOf(dataset->source.taken, TakenPart::TimeStep)
+                    .starts_with("1 of 2, 1900-02-11 16:00 (1000 hours since 1900"));
         const auto whole = complete(dataset);
         QVERIFY2(whole.ok(), whole.ok() ? "" : whole.error().text().c_str());
     }

@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <functional>
 #include <limits>
 
@@ -163,6 +164,120 @@ private slots:
         });
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QCOMPARE(holesOf(*dataset), (std::vector<int>{3, 4}));
+        const auto single = read<float>(numbers, [](NetCdfTestFile& file, int q) {
+            file.numbers<float>(q, "missing_value", {1e20F, -999.9F});
+        });
+        QVERIFY2(single.ok(), single.ok() ? "" : single.error().text().c_str());
+        QCOMPARE(takenOf(single->source.taken, TakenPart::Fill), std::string("1e+20, -999.9"));
+    }
+
+    /// What a file says to be unfilled has no number that the library fills with.
+    void whatIsNotFilled()
+    {
+        const fs::path path = folder_.path("unfilled.nc");
+        for (const int isUnfilled : {0, 1}) {
+            int file = 0, q = 0;
+            std::array<int, 3> dimensions{};
+            QCOMPARE(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &file), NC_NOERR);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                QCOMPARE(nc_def_dim(file, std::array{"z", "y", "x"}[axis], 3, &dimensions[axis]), NC_NOERR);
+            QCOMPARE(nc_def_var(file, "q", NC_FLOAT, 3, dimensions.data(), &q), NC_NOERR);
+            QCOMPARE(nc_def_var_fill(file, q, isUnfilled, nullptr), NC_NOERR);
+            std::vector<float> numbers = counted<float>();
+            numbers[8] = NC_FILL_FLOAT;
+            QCOMPARE(nc_put_var_float(file, q, numbers.data()), NC_NOERR);
+            QCOMPARE(nc_close(file), NC_NOERR);
+            const auto dataset = builtNetCdfReader().read(path, {}, {});
+            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+            QCOMPARE(holesOf(*dataset), isUnfilled != 0 ? std::vector<int>() : std::vector<int>{8});
+            QCOMPARE(takenOf(dataset->source.taken, TakenPart::Fill),
+                     isUnfilled != 0 ? std::string()
+                                     : "9.96921e+36, with which the NetCDF library fills what nobody wrote ?");
+        }
+    }
+
+    /// The dates are those that cftime, another library, makes of the same numbers.
+    void times_data()
+    {
+        QTest::addColumn<double>("time");
+        QTest::addColumn<QString>("units");
+        QTest::addColumn<QString>("calendar");
+        QTest::addColumn<QString>("date");
+        QTest::newRow("hours") << 1073364. << "hours since 1900-01-01 00:00:00.0"
+                               << "gregorian"
+                               << "2022-06-13 12:00";
+        QTest::newRow("seconds") << 1655100005. << "seconds since 1970-01-01"
+                                 << "proleptic_gregorian"
+                                 << "2022-06-13 06:00:05";
+        QTest::newRow("no calendar") << 59.5 << "days since 2000-1-1T00:00:00Z"
+                                     << ""
+                                     << "2000-02-29 12:00";
+        QTest::newRow("no leap days") << 59.5 << "days since 2000-01-01"
+                                      << "noleap"
+                                      << "2000-03-01 12:00";
+        QTest::newRow("all leap") << 59.5 << "days since 2001-01-01"
+                                  << "366_day"
+                                  << "2001-02-29 12:00";
+        QTest::newRow("months of 30 days") << 59.25 << "days since 2001-01-01"
+                                           << "360_day"
+                                           << "2001-02-30 06:00";
+        QTest::newRow("across the reform") << 1. << "days since 1582-10-04"
+                                           << "standard"
+                                           << "1582-10-15 00:00";
+        QTest::newRow("without a reform") << 1. << "days since 1582-10-04"
+                                          << "proleptic_gregorian"
+                                          << "1582-10-05 00:00";
+        QTest::newRow("Julian") << 1. << "days since 1900-02-28"
+                                << "julian"
+                                << "1900-02-29 00:00";
+        QTest::newRow("before") << -90. << "minutes since 2000-03-01 01:00"
+                                << "standard"
+                                << "2000-02-29 23:30";
+    }
+    void times()
+    {
+        QFETCH(double, time);
+        QFETCH(QString, units);
+        QFETCH(QString, calendar);
+        QFETCH(QString, date);
+        QCOMPARE(timeTold(time, units, calendar),
+                 QString("1 of 2, %1 (%2 %3) ?").arg(date).arg(time, 0, 'g', 17).arg(units));
+    }
+
+    void timesThatAreNoDates()
+    {
+        QCOMPARE(timeTold(3, "months since 2000-01-01", ""), QString("1 of 2, time 3 (months since 2000-01-01) ?"));
+        for (const char* units : {"days since 2000-13-01", "days since then", "days since 2000-01-01 00:00 +02:00"})
+            QCOMPARE(timeTold(3, units, ""), QString("1 of 2, time 3 (%1) ?").arg(units));
+        QCOMPARE(timeTold(1e300, "days since 2000-01-01", ""),
+                 QString("1 of 2, time 1e+300 (days since 2000-01-01) ?"));
+        QCOMPARE(timeTold(3, "days since 2000-01-01", "martian"), QString("1 of 2, time 3 (days since 2000-01-01) ?"));
+    }
+
+    void variablesByTheirLongNames()
+    {
+        const fs::path path = folder_.path("names.nc");
+        {
+            NetCdfTestFile file(path);
+            const int z = file.dimension("z", 3), y = file.dimension("y", 3), x = file.dimension("x", 3);
+            const int q = file.add("q", {z, y, x}, counted<float>()),
+                      t = file.add("t", {z, y, x}, steps<float>(27, 5, 1)),
+                      u = file.add("u", {z, y, x}, steps<float>(27, 9, 1));
+            file.text(q, "long_name", "Humidity");
+            file.text(t, "long_name", "Temperature");
+            file.text(t, "standard_name", "air_temperature");
+            file.text(u, "long_name", "Humidity");
+        }
+        for (const char* name : {"t", "Temperature", "air_temperature"}) {
+            const auto dataset = builtNetCdfReader().read(path, {{"array", std::string(name)}}, {});
+            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+            QCOMPARE(dataset->values.at(0), 5.);
+            QCOMPARE(takenOf(dataset->source.taken, TakenPart::Array), std::string("t"));
+        }
+        const auto twice = builtNetCdfReader().read(path, {{"array", std::string("Humidity")}}, {});
+        QVERIFY(!twice.ok() && twice.error().kind == ErrorKind::WrongUsage);
+        QVERIFY2(twice.error().text().find("'q' (Humidity), 't' (Temperature), 'u' (Humidity)") != std::string::npos,
+                 twice.error().text().c_str());
     }
 
     void whatNobodyWroteIsAHoleAndAGuess()
@@ -229,7 +344,7 @@ private slots:
         QCOMPARE(takenOf(automatic->source.taken, TakenPart::Array), std::string("q ?"));
         QCOMPARE(takenOf(automatic->source.taken, TakenPart::Block), std::string("member 1 of 3 ?"));
         QCOMPARE(takenOf(automatic->source.taken, TakenPart::TimeStep),
-                 std::string("1 of 2, time 6 (hours since 2000-01-01) ?"));
+                 std::string("1 of 2, 2000-01-01 06:00 (6 hours since 2000-01-01) ?"));
         const ParameterValues choice{
             {"array", std::string("q")}, {"time", std::int64_t(2)}, {"index", std::string("member=3")}};
         const auto chosen = builtNetCdfReader().read(path, choice, {});
@@ -267,6 +382,24 @@ private:
     {
         writeNumbers<T>(folder_.path("q.nc"), numbers, attributes, mode);
         return builtNetCdfReader().read(folder_.path("q.nc"), {}, {}); // NaN in place of what is no value
+    }
+
+    /// What is told of the first of two times.
+    QString timeTold(double time, const QString& units, const QString& calendar)
+    {
+        const fs::path path = folder_.path("times.nc");
+        {
+            NetCdfTestFile file(path);
+            const int t = file.dimension("time", 2), z = file.dimension("z", 2), y = file.dimension("y", 2),
+                      x = file.dimension("x", 2);
+            const int times = file.add("time", {t}, std::vector<double>{time, time + 1}, qPrintable(units));
+            if (!calendar.isEmpty())
+                file.text(times, "calendar", calendar.toStdString());
+            file.add("q", {t, z, y, x}, steps<float>(16, 0, 1));
+        }
+        const auto contents = builtNetCdfReader().probe(path, {}, {});
+        return contents.ok() ? QString::fromStdString(takenOf(contents->taken, TakenPart::TimeStep))
+                             : QString::fromStdString(contents.error().text());
     }
 
     static std::vector<int> holesOf(const Dataset& dataset)
