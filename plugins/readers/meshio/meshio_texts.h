@@ -10,6 +10,7 @@ namespace tetra {
 /// The sentences of tan-read-meshio.py, which translators' tools do not read: each stands there as it does here.
 inline constexpr std::array meshioTexts = {
     Message::marked("it names the file '%1', which does not lie in its folder. Move the files together."),
+    Message::marked("it names '%1', which is not a regular file. Copy its content into one first."),
     Message::marked("it holds a mesh, and no values at its points or cells. Export the results with the mesh, as .vtu "
                     "if the program can."),
     Message::marked("it has no array '%1'; there are %2."),

@@ -123,16 +123,41 @@ def limit_this_process(request):
 
 # -- reading -----------------------------------------------------------------------------------------------------------
 
+def check_named(name, path, folder):
+    """A file that another one names, at a path: beside that or below, and no pipe, which would be waited for."""
+    if not os.path.realpath(path).startswith(folder.rstrip("/") + "/"):
+        raise Refusal("it names the file '%1', which does not lie in its folder. Move the files together.", name)
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise Refusal("it names '%1', which is not a regular file. Copy its content into one first.", name)
+
+
 def check_references(path):
-    """An XDMF names files of numbers: only such as lie beside it or below."""
+    """An XDMF names files of numbers."""
     import xml.etree.ElementTree as tree
     folder = os.path.realpath(os.path.dirname(path))
     for item in tree.parse(path).getroot().iter("DataItem"):
-        if item.get("Format", "XML") == "XML":
+        if item.get("Format", "XML") != "XML":
+            name = (item.text or "").strip().split(":")[0]
+            check_named(name, os.path.join(folder, name), folder)
+
+
+def check_includes(path):
+    """A file of Abaqus names others that are read in its place, which may name more; found as meshio finds them."""
+    folder = os.path.realpath(os.path.dirname(path))
+    waiting, seen = [os.path.realpath(path)], set()
+    while waiting:
+        file = waiting.pop()
+        if file in seen or not os.path.isfile(file):
             continue
-        name = (item.text or "").strip().split(":")[0]
-        if not os.path.realpath(os.path.join(folder, name)).startswith(folder.rstrip("/") + "/"):
-            raise Refusal("it names the file '%1', which does not lie in its folder. Move the files together.", name)
+        seen.add(file)
+        with open(file, encoding="utf-8", errors="replace") as lines:
+            for line in lines:
+                if line.partition(",")[0].strip().replace("*", "").upper() == "INCLUDE":
+                    name = line.split("=")[-1].strip()
+                    beside = os.path.join(os.path.dirname(file), name)
+                    named = os.path.join(folder, name)
+                    waiting.append(named if os.path.exists(named) else beside)
+                    check_named(name, waiting[-1], folder)
 
 
 class GmshNumbers:
@@ -256,6 +281,9 @@ class Series:
             if "Temporal" in kinds:
                 self.of_xdmf(request, meshio)
                 return
+        if request.format == "abaqus":
+            check_includes(request.path)
+            os.chdir(os.path.dirname(request.path) or "/")
         gmsh = None
         if request.format == "gmsh":
             import numpy

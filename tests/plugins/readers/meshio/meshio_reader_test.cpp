@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 #include <cmath>
 
 using namespace tetra;
@@ -209,11 +211,21 @@ private slots:
             << QByteArray("a.xdmf")
             << xdmfOf(QByteArray("<Grid Name=\"Grid\">") + xdmfMesh + xdmfValues("/etc/passwd:/a", "HDF") + "</Grid>")
             << QByteArray("does not lie in its folder");
+        QTest::newRow("names a pipe") << QByteArray("b.xdmf")
+                                      << xdmfOf(QByteArray("<Grid Name=\"Grid\">") + xdmfMesh +
+                                                xdmfValues("pipe", "Binary") + "</Grid>")
+                                      << QByteArray("not a regular file");
+        QTest::newRow("includes another's file")
+            << QByteArray("b.inp") << QByteArray("*NODE\n1, 0, 0, 0\n*Include, input=/etc/passwd\n")
+            << QByteArray("does not lie in its folder");
+        QTest::newRow("includes what never ends") << QByteArray("c.inp") << QByteArray("*INCLUDE, INPUT=/dev/zero\n")
+                                                  << QByteArray("does not lie in its folder");
     }
     void whatCannotBeReadIsRefused()
     {
         if (!hasMeshio())
             QSKIP_WITHOUT("meshio");
+        ::mkfifo(QFile::encodeName(folder_.filePath("pipe")).constData(), 0600);
         QFETCH(QByteArray, name);
         QFETCH(QByteArray, content);
         QFETCH(QByteArray, told);
