@@ -300,7 +300,8 @@ std::string arrayText(const FileArray& array)
         text += ", on cells";
     if (array.range)
         text += ", " + rangeText(array.range->minimum, array.range->maximum);
-    return array.unit.empty() ? text : text + " " + visibleText(array.unit);
+    // Behind a bare name a unit would look like a part of it.
+    return array.unit.empty() ? text : text + (array.range ? " " : ", in ") + visibleText(array.unit);
 }
 
 } // namespace
@@ -322,9 +323,9 @@ void addContents(const FileContents& contents, Outcome& outcome)
         arrays.append(figures);
         lines.push_back(arrayText(array));
     }
-    for (const double time : contents.timeSteps) {
+    for (const double time : contents.timeSteps) { // with the numbers that choose them, which times are not
         steps.append(time);
-        times.push_back(rounded(time));
+        times.push_back(std::to_string(times.size() + 1) + " (time " + rounded(time) + ")");
     }
     outcome.figures["arrays"] = arrays;
     outcome.figures["steps"] = steps;

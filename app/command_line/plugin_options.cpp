@@ -139,12 +139,12 @@ bool names(const Message& message, const std::string& name)
                : std::ranges::any_of(arguments, [&](const Message& argument) { return names(argument, name); });
 }
 
-/// With the option, unless the error speaks of it already.
-Error ofOption(const Error& error, const std::string& name)
+/// With the option, unless the error speaks of it already, and with what a value that does not fit would mean.
+Error ofOption(const Error& error, const Parameter& parameter, const std::string& name)
 {
-    if (names(error.message, "--" + name))
-        return error;
-    return {error.kind, "'--" + name + "': " + error.text()};
+    if (!names(error.message, "--" + name))
+        return {error.kind, "'--" + name + "': " + error.text()};
+    return parameter.explanation.empty() ? error : Error{error.kind, error.text() + " " + parameter.explanation};
 }
 
 Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name,
@@ -212,7 +212,7 @@ Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vect
             continue;
         const auto value = parseOption(arguments, parameter, name, range);
         if (!value)
-            return ofOption(value.error(), name);
+            return ofOption(value.error(), parameter, name);
         values[parameter.id] = *value;
     }
     return values;

@@ -38,6 +38,16 @@ const OtherKind* otherKind(const std::filesystem::path& path, std::span<const st
     return found == otherKinds.end() ? nullptr : found;
 }
 
+/// Its meshes and fields have names without an ending, and a head behind comments.
+bool isOfOpenFoam(std::span<const std::byte> bytes)
+{
+    constexpr std::size_t looked = 4096;
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), std::min(looked, bytes.size()));
+    const std::size_t head = text.find("FoamFile");
+    return head != std::string_view::npos && text.find('{', head) != std::string_view::npos &&
+           text.find("object", head) != std::string_view::npos;
+}
+
 /// What volumes are kept in that no reader here knows, by the ending, and the way to a format that is read.
 struct OtherVolume {
     std::string_view ending;
@@ -109,6 +119,12 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<c
             ErrorKind::BadInput,
             Message::say("By its name '%1' is %2, which TAn does not read. %3", path.string(), other->what, other->way),
             path};
+    if (isOfOpenFoam(bytes))
+        return {ErrorKind::BadInput,
+                Message::say("'%1' is a file of an OpenFOAM case, which is opened as a whole: by 'system/controlDict' "
+                             "in its folder, or by an empty file whose name ends in '.foam' there.%2",
+                             path.string(), host.explainMissing(PluginKind::Reader)),
+                path};
     return {ErrorKind::BadInput,
             Message::say("'%1' has an unknown format. %2%3", path.string(),
                          host.readers().empty()

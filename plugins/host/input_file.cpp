@@ -22,6 +22,9 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     if (!std::filesystem::exists(status))
         return bad(
             Message::say("'%1' does not exist, or its folder may not be entered. Check the name.", path.string()));
+    if (std::filesystem::exists(path / "system" / "controlDict", problem))
+        return bad(
+            Message::say("'%1' is the folder of an OpenFOAM case. Open 'system/controlDict' in it.", path.string()));
     if (std::filesystem::is_directory(status))
         return bad(Message::say("'%1' is a folder. Choose a file inside it.", path.string()));
     if (!std::filesystem::is_regular_file(status))

@@ -204,9 +204,13 @@ Message parameterDomain(const Parameter& parameter)
         choices += (choices.empty() ? "" : ", ") + choice;
     Message domain =
         choices.empty() ? std::visit(TypeName(), parameter.defaultValue) : Message::say("one of %1", choices);
+    const auto bound = [&](double number) {
+        return std::holds_alternative<std::int64_t>(parameter.defaultValue)
+                   ? std::to_string(static_cast<std::int64_t>(number)) // not 1e+09
+                   : formatNumber(number);
+    };
     if (isBounded(parameter))
-        domain =
-            Message::say("%1 from %2 to %3", domain, formatNumber(parameter.minimum), formatNumber(parameter.maximum));
+        domain = Message::say("%1 from %2 to %3", domain, bound(parameter.minimum), bound(parameter.maximum));
     if (!parameter.unit.empty())
         domain = Message::say("%1, in %2", domain, Message::of(parameter.unit, {}));
     return domain;

@@ -188,7 +188,13 @@ private slots:
         text.id = "curve";
         text.defaultValue = std::string();
         text.mistake = [](const std::string&) { return Message("this is no curve."); };
-        const std::vector<Parameter> parameters = {number("threshold", 1, 0, 100), text};
+        Parameter step;
+        step.id = "time";
+        step.defaultValue = std::int64_t(1);
+        step.minimum = 1;
+        step.maximum = 1e9;
+        step.explanation = Message::marked("Of files with several time steps: which one, from 1.");
+        const std::vector<Parameter> parameters = {number("threshold", 1, 0, 100), text, step};
         Syntax syntax;
         addPluginOptions(syntax, parameters);
         const auto messageOf = [&](const Words& words) {
@@ -196,8 +202,11 @@ private slots:
             return values ? std::string() : values.error().text();
         };
         QCOMPARE(messageOf({"--threshold", "many"}),
-                 std::string("'many' does not fit '--threshold': it takes a number from 0 to 100."));
+                 std::string("'many' does not fit '--threshold': it takes a number from 0 to 100. A number."));
         QCOMPARE(messageOf({"--curve", "x"}), std::string("'--curve': this is no curve."));
+        QCOMPARE(messageOf({"--time", "0.5"}),
+                 std::string("'0.5' does not fit '--time': it takes a whole number from 1 to 1000000000. Of files with "
+                             "several time steps: which one, from 1."));
     }
 
     void defaultsOfTheDataAreNoNumbers()

@@ -159,6 +159,14 @@ private slots:
         const Run text = tan({"info", "two.csv"});
         QVERIFY2(text.output.contains("array: heat (a guess)") && text.output.contains("  load\n"), text.output);
 
+        QFile units(path("units.csv"));
+        QVERIFY(units.open(QIODevice::WriteOnly));
+        units.write("x,y,z,heat (K),load [Pa]\n0,0,0,1,7\n1,0,0,2,5\n0,1,0,3,9\n0,0,1,4,6\n1,1,1,4,1\n");
+        units.close();
+        const Run withUnits = tan({"info", "units.csv"});
+        QVERIFY2(withUnits.output.contains("  heat, in K\n") && withUnits.output.contains("  load, in Pa\n"),
+                 withUnits.output);
+
         const QJsonObject build = tan({"build", "two.csv", "--array", "load", "-o", "two.tan", "--json"}).json();
         QCOMPARE(build["taken"]["array"].toString(), QString("load"));
         for (const QStringList& words :

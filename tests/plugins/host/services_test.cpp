@@ -75,6 +75,29 @@ private slots:
         QVERIFY2(noCase.error().text().find("is empty") == std::string::npos, noCase.error().text().c_str());
     }
 
+    /// The files of an OpenFOAM case, and its folder, lead to what opens it.
+    void partsOfAnOpenFoamCaseAreKnown()
+    {
+        namespace fs = std::filesystem;
+        fs::create_directories(path("pitz/system"));
+        fs::create_directories(path("pitz/1000"));
+        const std::string head =
+            "/* C++ */\nFoamFile\n{\n    version 2.0;\n    format ascii;\n    class volScalarField;\n"
+            "    object p;\n}\n";
+        std::ofstream(path("pitz/1000/p")) << head << "dimensions [0 2 -2 0 0 0 0];\n";
+        std::ofstream(path("pitz/system/controlDict")) << head;
+        for (const char* name : {"pitz", "pitz/1000/p"}) {
+            const auto opened = openDataset(*host_, path(name));
+            QVERIFY(!opened);
+            QVERIFY2(opened.error().text().find("'system/controlDict' in it") != std::string::npos,
+                     opened.error().text().c_str());
+        }
+        const auto folder = openDataset(*host_, path("pitz/1000"));
+        QVERIFY(!folder);
+        QVERIFY2(folder.error().text().find("is a folder. Choose a file") != std::string::npos,
+                 folder.error().text().c_str());
+    }
+
     void noReaderSaysThatTheFormatIsUnknown()
     {
         std::ofstream(path("letter.txt")) << "Dear reader";
