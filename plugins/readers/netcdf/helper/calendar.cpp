@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 namespace tetra {
 namespace {
@@ -226,17 +225,17 @@ std::optional<Moment> momentOf(Text text)
     return isUtc ? std::optional(moment) : std::nullopt;
 }
 
+std::string padded(std::int64_t number, std::size_t digits)
+{
+    const std::string text = std::to_string(number);
+    return std::string(digits - std::min(digits, text.size()), '0') + text;
+}
+
 std::string textOf(const Date& date, Days seconds)
 {
-    std::array<char, 40> text{};
-    const auto number = [](std::int64_t value) { return static_cast<int>(value); };
-    if (seconds % 60 == 0)
-        std::snprintf(text.data(), text.size(), "%04d-%02d-%02d %02d:%02d", number(date.year), number(date.month),
-                      number(date.day), number(seconds / 3600), number(seconds / 60 % 60));
-    else
-        std::snprintf(text.data(), text.size(), "%04d-%02d-%02d %02d:%02d:%02d", number(date.year), number(date.month),
-                      number(date.day), number(seconds / 3600), number(seconds / 60 % 60), number(seconds % 60));
-    return text.data();
+    const std::string text = padded(date.year, 4) + "-" + padded(date.month, 2) + "-" + padded(date.day, 2) + " " +
+                             padded(seconds / 3600, 2) + ":" + padded(seconds / 60 % 60, 2);
+    return seconds % 60 == 0 ? text : text + ":" + padded(seconds % 60, 2);
 }
 
 } // namespace
