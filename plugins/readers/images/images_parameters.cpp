@@ -33,8 +33,9 @@ std::vector<Parameter> imagesParameters()
 {
     const Parameter series = textParameter(
         "series", Message::marked("Series"),
-        Message::marked("Of a folder with several series: which one, by number from 1 or by its SeriesInstanceUID; "
-                        "without it that of the file."));
+        Message::marked("Of a folder with several DICOM series, or an OME file with several images: which one, by "
+                        "number from 1, by its description or name, or by its SeriesInstanceUID; without it that of "
+                        "the file, or the first."));
     const Parameter channel = textParameter(
         "channel", Message::marked("Channel"),
         Message::marked("Of pictures with several channels: one, by name or number from 1; without it the first."));

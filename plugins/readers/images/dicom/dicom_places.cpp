@@ -68,8 +68,14 @@ std::vector<Message> remarksOnGaps(std::span<const Eigen::Vector3d> slices)
     std::uint64_t missing = 0;
     for (const auto& gap : gaps)
         missing += gap.second;
-    std::vector<Message> remarks = {Message::say(
-        "Slices are missing between the others: %1. The gaps stay, and values are interpolated over them.", missing)};
+    std::vector<Message> remarks = {
+        missing == 1
+            ? Message::say(
+                  "1 slice is missing between the others. The gap stays, and values are interpolated across it.")
+            : Message::say(
+                  "%1 slices are missing between the others. The gaps stay, and values are interpolated across "
+                  "them.",
+                  missing)};
     for (std::size_t gap = 0; gap < std::min(gaps.size(), mostTold); ++gap) {
         const auto [slice, count] = gaps[gap];
         remarks.push_back(Message::say("Missing behind slice %1, between %2 and %3: %4.", slice,

@@ -42,11 +42,23 @@ Message nameOf(const std::vector<DicomHeader>& headers)
     std::size_t pictures = 0;
     for (const DicomHeader& header : headers)
         pictures += header.frames.size();
-    std::string name;
-    for (const std::string& part : {first.seriesNumber, first.description, first.modality})
-        if (!part.empty())
-            name += (name.empty() ? "" : ", ") + printable(part);
-    return name.empty() ? Message::say("%1 pictures", pictures) : Message::say("%1, %2 pictures", name, pictures);
+    const Message count = Message::say("%1 pictures", pictures);
+    const Message kind = first.modality.empty() ? count : Message::say("%1, %2", printable(first.modality), count);
+    const Message all =
+        first.seriesNumber.empty() ? kind : Message::say("SeriesNumber %1, %2", printable(first.seriesNumber), kind);
+    return first.description.empty() ? all : Message::say("%1 (%2)", printable(first.description), all);
+}
+
+/// "1: T1 axial (SeriesNumber 3, MR, 176 pictures); 2: ..."
+Message seriesList(const std::vector<DicomSeries>& all)
+{
+    constexpr std::size_t mostNamed = 20;
+    Message list;
+    for (std::size_t at = 0; at < std::min(mostNamed, all.size()); ++at) {
+        const Message one = Message::say("%1: %2", at + 1, all[at].name);
+        list = at == 0 ? one : Message::say("%1; %2", list, one);
+    }
+    return all.size() > mostNamed ? Message::say("%1 and %2 more", list, all.size() - mostNamed) : list;
 }
 
 void addSeries(std::map<std::string, std::vector<DicomHeader>> bySeries, const std::string& opened, DicomFolder& folder)
@@ -126,10 +138,17 @@ Result<std::size_t> chosenSeries(const DicomFolder& folder, const std::string& w
     for (std::size_t series = 0; series < folder.series.size(); ++series)
         if (folder.series[series].headers.front().series == wanted)
             return series;
-    return Error{
-        ErrorKind::WrongUsage,
-        Message::say("its folder holds %1 series, and '%2' is asked for. Choose one from 1 to %1 with 'series'.",
-                     folder.series.size(), printable(wanted))};
+    const auto isDescribed = [&](const DicomSeries& series) { return series.headers.front().description == wanted; };
+    if (std::ranges::count_if(folder.series, isDescribed) == 1)
+        return static_cast<std::size_t>(std::ranges::find_if(folder.series, isDescribed) - folder.series.begin());
+    if (folder.series.size() == 1)
+        return Error{ErrorKind::WrongUsage, Message::say("its folder holds one series, and '%1' is asked for. Leave "
+                                                         "'series' out.",
+                                                         printable(wanted))};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("its folder holds %1 series, and '%2' is asked for. Choose one with 'series', by its "
+                              "number from 1 or its description: %3.",
+                              folder.series.size(), printable(wanted), seriesList(folder.series))};
 }
 
 } // namespace tetra

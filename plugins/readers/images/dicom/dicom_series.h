@@ -13,7 +13,7 @@ namespace tetra {
 
 /// One series of a folder.
 struct DicomSeries {
-    Message name{}; ///< "3, T1 axial, MR, 176 pictures"
+    Message name{}; ///< "T1 axial (SeriesNumber 3, MR, 176 pictures)"
     std::vector<DicomHeader> headers{};
 };
 
@@ -27,8 +27,8 @@ struct DicomFolder {
 /// Reads the headers of all DICOM files beside `path`. The error says what is wrong with "it", the file itself.
 Result<DicomFolder> dicomFolder(const std::filesystem::path& path, const TellProgress& progress);
 
-/// The number from 0 of the series that is asked for: by its number from 1, or its SeriesInstanceUID; empty: that of
-/// the opened file.
+/// The number from 0 of the series that is asked for: by its number from 1, its SeriesInstanceUID, or its description
+/// if no other one has that; empty: that of the opened file.
 Result<std::size_t> chosenSeries(const DicomFolder& folder, const std::string& wanted);
 
 } // namespace tetra

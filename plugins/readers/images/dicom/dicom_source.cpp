@@ -125,7 +125,8 @@ void tellOfValues(DicomChoice& choice)
         choice.leftOut.push_back(Message::say("It says that its pictures were compressed with loss."));
 }
 
-void tellOfSeries(const DicomFolder& folder, std::size_t series, const DicomVolumes& volumes, DicomChoice& choice)
+void tellOfSeries(const DicomFolder& folder, std::size_t series, const DicomVolumes& volumes, bool isChosen,
+                  DicomChoice& choice)
 {
     constexpr std::size_t mostTold = 8;
     if (const std::size_t count = folder.series.size(); count > 1) {
@@ -135,8 +136,10 @@ void tellOfSeries(const DicomFolder& folder, std::size_t series, const DicomVolu
         for (std::size_t other = 0; other < count && told < mostTold; ++other)
             if (other != series) {
                 ++told;
-                choice.leftOut.push_back(Message::say("Beside it lies series %1: %2. Choose it with 'series'.",
-                                                      other + 1, folder.series[other].name));
+                choice.leftOut.push_back(
+                    isChosen ? Message::say("Beside it lies series %1: %2.", other + 1, folder.series[other].name)
+                             : Message::say("Beside it lies series %1: %2. Choose it with 'series'.", other + 1,
+                                            folder.series[other].name));
             }
         if (count - 1 > told)
             choice.leftOut.push_back(Message::say("%1 more series lie beside it.", count - 1 - told));
@@ -157,6 +160,9 @@ void tellOfSeries(const DicomFolder& folder, std::size_t series, const DicomVolu
 Status chooseVolume(DicomVolumes& volumes, std::int64_t wanted, DicomChoice& choice)
 {
     const auto count = static_cast<std::int64_t>(volumes.volumes.size());
+    if (wanted > count && count == 1)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", wanted)};
     if (wanted > count)
         return Error{
             ErrorKind::WrongUsage,
@@ -170,9 +176,11 @@ Status chooseVolume(DicomVolumes& volumes, std::int64_t wanted, DicomChoice& cho
     const Message& name = choice.volume.name;
     choice.taken.push_back({TakenPart::TimeStep, name.empty() ? which : Message::say("%1, %2", which, name),
                             wanted == 0 || choice.volume.isGuessed});
-    choice.leftOut.push_back(Message::say("The series holds %1 volumes; the others are not read. Choose one with "
-                                          "'time'.",
-                                          count));
+    choice.leftOut.push_back(wanted == 0
+                                 ? Message::say("The series holds %1 volumes; the others are not read. Choose one with "
+                                                "'time'.",
+                                                count)
+                                 : Message::say("The series holds %1 volumes; the others are not read.", count));
     return {};
 }
 
@@ -324,7 +332,7 @@ Result<ReadAnswer> answerDicom(const ImagesRequest& request, const TellProgress&
     auto volumes = volumesOf(choice.series, opened);
     if (!volumes)
         return volumes.error();
-    tellOfSeries(*folder, *series, *volumes, choice);
+    tellOfSeries(*folder, *series, *volumes, !request.series.empty(), choice);
     if (const Status chosen = chooseVolume(*volumes, request.time, choice); !chosen)
         return chosen.error();
     if (const Status sound = checkFiles(choice); !sound)

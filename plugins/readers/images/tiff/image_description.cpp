@@ -225,6 +225,8 @@ PictureDescription imageJDescription(std::string_view text, const std::array<std
     const auto depth = parseNumber<double>(value("spacing"));
     if (depth && std::isfinite(*depth) && *depth != 0)
         description.spacing[2] = std::abs(*depth);
+    description.betweenTimes = positive(value("finterval"));
+    description.timeUnit = value("tunit").empty() ? "s" : value("tunit");
     const auto c0 = parseNumber<double>(value("c0")), c1 = parseNumber<double>(value("c1"));
     if (value("cf") == "0" && c0 && c1 && *c1 == 1 && std::isfinite(*c0))
         description.offset = *c0;
@@ -267,6 +269,9 @@ Result<PictureDescription> omeDescription(std::string_view text, std::size_t ima
     if (!setOrder(order, description))
         return omeError(Message::say("its order of dimensions is '%1'", printable(order)));
     readOmeSpacing(pixels[0], description);
+    description.betweenTimes = positive(pixels[0].attribute("TimeIncrement").value());
+    const std::string_view timeUnit = stripped(pixels[0].attribute("TimeIncrementUnit").value());
+    description.timeUnit = timeUnit.empty() ? "s" : timeUnit;
     if (const Status read = readOmePlanes(pixels[0], file, description); !read)
         return read.error();
     return description;

@@ -4,6 +4,7 @@
 #include <tan/base.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,7 +29,9 @@ struct PictureDescription {
     std::array<std::optional<double>, 3> spacing{}; ///< along x, y, z
     std::string unit{};                             ///< of the spacing; empty if it is not said
     std::vector<std::string> channelNames{};        ///< none, or one of each channel
-    std::vector<OmePlanes> planes{};                ///< of OME; else the first page is the first plane, and so on
+    std::optional<double> betweenTimes{};           ///< from one time to the next, in `timeUnit`
+    std::string timeUnit{};
+    std::vector<OmePlanes> planes{}; ///< of OME; else the first page is the first plane, and so on
     bool isImageJ = false;
     std::optional<double> offset{}; ///< ImageJ's: what is to be added to stored numbers
     bool hasCurve = false;          ///< ImageJ's: values are another function of the stored numbers
@@ -36,6 +39,14 @@ struct PictureDescription {
     std::vector<std::string> images{}; ///< OME's: the names of all volumes, of which one is described
 
     std::uint64_t planeCount() const { return channels * slices * times; }
+    /// How long after the first one a time is, from 0, where that is known: 0.3 also as three times 0.1.
+    double atTime(std::uint64_t time) const
+    {
+        constexpr double parts = 1e9;
+        const double after = static_cast<double>(time) * betweenTimes.value_or(1);
+        const double rounded = std::round(after * parts) / parts;
+        return std::isfinite(rounded) ? rounded : after;
+    }
     std::uint64_t plane(std::uint64_t channel, std::uint64_t slice, std::uint64_t time) const
     {
         return channel * channelStep + slice * sliceStep + time * timeStep;

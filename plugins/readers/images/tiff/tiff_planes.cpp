@@ -12,6 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string quotedList(const std::vector<std::string>& names)
+{
+    constexpr std::size_t mostNamed = 20;
+    std::string list;
+    for (std::size_t at = 0; at < std::min(mostNamed, names.size()); ++at)
+        list += (at == 0 ? "'" : ", '") + printable(names[at]) + "'";
+    return names.size() > mostNamed ? list + " ..." : list;
+}
+
 /// The number from 0 of what is asked for by a number from 1 or a name.
 Result<std::uint64_t> chosenOf(const std::string& wanted, std::uint64_t count, const std::vector<std::string>& names,
                                const char* parameter)
@@ -22,9 +31,16 @@ Result<std::uint64_t> chosenOf(const std::string& wanted, std::uint64_t count, c
     const auto number = parseNumber<std::uint64_t>(wanted);
     if (number && *number >= 1 && *number <= count)
         return *number - 1;
-    return Error{ErrorKind::WrongUsage,
-                 Message::say("it has no '%1' for '%2'. Choose one from 1 to %3, or by its name.", printable(wanted),
-                              parameter, count)};
+    if (count == 1)
+        return Error{ErrorKind::WrongUsage, Message::say("it has no '%1' for '%2', and nothing to choose from. Leave "
+                                                         "'%2' out.",
+                                                         printable(wanted), parameter)};
+    if (names.empty())
+        return Error{ErrorKind::WrongUsage, Message::say("it has no '%1' for '%2'. Choose one from 1 to %3.",
+                                                         printable(wanted), parameter, count)};
+    return Error{ErrorKind::WrongUsage, Message::say("it has no '%1' for '%2'. Choose one from 1 to %3, or by its "
+                                                     "name: %4.",
+                                                     printable(wanted), parameter, count, quotedList(names))};
 }
 
 std::vector<std::string> namesOf(std::uint64_t count, const std::vector<std::string>& names)
@@ -36,7 +52,9 @@ std::vector<std::string> namesOf(std::uint64_t count, const std::vector<std::str
     return all;
 }
 
-void tellChannel(std::uint64_t channel, std::uint64_t count, const std::vector<std::string>& names, bool isGuessed,
+enum class ChosenBy : std::uint8_t { User, File, Nobody };
+
+void tellChannel(std::uint64_t channel, std::uint64_t count, const std::vector<std::string>& names, ChosenBy by,
                  TiffPlanes& planes)
 {
     if (count < 2)
@@ -45,23 +63,39 @@ void tellChannel(std::uint64_t channel, std::uint64_t count, const std::vector<s
     planes.channels = namesOf(count, names);
     planes.taken.push_back({TakenPart::Channel,
                             channel < names.size() ? Message::say("%1, %2", which, printable(names[channel])) : which,
-                            isGuessed});
+                            by == ChosenBy::Nobody});
     planes.leftOut.push_back(
-        Message::say("It has %1 channels; the others are not read. Choose one with 'channel'.", count));
+        by == ChosenBy::User
+            ? Message::say("It has %1 channels; the others are not read.", count)
+            : Message::say("It has %1 channels; the others are not read. Choose one with 'channel'.", count));
 }
 
-void tellTime(std::uint64_t time, std::uint64_t count, bool isGuessed, TiffPlanes& planes)
+/// "2 of 5, 30 s" where the time between two is told.
+Message timeText(std::uint64_t time, std::uint64_t count, const PictureDescription& description)
+{
+    const Message which = Message::say("%1 of %2", time + 1, count);
+    return description.betweenTimes ? Message::say("%1, %2 %3", which, formatNumber(description.atTime(time)),
+                                                   printable(description.timeUnit))
+                                    : which;
+}
+
+void tellTime(std::uint64_t time, std::uint64_t count, ChosenBy by, TiffPlanes& planes)
 {
     planes.times = count;
     if (count < 2)
         return;
-    planes.taken.push_back({TakenPart::TimeStep, Message::say("%1 of %2", time + 1, count), isGuessed});
+    planes.taken.push_back({TakenPart::TimeStep, timeText(time, count, planes.description), by == ChosenBy::Nobody});
     planes.leftOut.push_back(
-        Message::say("It has %1 time steps; the others are not read. Choose one with 'time'.", count));
+        by == ChosenBy::User
+            ? Message::say("It has %1 time steps; the others are not read.", count)
+            : Message::say("It has %1 time steps; the others are not read. Choose one with 'time'.", count));
 }
 
 Result<std::uint64_t> chosenTime(std::int64_t wanted, std::uint64_t count)
 {
+    if (wanted > 1 && count == 1)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", wanted)};
     if (wanted > 0 && static_cast<std::uint64_t>(wanted) > count)
         return Error{
             ErrorKind::WrongUsage,
@@ -140,8 +174,9 @@ Result<std::vector<std::uint64_t>> choosePlanes(const ImagesRequest& request, Ti
     const auto time = chosenTime(request.time, description.times);
     if (!time)
         return time.error();
-    tellChannel(*channel, description.channels, description.channelNames, request.channel.empty(), planes);
-    tellTime(*time, description.times, request.time == 0, planes);
+    tellChannel(*channel, description.channels, description.channelNames,
+                request.channel.empty() ? ChosenBy::Nobody : ChosenBy::User, planes);
+    tellTime(*time, description.times, request.time == 0 ? ChosenBy::Nobody : ChosenBy::User, planes);
     planes.taken.insert(planes.taken.end(), frame.begin(), frame.end());
     std::vector<std::uint64_t> wanted;
     for (std::uint64_t slice = 0; slice < description.slices; ++slice)
@@ -178,7 +213,9 @@ Result<TiffPlanes> omePlanes(const fs::path& path, const TiffFile& file, const I
                              Message::say("%1 of %2: %3", image + 1, images.size(), printable(images[image])),
                              request.series.empty()});
         planes.leftOut.push_back(
-            Message::say("It holds %1 images; the others are not read. Choose one with 'series'.", images.size()));
+            request.series.empty()
+                ? Message::say("It holds %1 images; the others are not read. Choose one with 'series'.", images.size())
+                : Message::say("It holds %1 images; the others are not read.", images.size()));
     }
     if (planes.description.planes.empty())
         for (const std::uint64_t plane : *wanted)
@@ -273,8 +310,9 @@ Result<TiffPlanes> filePlanes(const fs::path& path, const ImagesRequest& request
         stack = sliceFiles(path, channel, time);
     if (stack.files.size() < 2)
         return oneSlice(Message());
-    tellChannel(stack.channel, stack.channels.size(), stack.channels, false, planes);
-    tellTime(stack.time, stack.times.size(), false, planes);
+    tellChannel(stack.channel, stack.channels.size(), stack.channels, channel ? ChosenBy::User : ChosenBy::File,
+                planes);
+    tellTime(stack.time, stack.times.size(), time ? ChosenBy::User : ChosenBy::File, planes);
     planes.files = std::move(stack.files);
     for (std::size_t file = 0; file < planes.files.size(); ++file)
         planes.slices.push_back({file, 0});

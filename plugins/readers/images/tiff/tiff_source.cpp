@@ -237,7 +237,8 @@ FileContents contentsOf(const TiffChoice& choice)
     contents.channels = choice.planes.channels;
     contents.series = choice.planes.series;
     for (std::uint64_t time = 1; choice.planes.times > 1 && time <= choice.planes.times; ++time)
-        contents.timeSteps.push_back(static_cast<double>(time));
+        contents.timeSteps.push_back(choice.planes.description.betweenTimes ? choice.planes.description.atTime(time - 1)
+                                                                            : static_cast<double>(time));
     contents.taken = allTaken(choice);
     contents.leftOut = choice.planes.leftOut;
     return contents;

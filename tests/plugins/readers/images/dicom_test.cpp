@@ -145,7 +145,7 @@ private slots:
         VERIFY_OK(dataset);
         QVERIFY(dataset->domain == DomainClass::Curvilinear);
         QVERIFY(distance(*dataset) < 1e-3);
-        QVERIFY2(allText(dataset->remarks).find("missing between the others: 1") != std::string::npos &&
+        QVERIFY2(allText(dataset->remarks).find("1 slice is missing between the others.") != std::string::npos &&
                      allText(dataset->remarks).find("behind slice 3") != std::string::npos,
                  allText(dataset->remarks).c_str());
     }
@@ -192,6 +192,38 @@ private slots:
         QVERIFY(!none.ok() && none.error().kind == ErrorKind::WrongUsage);
         const auto contents = builtImagesReader().probe(one, {}, {});
         QVERIFY(contents.ok() && contents->series.size() == 2 && contents->taken == a->source.taken);
+    }
+
+    /// People know series by their descriptions; SeriesNumber is no number of the list.
+    void seriesByTheirDescriptions()
+    {
+        SliceStack first, second;
+        first.change = [](int, DicomElements& elements) {
+            elements[0x0008103e] = dicomText(0x0008103e, "LO", "Thorax, native ");
+            elements[0x00200011] = dicomText(0x00200011, "IS", "2 ");
+        };
+        second.name = "b";
+        second.slice.series = "1.2.4";
+        second.function = [](const Eigen::Vector3d& place) { return -world(place); };
+        second.change = [](int, DicomElements& elements) {
+            elements[0x0008103e] = dicomText(0x0008103e, "LO", "Bone");
+            elements[0x00200011] = dicomText(0x00200011, "IS", "5 ");
+        };
+        const PictureFolder folder;
+        const fs::path one = first.write(folder);
+        second.write(folder);
+        const auto bone = readFile(one, {{"series", std::string("Bone")}});
+        VERIFY_OK(bone);
+        QVERIFY(distance(*bone, second.function) < 1e-3);
+        QCOMPARE(takenOf(bone->source.taken, TakenPart::Series),
+                 std::string("series: 2 of 2: Bone (SeriesNumber 5, CT, 6 pictures)"));
+        QCOMPARE(allText(bone->source.leftOut),
+                 std::string("Beside it lies series 1: Thorax, native (SeriesNumber 2, CT, 6 pictures).\n"));
+        const auto none = readFile(one, {{"series", std::string("5")}});
+        QVERIFY(!none.ok());
+        QVERIFY2(none.error().text().find("1: Thorax, native (SeriesNumber 2, CT, 6 pictures); 2: Bone (Series") !=
+                     std::string::npos,
+                 none.error().text().c_str());
     }
 
     void overviewsAndCopiesAreLeftOut()

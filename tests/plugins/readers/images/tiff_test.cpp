@@ -100,7 +100,7 @@ private slots:
     {
         const QByteArray text =
             "ImageJ=1.54f\nimages=12\nchannels=2\nslices=3\nframes=2\nhyperstack=true\nunit=\\u00B5m\n"
-            "spacing=0.5\n";
+            "spacing=0.5\nfinterval=30.0\n";
         std::vector<TiffPicture> pages;
         for (int t = 0; t < 2; ++t)
             for (int k = 0; k < 3; ++k)
@@ -120,10 +120,15 @@ private slots:
         QVERIFY(takenOf(first->source.taken, TakenPart::TimeStep).find("1 of 2") != std::string::npos);
         const auto last = readFile(path, {{"channel", std::string("2")}, {"time", std::int64_t(2)}});
         QVERIFY(last.ok() && distance(*last, 6000) == 0);
+        QCOMPARE(takenOf(last->source.taken, TakenPart::TimeStep), std::string("time step: 2 of 2, 30 s"));
+        // Who has chosen is not told to choose.
+        QVERIFY(allText(first->source.leftOut).find("Choose one with 'time'") != std::string::npos);
+        QVERIFY(allText(last->source.leftOut).find("2 channels; the others are not read.") != std::string::npos);
+        QVERIFY(allText(last->source.leftOut).find("Choose") == std::string::npos);
         QVERIFY(!readFile(path, {{"channel", std::string("3")}}).ok());
         QVERIFY(!readFile(path, {{"spacing", std::string("1x1x1")}}).ok());
         const auto contents = builtImagesReader().probe(path, {}, {});
-        QVERIFY(contents.ok() && contents->channels.size() == 2 && contents->timeSteps.size() == 2);
+        QVERIFY(contents.ok() && contents->channels.size() == 2 && contents->timeSteps == std::vector<double>({0, 30}));
         QVERIFY(contents->taken == first->source.taken && contents->leftOut == first->source.leftOut);
     }
 
@@ -178,6 +183,34 @@ private slots:
         QVERIFY(takenOf(first->source.taken, TakenPart::Channel).find("1 of 2, DAPI") != std::string::npos);
         const auto second = readFile(path, {{"channel", std::string("GFP")}});
         QVERIFY(second.ok() && distance(*second, 1000) == 0);
+        for (const ParameterValues& wrong :
+             {ParameterValues{{"channel", std::string("RFP")}}, ParameterValues{{"time", std::int64_t(2)}}}) {
+            const auto none = readFile(path, wrong);
+            QVERIFY(!none.ok() && none.error().kind == ErrorKind::WrongUsage);
+            const char* told = wrong.contains("channel") ? "'DAPI', 'GFP'" : "it has one time step, and number 2 is";
+            QVERIFY2(none.error().text().find(told) != std::string::npos, none.error().text().c_str());
+        }
+    }
+
+    void omeTellsTimes()
+    {
+        std::vector<TiffPicture> pages;
+        for (int t = 0; t < 4; ++t)
+            for (int k = 0; k < 3; ++k)
+                pages.push_back(layer<quint16>(k, 1000 * t));
+        pages[0].description = omeText("SizeZ=\"3\" SizeC=\"1\" SizeT=\"4\" DimensionOrder=\"XYZCT\" "
+                                       "TimeIncrement=\"0.1\" TimeIncrementUnit=\"min\"",
+                                       "<TiffData/>");
+        const PictureFolder folder;
+        const fs::path path = folder.write("a.ome.tif", tiffFile(pages));
+        const auto last = readFile(path, {{"time", std::int64_t(4)}});
+        VERIFY_OK(last);
+        QVERIFY(distance(*last, 3000) == 0);
+        QCOMPARE(takenOf(last->source.taken, TakenPart::TimeStep), std::string("time step: 4 of 4, 0.3 min"));
+        const auto contents = builtImagesReader().probe(path, {}, {});
+        QVERIFY(contents.ok() && contents->timeSteps == std::vector<double>({0, 0.1, 0.2, 0.3}));
+        const auto none = readFile(path, {{"channel", std::string("2")}});
+        QVERIFY(!none.ok() && none.error().text().find("Leave 'channel' out") != std::string::npos);
     }
 
     /// Planes in an order of their own, one of them in another file.
