@@ -291,6 +291,18 @@ std::string choiceText(std::string_view what, std::span<const std::string> names
     return text + "\n";
 }
 
+/// Names with commas in them, by which one is chosen or by its number.
+std::string seriesText(std::span<const std::string> names)
+{
+    constexpr std::size_t mostShown = 20;
+    if (names.size() < 2)
+        return {};
+    std::string text = "series:\n";
+    for (std::size_t number = 0; number < std::min(names.size(), mostShown); ++number)
+        text += "  " + std::to_string(number + 1) + ": " + visibleText(names[number]) + "\n";
+    return names.size() > mostShown ? text + "  ... (" + std::to_string(names.size()) + " in all)\n" : text;
+}
+
 std::string arrayText(const FileArray& array)
 {
     std::string text = visibleText(array.name);
@@ -308,6 +320,7 @@ std::string arrayText(const FileArray& array)
 
 void addContents(const FileContents& contents, Outcome& outcome)
 {
+    constexpr int timeDigits = 12; // hours since 1900 and seconds since 1970 stay apart, and 0.1 + 0.2 is 0.3
     QJsonArray arrays, steps;
     std::vector<std::string> lines, times;
     for (const FileArray& array : contents.arrays) {
@@ -325,7 +338,7 @@ void addContents(const FileContents& contents, Outcome& outcome)
     }
     for (const double time : contents.timeSteps) { // with the numbers that choose them, which times are not
         steps.append(time);
-        times.push_back(std::to_string(times.size() + 1) + " (time " + rounded(time) + ")");
+        times.push_back(std::to_string(times.size() + 1) + " (time " + rounded(time, timeDigits) + ")");
     }
     outcome.figures["arrays"] = arrays;
     outcome.figures["steps"] = steps;
@@ -338,7 +351,7 @@ void addContents(const FileContents& contents, Outcome& outcome)
             outcome.text += "  " + line + "\n";
     }
     outcome.text += choiceText("time steps", times) + choiceText("blocks", contents.blocks) +
-                    choiceText("series", contents.series) + choiceText("channels", contents.channels);
+                    seriesText(contents.series) + choiceText("channels", contents.channels);
 }
 
 void addRemarks(const Dataset& dataset, Outcome& outcome)

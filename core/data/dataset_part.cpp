@@ -54,7 +54,8 @@ Result<std::uint32_t> wholeNumber(double number, std::uint32_t size, int axis)
 {
     if (number >= 0 && number < size && number == std::floor(number))
         return static_cast<std::uint32_t>(number);
-    return wrongPart(Message::say("The region does not lie in the grid: along %1 it takes whole numbers from 0 to %2.",
+    return wrongPart(Message::say("The region does not lie in the grid, of which it takes the numbers of points, not "
+                                  "coordinates: along %1 whole numbers from 0 to %2.",
                                   std::string(1, "xyz"[axis]), size - 1));
 }
 

@@ -58,6 +58,8 @@ Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh&
     Facts facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
     if (!model.description().valueName.empty())
         facts.emplace_back("array", model.description().valueName);
+    if (!model.description().lengthUnit.empty())
+        facts.emplace_back("unit", model.description().lengthUnit);
     if (query.range) {
         // Of a model at a server the sizes are known only about.
         const auto errorOf = [&model](const Accuracy& end) {

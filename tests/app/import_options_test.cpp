@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Parts of datasets, and files that need a description, by `tan`: a model knows how its dataset was opened.
 #include "tests/app/program.h"
+#include "tests/app/sample_files.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -79,8 +80,27 @@ private slots:
         const Run part = tan({"info", "turned.nrrd", "--json", "--region", "1,1,1,2,3,4"});
         QCOMPARE(part.json()["origin"].toArray(), (QJsonArray{6, 22, 27}));
         QCOMPARE(part.json()["directions"].toArray(), directions);
+        // Files for other programs name the unit, where they can.
+        QCOMPARE(tan({"extract", "turned.tan", "--error", "0", "-o", "turned.vtu"}).exitCode, 0);
+        QVERIFY(readFile(path("turned.vtu")).left(600).contains("<!-- unit: mm -->"));
+        for (const char* surface : {"turned.ply", "turned.stl"})
+            QCOMPARE(tan({"isosurface", "turned.tan", "--value", "99.5", "-o", surface}).exitCode, 0);
+        QVERIFY(readFile(path("turned.ply")).left(600).contains("\ncomment unit: mm\n"));
+        QCOMPARE(readFile(path("turned.stl")).left(80).trimmed(), QByteArray("binary STL, in mm, isosurfaces by TAn"));
         const Run plain = tan({"info", "c60.nrrd", "--json"});
         QVERIFY(!plain.json().contains("directions") && !plain.json().contains("space"));
+    }
+
+    /// Hours since 1900 have seven digits.
+    void timesAreToldApart()
+    {
+        QVERIFY(
+            writeFile(path("steps.mha"),
+                      "ObjectType = Image\nNDims = 4\nBinaryData = True\nDimSize = 2 2 2 3\nElementType = MET_UCHAR\n"
+                      "ElementSpacing = 1 1 1 6\nOffset = 0 0 0 1073352\nElementDataFile = LOCAL\n" +
+                          QByteArray("abcdefghijklmnopqrstuvwx")));
+        const Run info = tan({"info", "steps.mha"});
+        QVERIFY2(info.output.contains("time steps: 1073352, 1073358, 1073364\n"), info.output + info.messages);
     }
 
     void aModelOfARawFileKnowsItsLayout()

@@ -79,9 +79,10 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
         Message::say("%1 cells name a corner twice, have no volume and were left out.", repairs.repeated));
     add(repairs.flat, Message::say("1 cell without volume was left out."),
         Message::say("%1 cells without volume were left out.", repairs.flat));
-    if (repairs.turned > 0 && repairs.turned == repairs.cells)
+    const bool areAllTurned = repairs.turned > 0 && repairs.turned == repairs.cells;
+    if (areAllTurned && !repairs.ofGrid)
         remarks.push_back(Message::say("All cells had inverted orientation and were corrected."));
-    else
+    else if (!areAllTurned)
         add(repairs.turned, Message::say("1 cell had inverted orientation and was corrected."),
             Message::say("%1 cells had inverted orientation and were corrected.", repairs.turned));
     add(repairs.welded, Message::say("1 point on the place of another one was merged with it."),

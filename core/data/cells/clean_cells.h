@@ -34,6 +34,7 @@ struct Repairs {
     std::uint64_t open = 0;         ///< polyhedra whose faces do not close, left out
     std::uint64_t duplicates = 0;   ///< tetrahedra that were there twice
     bool cellValues = false;        ///< brought to the points
+    bool ofGrid = false;            ///< whose axes may run backwards: then all cells are numbered so
     std::vector<FaultyCell> faulty; ///< of the complex, in any order
 };
 

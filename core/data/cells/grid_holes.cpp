@@ -38,6 +38,7 @@ Error tooLarge(std::uint64_t tetrahedra, std::uint64_t bytes)
 Result<Left> findLeft(const Dataset& grid, const Progress& progress)
 {
     Left left;
+    left.holes.ofGrid = true;
     const Status counted = forEachCell(grid, progress.part(0, 0.5), [&](const auto& /*corners*/, GridCell what) {
         left.cells += what == GridCell::Kept;
         left.holes.blanked += what == GridCell::Blanked;

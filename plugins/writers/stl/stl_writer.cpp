@@ -41,9 +41,18 @@ std::string deviationText(const MeshFacts& facts)
     return number != nullptr && std::isfinite(*number) ? "deviation " + roundedUp(*number) + ", " : "";
 }
 
+/// "in mm, ", or nothing where no unit of length is known.
+std::string unitText(const MeshFacts& facts)
+{
+    const auto unit = std::ranges::find(facts, "unit", &MeshFacts::value_type::first);
+    const auto* name = unit != facts.end() ? std::get_if<std::string>(&unit->second) : nullptr;
+    return name != nullptr && !name->empty() ? "in " + printable(*name) + ", " : "";
+}
+
 /// Eighty bytes that must not begin with "solid": that is how text files begin. If coordinates are less than the data's
 /// by a shift, that comes first: there is room for three numbers, whatever they are, but perhaps not for the rest. Then
 /// how far the surface is from that of the data, if there is room for the whole number: a part of one would be another.
+/// The unit of length, if there is room for all.
 std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
 {
     std::string head = shift.isZero(0) ? std::string("binary STL, ")
@@ -51,6 +60,9 @@ std::string stlHead(const SurfaceContent& content, const Eigen::Vector3d& shift)
                                              formatNumber(shift[2]) + ", "; // at most 78 bytes
     if (const std::string deviation = deviationText(content.facts); head.size() + deviation.size() <= headBytes)
         head += deviation;
+    if (const std::string unit = unitText(content.facts);
+        head.size() + unit.size() + content.title.size() + std::string_view(" by TAn").size() <= headBytes)
+        head += unit;
     head += content.title + " by TAn";
     head.resize(headBytes, ' ');
     return head;

@@ -221,6 +221,9 @@ private slots:
         QTest::newRow("negative") << "-1,0,0,7,7,7"
                                   << ""
                                   << "from 0 to 7";
+        QTest::newRow("coordinates") << "0,0,300,7,7,1000"
+                                     << ""
+                                     << "not coordinates: along z whole numbers from 0 to 7";
         QTest::newRow("no whole number") << "0,0.5,0,7,7,7"
                                          << ""
                                          << "along y";

@@ -244,6 +244,20 @@ private slots:
         QVERIFY(remarks.contains("7 of its 2197 points"));
     }
 
+    /// As where latitudes fall: nothing is wrong with its cells.
+    void gridsThatRunBackwards()
+    {
+        Dataset grid = gridWithHoles();
+        std::vector<Eigen::Vector3d> places = *grid.positions;
+        for (Eigen::Vector3d& place : places)
+            place[1] = -place[1];
+        grid.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(places));
+        const auto dataset = withHoles(grid);
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
+        QCOMPARE(totalVolume6(*dataset), 6.0 * (end * end * end - 3 - 7));
+        QVERIFY2(!remarksOf(*dataset).contains("orientation"), qPrintable(remarksOf(*dataset)));
+    }
+
     /// Its last corner lies far inside of the last cell's others, so that this cell alone is inside out.
     void faultyCellsOfGridsHaveTheGridsNumbers()
     {
