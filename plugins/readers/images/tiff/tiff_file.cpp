@@ -99,11 +99,24 @@ Result<TiffDivision> divisionOf(TIFF* file, const TiffSamples& samples)
     return division;
 }
 
-/// Whether each piece lies in the file, with all its bytes if it is not packed.
+/// The most bytes that one byte of a piece can stand for, as far as that is known.
+std::optional<std::uint64_t> mostUnpacked(std::uint16_t compression)
+{
+    switch (compression) {
+    case COMPRESSION_NONE: return 1;
+    case COMPRESSION_LZW:
+    case COMPRESSION_PACKBITS:
+    case COMPRESSION_DEFLATE:
+    case COMPRESSION_ADOBE_DEFLATE: return 4096; // a little more than 1000
+    default: return std::nullopt;
+    }
+}
+
+/// Whether each piece lies in the file, with all its bytes if it is not packed, else with as many as it needs at least.
 Status checkPieces(TIFF* file, const TiffDivision& division, const TiffSamples& samples, std::uint64_t fileBytes,
                    const Message& page)
 {
-    const bool isPacked = fieldOf<std::uint16_t>(file, TIFFTAG_COMPRESSION, 1) != COMPRESSION_NONE;
+    const auto most = mostUnpacked(fieldOf<std::uint16_t>(file, TIFFTAG_COMPRESSION, 1));
     const std::uint64_t pieces = division.perPlane() * division.planes;
     if (pieces > fileBytes) // each has a place in a list
         return behindEnd(Message::say("a piece of %1", page), fileBytes);
@@ -118,9 +131,12 @@ Status checkPieces(TIFF* file, const TiffDivision& division, const TiffSamples& 
         const std::uint64_t rows =
             division.isTiled ? division.height
                              : std::min<std::uint64_t>(division.height, samples.height - row * division.height);
-        if (bytes == 0 || (!isPacked && bytes < rows * division.rowBytes))
-            return damaged(
-                Message::say("a piece of %1 has %2 bytes and should have %3.", page, bytes, rows * division.rowBytes));
+        const std::uint64_t wanted = rows * division.rowBytes;
+        if (bytes == 0 || (most == 1 && bytes < wanted))
+            return damaged(Message::say("a piece of %1 has %2 bytes and should have %3.", page, bytes, wanted));
+        if (most && bytes < wanted / *most)
+            return damaged(Message::say("a piece of %1 has %2 bytes, which cannot hold the %3 that its size asks for.",
+                                        page, bytes, wanted));
         if (at > fileBytes || bytes > fileBytes - at)
             return behindEnd(Message::say("a piece of %1", page), fileBytes);
     }

@@ -125,6 +125,19 @@ private slots:
         QVERIFY2(read.error().text().find("unpacks to more than") != std::string::npos, read.error().text().c_str());
     }
 
+    /// Refused before memory is taken for pages of 800 MB.
+    void packedBytesThatCannotHoldAPage()
+    {
+        const PictureFolder folder;
+        TiffPicture page;
+        page.size = {20000, 20000};
+        page.bytes = QByteArray(1000, '\1');
+        const auto read =
+            builtImagesReader().read(folder.write("pages.tif", tiffFile({page, page}, {.packed = true})), {}, {});
+        QVERIFY(!read.ok());
+        QVERIFY2(read.error().text().find("cannot hold") != std::string::npos, read.error().text().c_str());
+    }
+
     void pagesInACircle()
     {
         const PictureFolder folder;
