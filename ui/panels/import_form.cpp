@@ -96,8 +96,11 @@ std::vector<ParameterChoice> timeChoices(const Parameter& parameter, const FileC
 std::vector<ParameterChoice> blockChoices(const Parameter& parameter, const FileContents& contents)
 {
     std::vector<ParameterChoice> choices;
+    // Levels of a picture and zones that overlap do not fit together: the reader takes one of them.
+    const bool takesOne = std::ranges::find(contents.taken, TakenPart::Block, &Taken::part) != contents.taken.end();
     if (isText(parameter) || parameter.defaultValue == ParameterValue(std::int64_t(0)))
-        choices.push_back({parameter.defaultValue, ImportForms::tr("All that fit together")});
+        choices.push_back({parameter.defaultValue,
+                           takesOne ? ImportForms::tr("Automatic") : ImportForms::tr("All that fit together")});
     for (std::size_t block = 0; block < contents.blocks.size(); ++block) {
         const std::string& name = contents.blocks[block];
         const ParameterValue value =
