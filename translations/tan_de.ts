@@ -3913,10 +3913,6 @@ beliebige Verwerfung</translation>
         <translation>„%1“ hat mehr als 4294967295 Punkte. Nehmen Sie einen Teil davon.</translation>
     </message>
     <message>
-        <source>The region does not lie in the grid: along %1 it takes whole numbers from 0 to %2.</source>
-        <translation>Der Bereich liegt nicht im Gitter: Entlang %1 nimmt er ganze Zahlen von 0 bis %2.</translation>
-    </message>
-    <message>
         <source>A stride is a whole number from 1.</source>
         <translation>Eine Schrittweite ist eine ganze Zahl ab 1.</translation>
     </message>
@@ -5713,10 +5709,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ ist keine Komponente eines Feldes, das %2 hat: Geben Sie „magnitude“ an, oder eine Nummer von 0 bis %3.</translation>
     </message>
     <message>
-        <source>it has no values, of points or of cells.</source>
-        <translation>Sie hat keine Werte, weder von Punkten noch von Zellen.</translation>
-    </message>
-    <message>
         <source>it has no array &apos;%1&apos;. There are: %2.</source>
         <translation>Sie hat kein Feld „%1“. Es gibt: %2.</translation>
     </message>
@@ -6065,16 +6057,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Datendatei heißt „%1“, mit Zeichen, die kein Name haben sollte. Berichtigen Sie ihn.</translation>
     </message>
     <message>
-        <source>its type is &apos;%1&apos;. Integers of 64 bits are not read, since computing with them is not exact: convert the samples to int32 or double first.</source>
-        <translation>Ihr Typ ist „%1“. Ganze Zahlen mit 64 Bit werden nicht gelesen, weil das Rechnen mit ihnen nicht exakt ist: Wandeln Sie die Abtastwerte zuerst in int32 oder double um.</translation>
-    </message>
-    <message>
         <source>its type is &apos;block&apos;, which says nothing about the samples. Convert them to a number type first.</source>
         <translation>Ihr Typ ist „block“, der nichts über die Abtastwerte sagt. Wandeln Sie sie zuerst in einen Zahlentyp um.</translation>
-    </message>
-    <message>
-        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, float and double.</source>
-        <translation>Ihr Typ „%1“ ist nicht bekannt. Es gibt uint8, int8, uint16, int16, uint32, int32, float und double.</translation>
     </message>
     <message>
         <source>its byte order &apos;%1&apos; is not known. There are little and big.</source>
@@ -7135,10 +7119,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Part</source>
         <translation>Teil</translation>
-    </message>
-    <message>
-        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
-        <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, mit Namen oder Nummer ab 1; ohne ihn alle unregelmäßigen Netze, die die Werte haben, oder das erste Gitter.</translation>
     </message>
     <message>
         <source>with-cell</source>
@@ -9021,18 +9001,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 braucht dafür mehr Speicher als die %2, die Programme hier belegen dürfen. Heben Sie die Begrenzung an (ulimit -v).</translation>
     </message>
     <message>
-        <source>%1 needs more than %2 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
-        <translation>%1 braucht dafür mehr als %2 Speicher, die Hälfte dessen, was dieser Rechner hat. Die Datei ist beschädigt oder zu groß für diesen Rechner: Nehmen Sie einen Teil davon.</translation>
-    </message>
-    <message>
-        <source>%1 needs more than %2 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
-        <translation>%1 braucht dafür mehr als %2 Speicher, was Dateien dieser Größe nicht brauchen. Die Datei ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
-    </message>
-    <message>
-        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
-        <translation>%1 braucht dafür mehr als %2 Sekunden des Prozessors, was Dateien dieser Größe nicht brauchen. Die Datei ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
-    </message>
-    <message>
         <source>There are not enough memory, processes or open files to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
         <translation>Speicher, Prozesse oder offene Dateien reichen nicht, um die %1-Leser zu starten (%2). Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
@@ -9055,10 +9023,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>the system ended %1, which it does when memory runs out. Close other programs, or take a part of the file.</source>
         <translation>das System hat %1 beendet, wie es das tut, wenn der Speicher ausgeht. Schließen Sie andere Programme, oder nehmen Sie einen Teil der Datei.</translation>
-    </message>
-    <message>
-        <source>%1&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that %1 reads badly. %2</source>
-        <translation>Der Leser von %1 ist abgestürzt. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die %1 schlecht liest. %2</translation>
     </message>
     <message>
         <source>%1 has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
@@ -9095,10 +9059,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Bezier pyramids</source>
         <translation>Bézier-Pyramiden</translation>
-    </message>
-    <message>
-        <source>it has polyhedra, but not their faces, in the arrays &apos;faces&apos; and &apos;faceoffsets&apos;. Save it by an older version of VTK or ParaView, or divide its cells into tetrahedra.</source>
-        <translation>sie hat Polyeder, aber nicht deren Seiten in den Feldern „faces“ und „faceoffsets“. Speichern Sie sie mit einer älteren Version von VTK oder ParaView, oder zerlegen Sie ihre Zellen in Tetraeder.</translation>
     </message>
     <message>
         <source>the offsets of its faces are out of range.</source>
@@ -9201,10 +9161,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Schichten liegen ungleichmäßig, mit Abständen von %1 bis %2 mm; jede blieb, wo sie liegt.</translation>
     </message>
     <message>
-        <source>Slices are missing between the others: %1. The gaps stay, and values are interpolated over them.</source>
-        <translation>Zwischen den anderen fehlen Schichten: %1. Die Lücken bleiben, und Werte werden über sie hinweg interpoliert.</translation>
-    </message>
-    <message>
         <source>Missing behind slice %1, between %2 and %3: %4.</source>
         <translation>Es fehlen hinter Schicht %1, zwischen %2 und %3: %4.</translation>
     </message>
@@ -9249,10 +9205,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Bilder</translation>
     </message>
     <message>
-        <source>%1, %2 pictures</source>
-        <translation>%1, %2 Bilder</translation>
-    </message>
-    <message>
         <source>the file &apos;%1&apos; of its series: it is no DICOM file, or ends too early. Copy the file again.</source>
         <translation>die Datei „%1“ ihrer Serie: Sie ist keine DICOM-Datei oder endet zu früh. Kopieren Sie die Datei noch einmal.</translation>
     </message>
@@ -9263,10 +9215,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>The file &apos;%1&apos; beside it was not read: %2</source>
         <translation>Die Datei „%1“ daneben wurde nicht gelesen: %2</translation>
-    </message>
-    <message>
-        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one from 1 to %1 with &apos;series&apos;.</source>
-        <translation>ihr Ordner enthält %1 Serien, und verlangt ist „%2“. Wählen Sie mit „series“ eine von 1 bis %1.</translation>
     </message>
     <message>
         <source>it has no rows or columns. The file is damaged: copy or export it again.</source>
@@ -9371,10 +9319,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Series</source>
         <translation>Serie</translation>
-    </message>
-    <message>
-        <source>Of a folder with several series: which one, by number from 1 or by its SeriesInstanceUID; without it that of the file.</source>
-        <translation>Bei einem Ordner mit mehreren Serien: welche, nach Nummer ab 1 oder nach ihrer SeriesInstanceUID; sonst die der Datei.</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -9637,10 +9581,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Blöcke wiederholen die Werte ihrer Nachbarn (HAS_BOUNDARY), was nicht gelesen wird. Speichern Sie das Volumen aus VisIt als VTK.</translation>
     </message>
     <message>
-        <source>Its data file has %1 more bytes behind the volume, which are not read.</source>
-        <translation>Ihre Datendatei hat hinter dem Volumen %1 weitere Bytes, die nicht gelesen werden.</translation>
-    </message>
-    <message>
         <source>Its line &apos;%1: %2&apos; is not used.</source>
         <translation>Ihre Zeile „%1: %2“ wird nicht benutzt.</translation>
     </message>
@@ -9731,10 +9671,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>it has no OpenDX field with data in it. Export one field with its positions and data, all in one file.</source>
         <translation>sie enthält kein OpenDX-Feld mit Daten. Exportieren Sie ein Feld mit seinen Positionen und Daten, alles in einer Datei.</translation>
-    </message>
-    <message>
-        <source>its array has the shape 0. Export it again.</source>
-        <translation>ihr Array hat die Form (shape) 0. Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
         <source>It holds %1 fields; the others are not read.</source>
@@ -10049,10 +9985,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Achsen z, y, x: Die letzte läuft am schnellsten</translation>
     </message>
     <message>
-        <source>Behind its array it has %1 more bytes, which are not read.</source>
-        <translation>Hinter ihrem Array hat sie %1 weitere Bytes, die nicht gelesen werden.</translation>
-    </message>
-    <message>
         <source>space directions</source>
         <translation>space directions</translation>
     </message>
@@ -10065,40 +9997,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Abstände und die Enden ihrer Achsen werden nicht benutzt: Ihre space directions sagen, wo sie liegt.</translation>
     </message>
     <message>
-        <source>its text holds only %1 numbers where the header asks for %2. It is cut short, or the header is wrong.</source>
-        <translation>ihr Text enthält nur %1 Zahlen, wo der Kopf %2 verlangt. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
-    </message>
-    <message>
-        <source>its text holds more than the %1 numbers that the header asks for. Check the sizes.</source>
-        <translation>ihr Text enthält mehr als die %1 Zahlen, die der Kopf verlangt. Prüfen Sie die Größen.</translation>
-    </message>
-    <message>
-        <source>its header asks for %1 x %2 x %3 points with %4 numbers each, and only %5 bytes of text follow. It is cut short, or the header is wrong.</source>
-        <translation>ihr Kopf verlangt %1 x %2 x %3 Punkte mit je %4 Zahlen, und es folgen nur %5 Bytes Text. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
-    </message>
-    <message>
-        <source>its header asks for %1 x %2 x %3 points with %4 bytes each, and only %5 bytes are there. It is cut short, or the header is wrong.</source>
-        <translation>ihr Kopf verlangt %1 x %2 x %3 Punkte mit je %4 Bytes, und nur %5 Bytes sind da. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
-        <translation>sie hat %1 Bytes, und ihr Kopf verlangt %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>its %1 bytes of compressed data cannot hold the %2 that its header asks for. It is cut short: copy the file again.</source>
-        <translation>ihre %1 Bytes komprimierter Daten können nicht die %2 enthalten, die ihr Kopf verlangt. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as of a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
         <translation>ihre Abtastwerte sind von einem Typ, der nach dem Format 4 Bytes hat, und für %2 Abtastwerte gibt es %1 Bytes: so viele wie bei einem Typ von 8 Bytes. Schreiben Sie sie als MET_INT oder MET_LONG_LONG.</translation>
     </message>
     <message>
         <source>%1 bytes behind its samples were not read.</source>
         <translation>%1 Bytes hinter ihren Abtastwerten wurden nicht gelesen.</translation>
-    </message>
-    <message>
-        <source>it has not the %1 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short: copy the file again.</source>
-        <translation>sie hat nicht die %1 Zahlen, die ihr Kopf verlangt, jede mit einem Leerzeichen oder Zeilenende dahinter. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>its header asks for more samples than any file holds. It is damaged: copy or export it again.</source>
@@ -10145,14 +10049,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 ...</translation>
     </message>
     <message>
-        <source>Cannot read &apos;%1&apos;: %2 The header &apos;%3&apos; names it as its data file.</source>
-        <translation>„%1“ kann nicht gelesen werden: %2 Der Kopf „%3“ nennt sie als seine Datendatei.</translation>
-    </message>
-    <message>
-        <source>its header asks for %1 bytes, and %2 bytes of compressed data cannot hold as many. It is cut short, or the header is wrong.</source>
-        <translation>ihr Kopf verlangt %1 Bytes, und %2 Bytes komprimierter Daten können nicht so viele enthalten. Sie ist abgeschnitten, oder der Kopf ist falsch.</translation>
-    </message>
-    <message>
         <source>Files with several sets of values (Gaussian cube, OpenDX): one, by name or by number from 1; nothing takes the first.</source>
         <translation>Dateien mit mehreren Sätzen von Werten (Gaussian-Cube, OpenDX): einer, nach Name oder Nummer ab 1; ohne Angabe der erste.</translation>
     </message>
@@ -10167,14 +10063,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>%1, number %2 of %3</source>
         <translation>%1, Nummer %2 von %3</translation>
-    </message>
-    <message>
-        <source>its values have one component. Leave &apos;--component&apos; out.</source>
-        <translation>ihre Werte haben eine Komponente. Lassen Sie „--component“ weg.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no component of values that have %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
-        <translation>„%1“ ist keine Komponente von Werten, die %2 haben: Geben Sie „magnitude“ an, oder eine Nummer von 0 bis %3.</translation>
     </message>
     <message>
         <source>%1 of %2, from 0</source>
@@ -10505,10 +10393,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, %2, Höhe (PH + PHB) / 9.81 in m</translation>
     </message>
     <message>
-        <source>The variable to take, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
-        <translation>Welche Variable genommen wird, nach Name oder Nummer; „automatic“ nimmt die erste, die nicht konstant ist.</translation>
-    </message>
-    <message>
         <source>Of Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Bei Exodus-Variablen mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
     </message>
@@ -10589,10 +10473,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Tabellen von Punkten: die Spalten von x, y und z, nach Name oder Nummer, wie in a,b,c oder 1,2,3; „automatic“ findet sie an ihren Namen; gibt es keine Namen, nimmt es die ersten drei.</translation>
     </message>
     <message>
-        <source>The values to take, by name or number; &apos;automatic&apos; takes the first that are measured, not counters or constants.</source>
-        <translation>Welche Werte genommen werden, nach Name oder Nummer; „automatic“ nimmt die ersten, die gemessen sind, keine Zähler oder Konstanten.</translation>
-    </message>
-    <message>
         <source>Its section &apos;%1&apos; is not read.</source>
         <translation>Ihr Abschnitt „%1“ wird nicht gelesen.</translation>
     </message>
@@ -10627,10 +10507,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in ParaView by the filter Tetrahedralize or Tessellate.</source>
         <translation>sie hat Zellen einer Form, die TAn nicht kennt: %1. Zerlegen Sie sie in einfachere, in ParaView mit dem Filter Tetrahedralize oder Tessellate.</translation>
-    </message>
-    <message>
-        <source>cell %1 (from 0) is a polyhedron whose faces are not there.</source>
-        <translation>Zelle %1 (ab 0) ist ein Polyeder, dessen Seiten fehlen.</translation>
     </message>
     <message>
         <source>a face of cell %1 (from 0) has %2 points, more than are listed, or fewer than three. It is damaged.</source>
@@ -10779,6 +10655,814 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Take a smaller one.</source>
         <translation>ihre Variable „%1“ hat %2 Werte, die nicht in die Hälfte des Speichers dieses Rechners passen. Nehmen Sie eine kleinere.</translation>
+    </message>
+    <message>
+        <source>The region does not lie in the grid, of which it takes the numbers of points, not coordinates: along %1 whole numbers from 0 to %2.</source>
+        <translation>Der Bereich liegt nicht im Gitter, dessen Punktnummern er verlangt, nicht Koordinaten: entlang %1 ganze Zahlen von 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a file of an OpenFOAM case, which is opened as a whole: by &apos;system/controlDict&apos; in its folder, or by an empty file whose name ends in &apos;.foam&apos; there.%2</source>
+        <translation>„%1“ ist eine Datei eines OpenFOAM-Falls, der als Ganzes geöffnet wird: mit „system/controlDict“ in seinem Ordner oder mit einer leeren Datei dort, deren Name auf „.foam“ endet.%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the folder of an OpenFOAM case. Open &apos;system/controlDict&apos; in it.</source>
+        <translation>„%1“ ist der Ordner eines OpenFOAM-Falls. Öffnen Sie darin „system/controlDict“.</translation>
+    </message>
+    <message>
+        <source>%1 It has %2 parts, of which &apos;part&apos; takes one: %3.</source>
+        <translation>%1 Sie hat %2 Teile, von denen „part“ einen nimmt: %3.</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, half of what this machine has. It may be damaged, or too large for this machine: take a part of it.</source>
+        <translation>%1 braucht dafür mehr als %2 Speicher, die Hälfte dessen, was dieser Rechner hat. Die Datei ist vielleicht beschädigt oder zu groß für diesen Rechner: Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 braucht dafür mehr als %2 Speicher, was Dateien dieser Größe nicht brauchen. Die Datei ist vielleicht beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 braucht dafür mehr als %2 Sekunden Prozessorzeit, was Dateien dieser Größe nicht brauchen. Die Datei ist vielleicht beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>%1&apos;s reader crashed, and TAn cannot tell why: the file may be damaged, or of a kind that %1 reads badly. %2</source>
+        <translation>Der Leser von %1 ist abgestürzt, und TAn kann nicht sagen, warum: Die Datei ist vielleicht beschädigt oder von einer Art, die %1 schlecht liest. %2</translation>
+    </message>
+    <message>
+        <source>it has no values, of points or of cells. Write it with some.</source>
+        <translation>sie hat keine Werte, weder von Punkten noch von Zellen. Schreiben Sie sie mit welchen.</translation>
+    </message>
+    <message>
+        <source>it has polyhedra, but not their faces: these stand in the arrays &apos;faces&apos; and &apos;faceoffsets&apos; or, since VTK 9.4, &apos;face_connectivity&apos;, &apos;face_offsets&apos;, &apos;polyhedron_to_faces&apos; and &apos;polyhedron_offsets&apos;. Save it anew, or divide its cells into tetrahedra.</source>
+        <translation>sie hat Polyeder, aber nicht deren Seiten: Diese stehen in den Feldern „faces“ und „faceoffsets“ oder, seit VTK 9.4, „face_connectivity“, „face_offsets“, „polyhedron_to_faces“ und „polyhedron_offsets“. Speichern Sie sie neu, oder zerlegen Sie ihre Zellen in Tetraeder.</translation>
+    </message>
+    <message>
+        <source>the offsets of its faces do not rise, or lead beyond their points.</source>
+        <translation>die Anfänge ihrer Seiten steigen nicht oder führen über deren Punkte hinaus.</translation>
+    </message>
+    <message>
+        <source>the polyhedron %1 has the face %2 of %3.</source>
+        <translation>das Polyeder %1 hat die Seite %2 von %3.</translation>
+    </message>
+    <message>
+        <source>its polyhedra use its faces more often than cells of a mesh can.</source>
+        <translation>ihre Polyeder verwenden ihre Seiten öfter, als die Zellen eines Netzes es können.</translation>
+    </message>
+    <message>
+        <source>Give the number of a channel, from 1.</source>
+        <translation>Geben Sie die Nummer eines Kanals an, ab 1.</translation>
+    </message>
+    <message>
+        <source>The array to take, by its path in the file, as in /fields/density, or by number; &apos;automatic&apos; takes the one that the file shows first (NeXus), else the largest.</source>
+        <translation>Das Array, das genommen wird, nach seinem Pfad in der Datei, wie in /fields/density, oder nach seiner Nummer; „automatic“ nimmt das, welches die Datei zuerst zeigt (NeXus), sonst das größte.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several time steps: which one, from 1.</source>
+        <translation>Bei Arrays mit mehreren Zeitschritten: welcher, ab 1.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several channels: the number of one, from 1; without it the first.</source>
+        <translation>Bei Arrays mit mehreren Kanälen: die Nummer eines davon, ab 1; sonst der erste.</translation>
+    </message>
+    <message>
+        <source>Of arrays with more dimensions than space, time and channels: the number along each, from 1, as in d2=3; else the first is taken.</source>
+        <translation>Bei Arrays mit mehr Dimensionen als Raum, Zeit und Kanälen: die Nummer entlang jeder davon, ab 1, wie in d2=3; sonst wird die erste genommen.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libhdf5-dev&apos;), or save the array as .npy, for instance with h5py and NumPy.</source>
+        <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libhdf5-dev“ neu), oder speichern Sie das Array als .npy, etwa mit h5py und NumPy.</translation>
+    </message>
+    <message>
+        <source>Install the HDF5 library with &apos;apt install libhdf5-103-1&apos; (other systems: hdf5).</source>
+        <translation>Installieren Sie die HDF5-Bibliothek mit „apt install libhdf5-103-1“ (andere Systeme: hdf5).</translation>
+    </message>
+    <message>
+        <source>Copy or export it again; &apos;h5dump -H&apos; tells what is in it.</source>
+        <translation>Kopieren oder exportieren Sie sie noch einmal; „h5dump -H“ zeigt, was darin ist.</translation>
+    </message>
+    <message>
+        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</source>
+        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</translation>
+    </message>
+    <message>
+        <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
+        <translation>sie hat %1 %2, und verlangt ist mit „%4“ Nummer %3.</translation>
+    </message>
+    <message>
+        <source>components, counted from 0</source>
+        <translation>Komponenten, gezählt ab 0</translation>
+    </message>
+    <message>
+        <source>numbers along &apos;%1&apos;</source>
+        <translation>Nummern entlang „%1“</translation>
+    </message>
+    <message>
+        <source>its array %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <translation>ihr Array %1 hat keine weitere Dimension „%2“, die mit „index“ verlangt wird.</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>time steps</source>
+        <translation>Zeitschritte</translation>
+    </message>
+    <message>
+        <source>its array %1 has fewer than three dimensions of space: the others are of time or channels. TAn takes volumes: choose another array, or write one.</source>
+        <translation>ihr Array %1 hat weniger als drei Dimensionen im Raum: Die anderen sind solche der Zeit oder der Kanäle. TAn nimmt Volumen: Wählen Sie ein anderes Array, oder schreiben Sie eines.</translation>
+    </message>
+    <message>
+        <source>its array %1 needs %2 of memory, and this machine can spare %3. Write a part of it, or one with fewer points.</source>
+        <translation>ihr Array %1 braucht %2 Speicher, und dieser Rechner kann %3 entbehren. Schreiben Sie einen Teil davon oder eines mit weniger Punkten.</translation>
+    </message>
+    <message>
+        <source>It has an attribute &apos;%1&apos;, which is not used.</source>
+        <translation>Sie hat ein Attribut „%1“, das nicht benutzt wird.</translation>
+    </message>
+    <message>
+        <source>It holds other arrays, which are not read: %1.</source>
+        <translation>Sie enthält andere Arrays, die nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>%1, &apos;%2&apos; in the order of the array&apos;s axes</source>
+        <translation>%1, „%2“ in der Reihenfolge der Achsen des Arrays</translation>
+    </message>
+    <message>
+        <source>Its coordinates &apos;%1&apos; are the edges of bins: the middles were taken.</source>
+        <translation>Ihre Koordinaten „%1“ sind die Ränder von Intervallen: Genommen wurden deren Mitten.</translation>
+    </message>
+    <message>
+        <source>&apos;Origin&apos;, &apos;Spacing&apos; and &apos;Directions&apos; of ITK</source>
+        <translation>„Origin“, „Spacing“ und „Directions“ von ITK</translation>
+    </message>
+    <message>
+        <source>the chunks of its array &apos;%1&apos;</source>
+        <translation>die Stücke (Chunks) ihres Arrays „%1“</translation>
+    </message>
+    <message>
+        <source>nothing was written to its array %1: all that it has is a fill value. Choose another array, or write this one.</source>
+        <translation>in ihr Array %1 wurde nichts geschrieben: Alles, was es hat, ist ein Füllwert. Wählen Sie ein anderes Array, oder schreiben Sie dieses.</translation>
+    </message>
+    <message>
+        <source>only %1 of the %2 chunks of its array &apos;%3&apos; were written, and it has no fill value for the others. Write all of it.</source>
+        <translation>nur %1 der %2 Stücke (Chunks) ihres Arrays „%3“ wurden geschrieben, und es hat keinen Füllwert für die anderen. Schreiben Sie es ganz.</translation>
+    </message>
+    <message>
+        <source>%1, the array&apos;s fill value</source>
+        <translation>%1, der Füllwert des Arrays</translation>
+    </message>
+    <message>
+        <source>%1, %2, the array&apos;s fill value</source>
+        <translation>%1, %2, der Füllwert des Arrays</translation>
+    </message>
+    <message>
+        <source>0 in %1 of %2 chunks, which nobody wrote</source>
+        <translation>0 in %1 von %2 Stücken (Chunks), die nie geschrieben wurden</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos;</source>
+        <translation>ihr Array „%1“</translation>
+    </message>
+    <message>
+        <source>Its numbers of more than 64 bits became floating-point numbers of 53 bits.</source>
+        <translation>Aus ihren Zahlen mit mehr als 64 Bit wurden Gleitkommazahlen von 53 Bit.</translation>
+    </message>
+    <message>
+        <source>It holds more than %1 groups and arrays, or groups more than %2 deep: not all of them were looked at.</source>
+        <translation>Sie enthält mehr als %1 Gruppen und Arrays oder mehr als %2-fach verschachtelte Gruppen: Nicht alle davon wurden durchgesehen.</translation>
+    </message>
+    <message>
+        <source>Its links into other files are not followed: %1.</source>
+        <translation>Ihren Verweisen in andere Dateien wird nicht gefolgt: %1.</translation>
+    </message>
+    <message>
+        <source>it is a file of %1, which TAn knows by its name. Give it the ending %2.</source>
+        <translation>sie ist eine Datei von %1, die TAn an ihrem Namen erkennt. Geben Sie ihr die Endung %2.</translation>
+    </message>
+    <message>
+        <source>it is a MINC 2 file, whose numbers are scaled slice by slice; this is not read. Convert it with mnc2nii.</source>
+        <translation>sie ist eine MINC-2-Datei, deren Zahlen schichtweise skaliert sind; das wird nicht gelesen. Wandeln Sie sie mit mnc2nii um.</translation>
+    </message>
+    <message>
+        <source>it holds no arrays of its own. %1 Open the file that holds them.</source>
+        <translation>sie enthält keine eigenen Arrays. %1 Öffnen Sie die Datei, die sie enthält.</translation>
+    </message>
+    <message>
+        <source>it holds no arrays. Write it with values.</source>
+        <translation>sie enthält keine Arrays. Schreiben Sie sie mit Werten.</translation>
+    </message>
+    <message>
+        <source>none of its arrays has numbers along three dimensions with two points or more: %1. TAn takes volumes: choose a file that holds one, or write one, for instance with h5py.</source>
+        <translation>keines ihrer Arrays hat Zahlen entlang dreier Dimensionen mit je zwei oder mehr Punkten: %1. TAn nimmt Volumen: Wählen Sie eine Datei, die eines enthält, oder schreiben Sie eine, etwa mit h5py.</translation>
+    </message>
+    <message>
+        <source>the values of its array &apos;%1&apos; lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
+        <translation>die Werte ihres Arrays „%1“ liegen in anderen Dateien oder Arrays, die nicht geöffnet werden. Kopieren Sie sie in ein eigenes Array, etwa mit h5py.</translation>
+    </message>
+    <message>
+        <source>its array %1 holds no numbers that are read. Choose another one.</source>
+        <translation>ihr Array %1 enthält keine Zahlen, die gelesen werden. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>its array %1 does not extend along three dimensions with two points or more. Choose one that does.</source>
+        <translation>ihr Array %1 erstreckt sich nicht entlang dreier Dimensionen mit je zwei oder mehr Punkten. Wählen Sie eines, das es tut.</translation>
+    </message>
+    <message>
+        <source>the whole file</source>
+        <translation>die ganze Datei</translation>
+    </message>
+    <message>
+        <source>%1 (in other files)</source>
+        <translation>%1 (in anderen Dateien)</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; does not tell how it is packed. The file is damaged: copy or export it again.</source>
+        <translation>ihr Array „%1“ sagt nicht, wie es gepackt ist. Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; is packed by the filter %2, which is no part of HDF5 and is not read. Write it with gzip or unpacked: &apos;h5repack -f GZIP=4 old.h5 new.h5&apos; does it where the filter is installed.</source>
+        <translation>ihr Array „%1“ ist mit dem Filter %2 gepackt, der kein Teil von HDF5 ist und nicht gelesen wird. Schreiben Sie es mit gzip oder ungepackt: „h5repack -f GZIP=4 old.h5 new.h5“ tut dies, wo der Filter installiert ist.</translation>
+    </message>
+    <message>
+        <source>the HDF5 library says of %1: %2. Copy or export the file again.</source>
+        <translation>die HDF5-Bibliothek sagt über %1: %2. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its size cannot be told: %1.</source>
+        <translation>ihre Größe ist nicht zu ermitteln: %1.</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than %1, which pictures in so few bytes do not. It is damaged; if not, export it without compression.</source>
+        <translation>entpackt ist sie größer als %1, was bei Bildern aus so wenigen Bytes nicht vorkommt. Sie ist beschädigt; wenn nicht, exportieren Sie sie ohne Kompression.</translation>
+    </message>
+    <message>
+        <source>1 slice is missing between the others. The gap stays, and values are interpolated across it.</source>
+        <translation>Zwischen den anderen fehlt 1 Schicht. Die Lücke bleibt, und über sie hinweg wird interpoliert.</translation>
+    </message>
+    <message>
+        <source>%1 slices are missing between the others. The gaps stay, and values are interpolated across them.</source>
+        <translation>Zwischen den anderen fehlen %1 Schichten. Die Lücken bleiben, und über sie hinweg wird interpoliert.</translation>
+    </message>
+    <message>
+        <source>SeriesNumber %1, %2</source>
+        <translation>SeriesNumber %1, %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>its folder holds one series, and &apos;%1&apos; is asked for. Leave &apos;series&apos; out.</source>
+        <translation>ihr Ordner enthält eine Serie, und verlangt ist „%1“. Lassen Sie „series“ weg.</translation>
+    </message>
+    <message>
+        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one with &apos;series&apos;, by its number from 1 or its description: %3.</source>
+        <translation>ihr Ordner enthält %1 Serien, und verlangt ist „%2“. Wählen Sie eine mit „series“, nach der Nummer von 1 an oder nach der Beschreibung: %3.</translation>
+    </message>
+    <message>
+        <source>Beside it lies series %1: %2.</source>
+        <translation>Daneben liegt Serie %1: %2.</translation>
+    </message>
+    <message>
+        <source>The series holds %1 volumes; the others are not read.</source>
+        <translation>Die Serie enthält %1 Volumina; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Of a folder with several DICOM series, or an OME file with several images: which one, by number from 1, by its description or name, or by its SeriesInstanceUID; without it that of the file, or the first.</source>
+        <translation>Bei einem Ordner mit mehreren DICOM-Serien oder einer OME-Datei mit mehreren Bildern: welche oder welches, nach der Nummer von 1 an, nach Beschreibung oder Name oder nach der SeriesInstanceUID; ohne Angabe das der Datei oder das erste.</translation>
+    </message>
+    <message>
+        <source>a piece of %1 has %2 bytes, which cannot hold the %3 that its size asks for.</source>
+        <translation>ein Stück von %1 hat %2 Bytes, in denen die %3, die seine Größe verlangt, keinen Platz haben.</translation>
+    </message>
+    <message>
+        <source>its description, or its resolution,</source>
+        <translation>ihre Beschreibung oder ihre Auflösung</translation>
+    </message>
+    <message>
+        <source>behind page %1 follows no page, or one that was there before.</source>
+        <translation>hinter Seite %1 folgt keine Seite oder eine, die schon vorkam.</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;, and nothing to choose from. Leave &apos;%2&apos; out.</source>
+        <translation>sie hat kein „%1“ für „%2“ und nichts, was zur Wahl steht. Lassen Sie „%2“ weg.</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;. Choose one from 1 to %3.</source>
+        <translation>sie hat kein „%1“ für „%2“. Wählen Sie eines von 1 bis %3.</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;. Choose one from 1 to %3, or by its name: %4.</source>
+        <translation>sie hat kein „%1“ für „%2“. Wählen Sie eines von 1 bis %3 oder nach seinem Namen: %4.</translation>
+    </message>
+    <message>
+        <source>It has %1 channels; the others are not read.</source>
+        <translation>Sie hat %1 Kanäle; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <translation>%1, %2 %3</translation>
+    </message>
+    <message>
+        <source>It has %1 time steps; the others are not read.</source>
+        <translation>Sie hat %1 Zeitschritte; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>It holds %1 images; the others are not read.</source>
+        <translation>Sie enthält %1 Bilder; die anderen werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, int64, uint64, float and double.</source>
+        <translation>ihr Typ „%1“ ist nicht bekannt. Es gibt uint8, int8, uint16, int16, uint32, int32, int64, uint64, float und double.</translation>
+    </message>
+    <message>
+        <source>its samples are matrices of %1 numbers (&apos;%2&apos;), of which the magnitude means nothing. Choose one of them by &apos;--component&apos;, from 0.</source>
+        <translation>ihre Abtastwerte sind Matrizen aus %1 Zahlen („%2“), deren Betrag nichts bedeutet. Wählen Sie eine davon mit „--component“, ab 0.</translation>
+    </message>
+    <message>
+        <source>%1 numbers of type %2, %3 bytes</source>
+        <translation>%1 Zahlen vom Typ %2, %3 Bytes</translation>
+    </message>
+    <message>
+        <source>its array has the shape %1. Export it again.</source>
+        <translation>ihr Array hat die Form %1. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it names &apos;%1&apos;, which is not a regular file. Copy its content into one first.</source>
+        <translation>sie nennt „%1“, was keine gewöhnliche Datei ist. Kopieren Sie den Inhalt erst in eine.</translation>
+    </message>
+    <message>
+        <source>its values &apos;%1&apos; name a node or an element %2, which it does not have.</source>
+        <translation>ihre Werte „%1“ nennen einen Knoten oder ein Element %2, das sie nicht hat.</translation>
+    </message>
+    <message>
+        <source>Of &apos;%1&apos; it has %2 steps; the last one is read.</source>
+        <translation>Von „%1“ hat sie %2 Schritte; der letzte wird gelesen.</translation>
+    </message>
+    <message>
+        <source>%1, %2 (%3 %4)</source>
+        <translation>%1, %2 (%3 %4)</translation>
+    </message>
+    <message>
+        <source>Of NetCDF and Exodus files: the variable, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
+        <translation>Bei NetCDF- und Exodus-Dateien: die Variable, nach Name oder Nummer; „automatic“ nimmt die erste, die nicht konstant ist.</translation>
+    </message>
+    <message>
+        <source>%1: it is of another format that begins with whole numbers, such as a surface of MOVIE.BYU, or only the beginning of a grid. Export its data as PLOT3D, .vtu or a table.</source>
+        <translation>%1: Sie hat ein anderes Format, das mit ganzen Zahlen beginnt, etwa das einer Fläche von MOVIE.BYU, oder ist nur der Anfang eines Gitters. Exportieren Sie ihre Daten als PLOT3D, .vtu oder Tabelle.</translation>
+    </message>
+    <message>
+        <source>Tables of points: the column of the values, by its name or its number in the table, from 1; &apos;automatic&apos; takes the first that is measured, not a counter or a constant.</source>
+        <translation>Tabellen von Punkten: die Spalte der Werte, nach ihrem Namen oder ihrer Nummer in der Tabelle, ab 1; „automatic“ nimmt die erste, die Messwerte enthält, keinen Zähler und keine Konstante.</translation>
+    </message>
+    <message>
+        <source>The line of units below its names has %1 of them for %2 columns.</source>
+        <translation>Die Zeile der Einheiten unter ihren Namen hat %1 davon für %2 Spalten.</translation>
+    </message>
+    <message>
+        <source>Its file &apos;%1&apos; ends without an end of line: if it was cut short there, its last number is wrong.</source>
+        <translation>Ihre Datei „%1“ endet ohne Zeilenende: Wenn sie dort abgeschnitten wurde, ist ihre letzte Zahl falsch.</translation>
+    </message>
+    <message>
+        <source>cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: from VTK 9.4 on they are written in another way, which TAn reads in a single .vtu that is not packed, or packed by zlib. Save it as one.</source>
+        <translation>Zelle %1 (ab 0) ist ein Polyeder, und VTK 9.1 findet keine Seiten davon: Ab VTK 9.4 werden sie auf andere Weise geschrieben, die TAn aus einer einzelnen .vtu liest, die nicht oder mit zlib gepackt ist. Speichern Sie die Daten so.</translation>
+    </message>
+    <message>
+        <source>VTK reads its places in single precision: they may be up to %1 from those in the file.</source>
+        <translation>VTK liest ihre Positionen in einfacher Genauigkeit: Sie können um bis zu %1 von denen in der Datei abweichen.</translation>
+    </message>
+    <message>
+        <source>Its families (boundary conditions and the like) are not told apart: %1.</source>
+        <translation>Ihre Familien (Randbedingungen und dergleichen) werden nicht unterschieden: %1.</translation>
+    </message>
+    <message>
+        <source>its part &apos;%1&apos; has %2 points, and its size says another number.</source>
+        <translation>ihr Teil „%1“ hat %2 Punkte, und seine Größe sagt eine andere Zahl.</translation>
+    </message>
+    <message>
+        <source>Its grids make no mesh together, and only the first one is read. %1</source>
+        <translation>Ihre Gitter ergeben zusammen kein Netz, und nur das erste wird gelesen. %1</translation>
+    </message>
+    <message>
+        <source>Of files with several blocks or parts: one, by name or number from 1; without it all volumes that have the values, as one mesh.</source>
+        <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, nach Name oder Nummer ab 1; sonst alle Volumen, die die Werte haben, als ein Netz.</translation>
+    </message>
+    <message>
+        <source>%1 Export the image again.</source>
+        <translation>%1 Exportieren Sie das Bild noch einmal.</translation>
+    </message>
+    <message>
+        <source>one of its axes has no name.</source>
+        <translation>eine ihrer Achsen hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>it has %1 axes.</source>
+        <translation>sie hat %1 Achsen.</translation>
+    </message>
+    <message>
+        <source>its transformation &apos;%1&apos; stands in an array of its own, which TAn does not read.</source>
+        <translation>ihre Transformation „%1“ steht in einem eigenen Array, das TAn nicht liest.</translation>
+    </message>
+    <message>
+        <source>its transformation &apos;%1&apos; does not have one number for each of its %2 axes.</source>
+        <translation>ihre Transformation „%1“ hat nicht für jede ihrer %2 Achsen eine Zahl.</translation>
+    </message>
+    <message>
+        <source>its transformation is of the kind &apos;%1&apos;, and TAn reads &apos;scale&apos; and &apos;translation&apos;.</source>
+        <translation>ihre Transformation ist von der Art „%1“, und TAn liest „scale“ und „translation“.</translation>
+    </message>
+    <message>
+        <source>one of its levels has no path.</source>
+        <translation>eine ihrer Stufen hat keinen Pfad.</translation>
+    </message>
+    <message>
+        <source>it names no levels.</source>
+        <translation>sie nennt keine Stufen.</translation>
+    </message>
+    <message>
+        <source>its list of images (&apos;multiscales&apos;) is empty.</source>
+        <translation>ihre Liste der Bilder („multiscales“) ist leer.</translation>
+    </message>
+    <message>
+        <source>Its group describes %1 images; only the first of them is read.</source>
+        <translation>Ihre Gruppe beschreibt %1 Bilder; nur das erste davon wird gelesen.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos;: %2</source>
+        <translation>ihr Array „%1“: %2</translation>
+    </message>
+    <message>
+        <source>its metadata have no usable &apos;%1&apos;. Copy or export it again.</source>
+        <translation>ihre Metadaten haben kein brauchbares „%1“. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1, which TAn does not read. %2</source>
+        <translation>%1, was TAn nicht liest. %2</translation>
+    </message>
+    <message>
+        <source>Write it with Blosc, Zstandard, gzip or zlib.</source>
+        <translation>Schreiben Sie sie mit Blosc, Zstandard, gzip oder zlib.</translation>
+    </message>
+    <message>
+        <source>its chunks have %1 axes, and it has %2. It is damaged.</source>
+        <translation>ihre Stücke (Chunks) haben %1 Achsen, und sie selbst hat %2. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its chunks have no size. It is damaged.</source>
+        <translation>ihre Stücke (Chunks) haben keine Größe. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its chunks would have more bytes than any machine. It is damaged.</source>
+        <translation>ihre Stücke (Chunks) hätten mehr Bytes, als irgendein Rechner fasst. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by &apos;%1&apos;</source>
+        <translation>ihre Stücke (Chunks) sind mit „%1“ gepackt</translation>
+    </message>
+    <message>
+        <source>its numbers went through the filter &apos;%1&apos;</source>
+        <translation>ihre Zahlen gingen durch den Filter „%1“</translation>
+    </message>
+    <message>
+        <source>Write it without filters.</source>
+        <translation>Schreiben Sie sie ohne Filter.</translation>
+    </message>
+    <message>
+        <source>its elements are records of several fields</source>
+        <translation>ihre Elemente sind Datensätze aus mehreren Feldern</translation>
+    </message>
+    <message>
+        <source>its elements are of the type &apos;%1&apos;</source>
+        <translation>ihre Elemente sind vom Typ „%1“</translation>
+    </message>
+    <message>
+        <source>Write whole numbers, or floating point numbers of 16, 32 or 64 bits.</source>
+        <translation>Schreiben Sie ganze Zahlen oder Gleitkommazahlen mit 16, 32 oder 64 Bit.</translation>
+    </message>
+    <message>
+        <source>its codec &apos;%1&apos; stands in an unusual place</source>
+        <translation>ihr Codec „%1“ steht an einer ungewöhnlichen Stelle</translation>
+    </message>
+    <message>
+        <source>its chunks went through the codec &apos;%1&apos;</source>
+        <translation>ihre Stücke (Chunks) gingen durch den Codec „%1“</translation>
+    </message>
+    <message>
+        <source>its shards are no whole number of chunks. It is damaged.</source>
+        <translation>ihre Shards bestehen nicht aus einer ganzen Zahl von Stücken (Chunks). Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>the index of its shards is packed</source>
+        <translation>das Verzeichnis ihrer Shards ist gepackt</translation>
+    </message>
+    <message>
+        <source>Write it unpacked.</source>
+        <translation>Schreiben Sie sie ungepackt.</translation>
+    </message>
+    <message>
+        <source>the names of its chunks are of the kind &apos;%1&apos;</source>
+        <translation>die Namen ihrer Stücke (Chunks) sind von der Art „%1“</translation>
+    </message>
+    <message>
+        <source>Write it with the names &apos;default&apos;.</source>
+        <translation>Schreiben Sie sie mit den Namen „default“.</translation>
+    </message>
+    <message>
+        <source>it has the storage transformer &apos;%1&apos;</source>
+        <translation>sie verwendet die Speicherumformung (storage transformer) „%1“</translation>
+    </message>
+    <message>
+        <source>Write it without.</source>
+        <translation>Schreiben Sie sie ohne.</translation>
+    </message>
+    <message>
+        <source>its chunks lie in a grid of the kind &apos;%1&apos;</source>
+        <translation>ihre Stücke (Chunks) liegen in einem Gitter der Art „%1“</translation>
+    </message>
+    <message>
+        <source>Write it in chunks of one size.</source>
+        <translation>Schreiben Sie sie in Stücken (Chunks) von einheitlicher Größe.</translation>
+    </message>
+    <message>
+        <source>it is of version %1 of Zarr&apos;s format</source>
+        <translation>sie ist von Version %1 des Zarr-Formats</translation>
+    </message>
+    <message>
+        <source>TAn reads the versions 2 and 3.</source>
+        <translation>TAn liest die Versionen 2 und 3.</translation>
+    </message>
+    <message>
+        <source>it has no level &apos;%1&apos;. Choose one from 0 to %2 with &apos;part&apos;.</source>
+        <translation>sie hat keine Stufe „%1“. Wählen Sie mit „part“ eine von 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>It has %1 levels of detail, 0 being the finest; the others are not read. Choose one with &apos;part&apos;.</source>
+        <translation>Sie hat %1 Detailstufen, von denen 0 die feinste ist; die anderen werden nicht gelesen. Wählen Sie eine mit „part“.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;.</source>
+        <translation>sie hat kein Array „%1“.</translation>
+    </message>
+    <message>
+        <source>Its labels, which number the parts of a picture, are not read.</source>
+        <translation>Ihre Labels, die die Teile eines Bildes nummerieren, werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>It holds %1 arrays besides (%2), which are not read. Choose one with &apos;array&apos;.</source>
+        <translation>Sie enthält außerdem %1 Arrays (%2), die nicht gelesen werden. Wählen Sie eines mit „array“.</translation>
+    </message>
+    <message>
+        <source>%1 of its groups and arrays have metadata that cannot be read.</source>
+        <translation>%1 ihrer Gruppen und Arrays haben Metadaten, die nicht gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>It has more groups and arrays than are looked at; &apos;array&apos; takes any of them by its path.</source>
+        <translation>Sie hat mehr Gruppen und Arrays, als durchgesehen werden; „array“ nimmt jedes davon nach seinem Pfad.</translation>
+    </message>
+    <message>
+        <source>it is an array with %1 axes, and TAn reads volumes, which have three.</source>
+        <translation>sie ist ein Array mit %1 Achsen, und TAn liest Volumen, die drei haben.</translation>
+    </message>
+    <message>
+        <source>it holds %1 arrays, and none of numbers along three axes or more.</source>
+        <translation>sie enthält %1 Arrays, und keines hat Zahlen entlang dreier oder mehr Achsen.</translation>
+    </message>
+    <message>
+        <source>it holds no array. Open the folder in which the arrays are, or copy it again.</source>
+        <translation>sie enthält kein Array. Öffnen Sie den Ordner, in dem die Arrays sind, oder kopieren Sie diesen Ordner noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has %1 of &apos;%2&apos;, and number %3 is asked for. Choose one from 1 to %1.</source>
+        <translation>sie hat %1 von „%2“, und verlangt ist Nummer %3. Wählen Sie eine von 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>%1, time %2 %3</source>
+        <translation>%1, Zeit %2 %3</translation>
+    </message>
+    <message>
+        <source>It has %1 volumes along its axis &apos;%2&apos;, of which the first is read. Choose one with &apos;index&apos;, as in %2=2.</source>
+        <translation>Sie hat %1 Volumen entlang ihrer Achse „%2“, von denen das erste gelesen wird. Wählen Sie eines mit „index“, wie in %2=2.</translation>
+    </message>
+    <message>
+        <source>it has no further axis &apos;%1&apos; for &apos;index&apos;.</source>
+        <translation>sie hat keine weitere Achse „%1“ für „index“.</translation>
+    </message>
+    <message>
+        <source>it holds no values: its size is %1.</source>
+        <translation>sie enthält keine Werte: Ihre Größe ist %1.</translation>
+    </message>
+    <message>
+        <source>it holds pictures, not volumes: it has fewer than three axes of space (its size is %1).</source>
+        <translation>sie enthält Bilder, keine Volumen: Sie hat weniger als drei Achsen im Raum (ihre Größe ist %1).</translation>
+    </message>
+    <message>
+        <source>x, y and z along its axes %1, %2 and %3</source>
+        <translation>x, y und z entlang ihrer Achsen %1, %2 und %3</translation>
+    </message>
+    <message>
+        <source>Its axes x, y and z have different units, or none (%1), which are not converted.</source>
+        <translation>Ihre Achsen x, y und z haben verschiedene Einheiten oder keine (%1); sie werden nicht umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Its axes x, y and z have different units (%1): all are converted to %2.</source>
+        <translation>Ihre Achsen x, y und z haben verschiedene Einheiten (%1): Alle werden in %2 umgerechnet.</translation>
+    </message>
+    <message>
+        <source>its scale along an axis of space is 0. Export it again.</source>
+        <translation>ihr Maßstab entlang einer Achse im Raum ist 0. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its attributes %1 are not used: values are as they are stored.</source>
+        <translation>Ihre Attribute %1 werden nicht benutzt: Die Werte sind so, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>It holds %1 arrays of volumes; the others are not read. Choose one with &apos;array&apos;.</source>
+        <translation>Sie enthält %1 Arrays mit Volumen; die anderen werden nicht gelesen. Wählen Sie eines mit „array“.</translation>
+    </message>
+    <message>
+        <source>its level &apos;%1&apos; has %2 axes, and it describes %3. Export it again.</source>
+        <translation>ihre Stufe „%1“ hat %2 Achsen, und beschrieben sind %3. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its level &apos;%1&apos; is not there. The copy is not complete: copy the folder again, or choose another level with &apos;part&apos;.</source>
+        <translation>ihre Stufe „%1“ ist nicht da. Die Kopie ist nicht vollständig: Kopieren Sie den Ordner noch einmal, oder wählen Sie mit „part“ eine andere Stufe.</translation>
+    </message>
+    <message>
+        <source>it is damaged: %1. Copy or export it again.</source>
+        <translation>sie ist beschädigt: %1. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than the %1 bytes that it should</source>
+        <translation>entpackt hat sie mehr als die %1 Bytes, die es sein sollten</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked</source>
+        <translation>sie kann nicht entpackt werden</translation>
+    </message>
+    <message>
+        <source>Zstandard says &apos;%1&apos;</source>
+        <translation>Zstandard meldet „%1“</translation>
+    </message>
+    <message>
+        <source>it does not begin as Blosc writes, or is cut short</source>
+        <translation>sie beginnt nicht so, wie Blosc schreibt, oder ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it unpacks to %1 bytes, more than the %2 that it should</source>
+        <translation>entpackt hat sie %1 Bytes, mehr als die %2, die es sein sollten</translation>
+    </message>
+    <message>
+        <source>Blosc cannot unpack it (%1)</source>
+        <translation>Blosc kann sie nicht entpacken (%1)</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong</source>
+        <translation>ihre Prüfsumme ist falsch</translation>
+    </message>
+    <message>
+        <source>its differences of numbers of 16 bits (the filter &apos;delta&apos;) are not read. Write it without.</source>
+        <translation>ihre Differenzen von Zahlen mit 16 Bit (der Filter „delta“) werden nicht gelesen. Schreiben Sie sie ohne.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, more than its %2 bytes of numbers can become</source>
+        <translation>sie hat %1 Bytes, mehr, als aus ihren %2 Bytes an Zahlen werden kann</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes of numbers instead of %2</source>
+        <translation>sie hat %1 Bytes an Zahlen statt %2</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; cannot be read (%2). Check its permissions.</source>
+        <translation>ihre Datei „%1“ kann nicht gelesen werden (%2). Prüfen Sie deren Rechte.</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1). Check the name and the permissions.</source>
+        <translation>sie kann nicht gelesen werden (%1). Prüfen Sie den Namen und die Rechte.</translation>
+    </message>
+    <message>
+        <source>it names &apos;%1&apos;, which is no path inside the folder. Only what lies in the folder is read.</source>
+        <translation>sie nennt „%1“, was kein Pfad innerhalb des Ordners ist. Nur was im Ordner liegt, wird gelesen.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is a link to what is not there. Copy the folder with what its links lead to.</source>
+        <translation>ihr Eintrag „%1“ ist ein Verweis auf etwas, das nicht da ist. Kopieren Sie den Ordner mit dem, worauf seine Verweise führen.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is a link that leads out of the folder. Only what lies in the folder is read: put a copy in its place.</source>
+        <translation>ihr Eintrag „%1“ ist ein Verweis, der aus dem Ordner hinausführt. Nur was im Ordner liegt, wird gelesen: Legen Sie an seiner Stelle eine Kopie ab.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is no file. Copy or export it again.</source>
+        <translation>ihr Eintrag „%1“ ist keine Datei. Kopieren oder exportieren Sie den Ordner noch einmal.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is larger than metadata are (%2). It is damaged, or no Zarr.</source>
+        <translation>ihre Datei „%1“ ist größer, als Metadaten sind (%2). Sie ist beschädigt oder kein Zarr.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; %2</source>
+        <translation>ihre Datei „%1“ %2</translation>
+    </message>
+    <message>
+        <source>is no JSON: %1 at byte %2. Copy or export it again.</source>
+        <translation>ist kein JSON: %1 bei Byte %2. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>holds no JSON object. Copy or export it again.</source>
+        <translation>enthält kein JSON-Objekt. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; was changed while it was read. Try again.</source>
+        <translation>ihre Datei „%1“ wurde geändert, während sie gelesen wurde. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>none of the %1 files with its values is there, such as &apos;%2&apos;. The copy is not complete, or nobody has written them: copy or export it again.</source>
+        <translation>keine der %1 Dateien mit ihren Werten ist da, etwa „%2“. Die Kopie ist nicht vollständig, oder sie wurden nie geschrieben: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 chunks are not there: as the format has it, their values are the fill value %3.</source>
+        <translation>%1 ihrer %2 Stücke (Chunks) sind nicht da: Wie es das Format vorsieht, gilt für ihre Werte der Füllwert %3.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 chunks are not there, and it has no fill value: %3 is assumed.</source>
+        <translation>%1 ihrer %2 Stücke (Chunks) sind nicht da, und sie hat keinen Füllwert: %3 wird angenommen.</translation>
+    </message>
+    <message>
+        <source>it lies in %1 files, more than %2. Write it in larger chunks.</source>
+        <translation>sie liegt in %1 Dateien, mehr als %2. Schreiben Sie sie in größeren Stücken (Chunks).</translation>
+    </message>
+    <message>
+        <source>none of its %1 chunks was written. Export it again.</source>
+        <translation>keines ihrer %1 Stücke (Chunks) wurde geschrieben. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is shorter than the index of its chunks</source>
+        <translation>sie ist kürzer als das Verzeichnis ihrer Stücke (Chunks)</translation>
+    </message>
+    <message>
+        <source>the checksum of the index of its chunks is wrong</source>
+        <translation>die Prüfsumme des Verzeichnisses ihrer Stücke (Chunks) ist falsch</translation>
+    </message>
+    <message>
+        <source>the index of its chunks leads beyond its end</source>
+        <translation>das Verzeichnis ihrer Stücke (Chunks) führt über ihr Ende hinaus</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;index&apos; is not understood. Give the name of each axis with a number from 1, as in angle=3,type=1.</source>
+        <translation>„%1“ für „index“ ist nicht zu verstehen. Geben Sie den Namen jeder Achse mit einer Nummer ab 1 an, wie in angle=3,type=1.</translation>
+    </message>
+    <message>
+        <source>Of Zarr groups: the array to take, or the image, by its path in the folder; &apos;automatic&apos; takes the first.</source>
+        <translation>Bei Zarr-Gruppen: das Array, das genommen wird, oder das Bild, nach seinem Pfad im Ordner; „automatic“ nimmt das erste.</translation>
+    </message>
+    <message>
+        <source>Of OME-Zarr with several images: one, by its path or number from 1; without it the first.</source>
+        <translation>Bei OME-Zarr mit mehreren Bildern: eines, nach seinem Pfad oder seiner Nummer ab 1; sonst das erste.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Of OME-Zarr: the level of detail, by its path or by its number, 0 being the finest; without it that one.</source>
+        <translation>Bei OME-Zarr: die Detailstufe, nach ihrem Pfad oder ihrer Nummer, wobei 0 die feinste ist; sonst diese.</translation>
+    </message>
+    <message>
+        <source>Of pictures at several times: which one, from 1; 0 takes the first.</source>
+        <translation>Bei Bildern zu mehreren Zeiten: welches, ab 1; 0 nimmt das erste.</translation>
+    </message>
+    <message>
+        <source>Further axes</source>
+        <translation>Weitere Achsen</translation>
+    </message>
+    <message>
+        <source>Of arrays with more axes than space, time and channels: the number along each, from 1, as in angle=3; an axis without a name is called by its number from 1. Else the first is taken.</source>
+        <translation>Bei Arrays mit mehr Achsen als Raum, Zeit und Kanälen: die Nummer entlang jeder davon, ab 1, wie in angle=3; eine Achse ohne Namen heißt nach ihrer Nummer ab 1. Sonst wird die erste genommen.</translation>
+    </message>
+    <message>
+        <source>it is no folder of Zarr, nor a file that describes one (zarr.json, .zarray, .zattrs, .zgroup). Let TAn choose the reader.</source>
+        <translation>sie ist kein Zarr-Ordner und auch keine Datei, die einen beschreibt (zarr.json, .zarray, .zattrs, .zgroup). Lassen Sie TAn den Leser wählen.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libblosc-dev libzstd-dev&apos;), or save the array as NumPy&apos;s (.npy).</source>
+        <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libblosc-dev libzstd-dev“ neu), oder speichern Sie das Array im Format von NumPy (.npy).</translation>
+    </message>
+    <message>
+        <source>Install Blosc and Zstandard with &apos;apt install libblosc1 libzstd1&apos;.</source>
+        <translation>Installieren Sie Blosc und Zstandard mit „apt install libblosc1 libzstd1“.</translation>
+    </message>
+    <message>
+        <source>Copy or export it again, or save the array as NumPy&apos;s (.npy).</source>
+        <translation>Kopieren oder exportieren Sie sie noch einmal, oder speichern Sie das Array im Format von NumPy (.npy).</translation>
+    </message>
+    <message>
+        <source>Zarr, OME-Zarr (*.zarr zarr.json .zattrs .zgroup .zarray)</source>
+        <translation>Zarr, OME-Zarr (*.zarr zarr.json .zattrs .zgroup .zarray)</translation>
+    </message>
+    <message>
+        <source>Install the HDF5 library with &apos;apt install libhdf5-103-1&apos;.</source>
+        <translation>Installieren Sie die HDF5-Bibliothek mit „apt install libhdf5-103-1“.</translation>
     </message>
 </context>
 <context>

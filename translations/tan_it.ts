@@ -3913,10 +3913,6 @@ deformazione qualsiasi</translation>
         <translation>«%1» ha più di 4294967295 punti. Prenderne una parte.</translation>
     </message>
     <message>
-        <source>The region does not lie in the grid: along %1 it takes whole numbers from 0 to %2.</source>
-        <translation>La regione non sta nella griglia: lungo %1 accetta numeri interi da 0 a %2.</translation>
-    </message>
-    <message>
         <source>A stride is a whole number from 1.</source>
         <translation>Un passo è un numero intero da 1.</translation>
     </message>
@@ -5713,10 +5709,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» non è una componente di un vettore che ne ha %2: indicare «magnitude», o un numero da 0 a %3.</translation>
     </message>
     <message>
-        <source>it has no values, of points or of cells.</source>
-        <translation>non ha valori, né di punti né di celle.</translation>
-    </message>
-    <message>
         <source>it has no array &apos;%1&apos;. There are: %2.</source>
         <translation>non ha un vettore «%1». Ci sono: %2.</translation>
     </message>
@@ -6065,16 +6057,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo file di dati si chiama «%1», con caratteri che nessun nome dovrebbe avere. Correggerlo.</translation>
     </message>
     <message>
-        <source>its type is &apos;%1&apos;. Integers of 64 bits are not read, since computing with them is not exact: convert the samples to int32 or double first.</source>
-        <translation>il suo tipo è «%1». Interi a 64 bit non si leggono, perché i calcoli con essi non sono esatti: convertire prima i campioni in int32 o double.</translation>
-    </message>
-    <message>
         <source>its type is &apos;block&apos;, which says nothing about the samples. Convert them to a number type first.</source>
         <translation>il suo tipo è «block», che non dice nulla dei campioni. Convertirli prima in un tipo numerico.</translation>
-    </message>
-    <message>
-        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, float and double.</source>
-        <translation>il suo tipo «%1» non è noto. Ci sono uint8, int8, uint16, int16, uint32, int32, float e double.</translation>
     </message>
     <message>
         <source>its byte order &apos;%1&apos; is not known. There are little and big.</source>
@@ -7135,10 +7119,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Part</source>
         <translation>Parte</translation>
-    </message>
-    <message>
-        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
-        <translation>Di file con più blocchi o parti: una, per nome o numero da 1; se vuoto tutte le mesh irregolari che hanno i valori, o la prima griglia.</translation>
     </message>
     <message>
         <source>with-cell</source>
@@ -9021,18 +9001,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 richiede per questo più memoria dei %2 che i programmi possono occupare qui. Alzare il limite (ulimit -v).</translation>
     </message>
     <message>
-        <source>%1 needs more than %2 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
-        <translation>%1 richiede per questo più di %2 di memoria, metà di quella di questo computer. Il file è danneggiato, o troppo grande per questo computer: prenderne una parte.</translation>
-    </message>
-    <message>
-        <source>%1 needs more than %2 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
-        <translation>%1 richiede per questo più di %2 di memoria, che file di queste dimensioni non richiedono. Il file è danneggiato; se non lo è, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
-    </message>
-    <message>
-        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
-        <translation>%1 richiede per questo più di %2 secondi di processore, che file di queste dimensioni non richiedono. Il file è danneggiato; se non lo è, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
-    </message>
-    <message>
         <source>There are not enough memory, processes or open files to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
         <translation>Non ci sono memoria, processi o file aperti sufficienti per avviare i lettori %1 (%2). Chiudere altri programmi, o alzare il limite (ulimit).</translation>
     </message>
@@ -9055,10 +9023,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>the system ended %1, which it does when memory runs out. Close other programs, or take a part of the file.</source>
         <translation>il sistema ha terminato %1, come fa quando la memoria si esaurisce. Chiudere altri programmi, o prendere una parte del file.</translation>
-    </message>
-    <message>
-        <source>%1&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that %1 reads badly. %2</source>
-        <translation>il lettore %1 è terminato in modo anomalo. Il file è danneggiato, più grande della memoria, o di un genere che %1 legge male. %2</translation>
     </message>
     <message>
         <source>%1 has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
@@ -9095,10 +9059,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Bezier pyramids</source>
         <translation>piramidi di Bézier</translation>
-    </message>
-    <message>
-        <source>it has polyhedra, but not their faces, in the arrays &apos;faces&apos; and &apos;faceoffsets&apos;. Save it by an older version of VTK or ParaView, or divide its cells into tetrahedra.</source>
-        <translation>ha poliedri, ma non le loro facce, nei vettori «faces» e «faceoffsets». Salvarlo con una versione precedente di VTK o ParaView, o suddividere le sue celle in tetraedri.</translation>
     </message>
     <message>
         <source>the offsets of its faces are out of range.</source>
@@ -9201,10 +9161,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I suoi strati sono disposti in modo irregolare, a distanze da %1 a %2 mm; ciascuno è stato lasciato dove si trova.</translation>
     </message>
     <message>
-        <source>Slices are missing between the others: %1. The gaps stay, and values are interpolated over them.</source>
-        <translation>Mancano strati tra gli altri: %1. Le lacune restano, e i valori vi sono interpolati.</translation>
-    </message>
-    <message>
         <source>Missing behind slice %1, between %2 and %3: %4.</source>
         <translation>Mancanti dopo lo strato %1, tra %2 e %3: %4.</translation>
     </message>
@@ -9249,10 +9205,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 immagini</translation>
     </message>
     <message>
-        <source>%1, %2 pictures</source>
-        <translation>%1, %2 immagini</translation>
-    </message>
-    <message>
         <source>the file &apos;%1&apos; of its series: it is no DICOM file, or ends too early. Copy the file again.</source>
         <translation>il file «%1» della sua serie: non è un file DICOM, o finisce troppo presto. Copiare di nuovo il file.</translation>
     </message>
@@ -9263,10 +9215,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>The file &apos;%1&apos; beside it was not read: %2</source>
         <translation>Il file «%1» accanto ad esso non è stato letto: %2</translation>
-    </message>
-    <message>
-        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one from 1 to %1 with &apos;series&apos;.</source>
-        <translation>la sua cartella contiene %1 serie, ed è chiesta «%2». Sceglierne una da 1 a %1 con «series».</translation>
     </message>
     <message>
         <source>it has no rows or columns. The file is damaged: copy or export it again.</source>
@@ -9371,10 +9319,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Series</source>
         <translation>Serie</translation>
-    </message>
-    <message>
-        <source>Of a folder with several series: which one, by number from 1 or by its SeriesInstanceUID; without it that of the file.</source>
-        <translation>Di una cartella con più serie: quale, con il numero da 1 o con il suo SeriesInstanceUID; se vuoto quella del file.</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -9637,10 +9581,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi blocchi ripetono i valori dei blocchi vicini (HAS_BOUNDARY), cosa che non si legge. Salvare il volume da VisIt come VTK.</translation>
     </message>
     <message>
-        <source>Its data file has %1 more bytes behind the volume, which are not read.</source>
-        <translation>Il suo file di dati ha altri %1 byte dopo il volume, che non vengono letti.</translation>
-    </message>
-    <message>
         <source>Its line &apos;%1: %2&apos; is not used.</source>
         <translation>La sua riga «%1: %2» non viene usata.</translation>
     </message>
@@ -9731,10 +9671,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>it has no OpenDX field with data in it. Export one field with its positions and data, all in one file.</source>
         <translation>non ha un campo OpenDX che contenga dati. Esportare un solo campo con le sue posizioni e i suoi dati, tutto in un solo file.</translation>
-    </message>
-    <message>
-        <source>its array has the shape 0. Export it again.</source>
-        <translation>il suo array ha la forma 0. Esportarlo di nuovo.</translation>
     </message>
     <message>
         <source>It holds %1 fields; the others are not read.</source>
@@ -10049,10 +9985,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>assi z, y, x: l&apos;ultimo varia più in fretta</translation>
     </message>
     <message>
-        <source>Behind its array it has %1 more bytes, which are not read.</source>
-        <translation>Dopo il suo array ha altri %1 byte, che non vengono letti.</translation>
-    </message>
-    <message>
         <source>space directions</source>
         <translation>space directions</translation>
     </message>
@@ -10065,40 +9997,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Le sue spaziature e gli estremi dei suoi assi non vengono usati: le sue «space directions» dicono dove si trova.</translation>
     </message>
     <message>
-        <source>its text holds only %1 numbers where the header asks for %2. It is cut short, or the header is wrong.</source>
-        <translation>il suo testo contiene solo %1 numeri dove l&apos;intestazione ne chiede %2. È troncato, o l&apos;intestazione è sbagliata.</translation>
-    </message>
-    <message>
-        <source>its text holds more than the %1 numbers that the header asks for. Check the sizes.</source>
-        <translation>il suo testo contiene più dei %1 numeri che l&apos;intestazione chiede. Controllare le dimensioni.</translation>
-    </message>
-    <message>
-        <source>its header asks for %1 x %2 x %3 points with %4 numbers each, and only %5 bytes of text follow. It is cut short, or the header is wrong.</source>
-        <translation>la sua intestazione chiede %1 x %2 x %3 punti con %4 numeri ciascuno, ma seguono solo %5 byte di testo. È troncato, o l&apos;intestazione è sbagliata.</translation>
-    </message>
-    <message>
-        <source>its header asks for %1 x %2 x %3 points with %4 bytes each, and only %5 bytes are there. It is cut short, or the header is wrong.</source>
-        <translation>la sua intestazione chiede %1 x %2 x %3 punti con %4 byte ciascuno, ma ci sono solo %5 byte. È troncato, o l&apos;intestazione è sbagliata.</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
-        <translation>ha %1 byte, e la sua intestazione ne chiede %2. È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>its %1 bytes of compressed data cannot hold the %2 that its header asks for. It is cut short: copy the file again.</source>
-        <translation>i suoi %1 byte di dati compressi non possono contenere i %2 che la sua intestazione chiede. È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
         <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as of a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
         <translation>i suoi campioni sono di un tipo che secondo il formato ha 4 byte, ma ci sono %1 byte per %2 campioni: quanti ne richiede un tipo di 8 byte. Scriverli come MET_INT o MET_LONG_LONG.</translation>
     </message>
     <message>
         <source>%1 bytes behind its samples were not read.</source>
         <translation>%1 byte dopo i suoi campioni non sono stati letti.</translation>
-    </message>
-    <message>
-        <source>it has not the %1 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short: copy the file again.</source>
-        <translation>non ha i %1 numeri che la sua intestazione chiede, ciascuno seguito da uno spazio o da una fine di riga. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>its header asks for more samples than any file holds. It is damaged: copy or export it again.</source>
@@ -10145,14 +10049,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 ...</translation>
     </message>
     <message>
-        <source>Cannot read &apos;%1&apos;: %2 The header &apos;%3&apos; names it as its data file.</source>
-        <translation>Impossibile leggere «%1»: %2 L&apos;intestazione «%3» lo nomina come suo file di dati.</translation>
-    </message>
-    <message>
-        <source>its header asks for %1 bytes, and %2 bytes of compressed data cannot hold as many. It is cut short, or the header is wrong.</source>
-        <translation>la sua intestazione chiede %1 byte, e %2 byte di dati compressi non possono contenerne tanti. È troncato, o l&apos;intestazione è sbagliata.</translation>
-    </message>
-    <message>
         <source>Files with several sets of values (Gaussian cube, OpenDX): one, by name or by number from 1; nothing takes the first.</source>
         <translation>File con più insiemi di valori (Gaussian cube, OpenDX): uno, per nome o per numero da 1; se vuoto, il primo.</translation>
     </message>
@@ -10167,14 +10063,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>%1, number %2 of %3</source>
         <translation>%1, numero %2 di %3</translation>
-    </message>
-    <message>
-        <source>its values have one component. Leave &apos;--component&apos; out.</source>
-        <translation>i suoi valori hanno una sola componente. Omettere «--component».</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no component of values that have %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
-        <translation>«%1» non è una componente di valori che ne hanno %2: indicare «magnitude», o un numero da 0 a %3.</translation>
     </message>
     <message>
         <source>%1 of %2, from 0</source>
@@ -10505,10 +10393,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, %2, altezza (PH + PHB) / 9.81 in m</translation>
     </message>
     <message>
-        <source>The variable to take, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
-        <translation>La variabile da prendere, per nome o numero; «automatic» prende la prima che non è costante.</translation>
-    </message>
-    <message>
         <source>Of Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Di variabili Exodus con più componenti: il numero di una, da 0, oppure «magnitude».</translation>
     </message>
@@ -10589,10 +10473,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Tabelle di punti: le colonne di x, y e z, per nome o numero, come in a,b,c o 1,2,3; «automatic» le trova dai loro nomi; se non ci sono nomi, prende le prime tre.</translation>
     </message>
     <message>
-        <source>The values to take, by name or number; &apos;automatic&apos; takes the first that are measured, not counters or constants.</source>
-        <translation>I valori da prendere, per nome o numero; «automatic» prende i primi che sono misurati, non contatori o costanti.</translation>
-    </message>
-    <message>
         <source>Its section &apos;%1&apos; is not read.</source>
         <translation>La sua sezione «%1» non viene letta.</translation>
     </message>
@@ -10627,10 +10507,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in ParaView by the filter Tetrahedralize or Tessellate.</source>
         <translation>ha celle di una forma che TAn non conosce: %1. Dividerle in celle più semplici, in ParaView con il filtro Tetrahedralize o Tessellate.</translation>
-    </message>
-    <message>
-        <source>cell %1 (from 0) is a polyhedron whose faces are not there.</source>
-        <translation>la cella %1 (da 0) è un poliedro le cui facce mancano.</translation>
     </message>
     <message>
         <source>a face of cell %1 (from 0) has %2 points, more than are listed, or fewer than three. It is damaged.</source>
@@ -10779,6 +10655,814 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Take a smaller one.</source>
         <translation>la sua variabile «%1» ha %2 valori, che non entrano in metà della memoria di questa macchina. Prenderne una più piccola.</translation>
+    </message>
+    <message>
+        <source>The region does not lie in the grid, of which it takes the numbers of points, not coordinates: along %1 whole numbers from 0 to %2.</source>
+        <translation>La regione non è nella griglia, di cui richiede i numeri dei punti e non le coordinate: lungo %1 numeri interi da 0 a %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a file of an OpenFOAM case, which is opened as a whole: by &apos;system/controlDict&apos; in its folder, or by an empty file whose name ends in &apos;.foam&apos; there.%2</source>
+        <translation>«%1» è un file di un caso OpenFOAM, che si apre per intero: con «system/controlDict» nella sua cartella, o con un file vuoto nella stessa cartella il cui nome finisce in «.foam».%2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the folder of an OpenFOAM case. Open &apos;system/controlDict&apos; in it.</source>
+        <translation>«%1» è la cartella di un caso OpenFOAM. Aprire «system/controlDict» al suo interno.</translation>
+    </message>
+    <message>
+        <source>%1 It has %2 parts, of which &apos;part&apos; takes one: %3.</source>
+        <translation>%1 Ha %2 parti, di cui «part» ne prende una: %3.</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, half of what this machine has. It may be damaged, or too large for this machine: take a part of it.</source>
+        <translation>%1 richiede per questo file più di %2 di memoria, la metà di quella di questo computer. Il file può essere danneggiato, o troppo grande per questo computer: prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 of memory for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 richiede per questo file più di %2 di memoria, di cui file di queste dimensioni non hanno bisogno. Può essere danneggiato; altrimenti, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <translation>%1 richiede per questo file più di %2 secondi di processore, di cui file di queste dimensioni non hanno bisogno. Può essere danneggiato; altrimenti, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
+    </message>
+    <message>
+        <source>%1&apos;s reader crashed, and TAn cannot tell why: the file may be damaged, or of a kind that %1 reads badly. %2</source>
+        <translation>Il lettore di %1 si è arrestato in modo anomalo, e TAn non sa dire perché: il file può essere danneggiato, o di un tipo che %1 legge male. %2</translation>
+    </message>
+    <message>
+        <source>it has no values, of points or of cells. Write it with some.</source>
+        <translation>non ha valori, né di punti né di celle. Scriverlo con dei valori.</translation>
+    </message>
+    <message>
+        <source>it has polyhedra, but not their faces: these stand in the arrays &apos;faces&apos; and &apos;faceoffsets&apos; or, since VTK 9.4, &apos;face_connectivity&apos;, &apos;face_offsets&apos;, &apos;polyhedron_to_faces&apos; and &apos;polyhedron_offsets&apos;. Save it anew, or divide its cells into tetrahedra.</source>
+        <translation>ha dei poliedri, ma non le loro facce: queste stanno nei vettori «faces» e «faceoffsets» oppure, da VTK 9.4, in «face_connectivity», «face_offsets», «polyhedron_to_faces» e «polyhedron_offsets». Salvarlo di nuovo, o dividere le sue celle in tetraedri.</translation>
+    </message>
+    <message>
+        <source>the offsets of its faces do not rise, or lead beyond their points.</source>
+        <translation>gli inizi delle sue facce non crescono, o portano oltre i loro punti.</translation>
+    </message>
+    <message>
+        <source>the polyhedron %1 has the face %2 of %3.</source>
+        <translation>il poliedro %1 ha la faccia %2 di %3.</translation>
+    </message>
+    <message>
+        <source>its polyhedra use its faces more often than cells of a mesh can.</source>
+        <translation>i suoi poliedri usano le sue facce più spesso di quanto possano le celle di una mesh.</translation>
+    </message>
+    <message>
+        <source>Give the number of a channel, from 1.</source>
+        <translation>Indicare il numero di un canale, da 1.</translation>
+    </message>
+    <message>
+        <source>The array to take, by its path in the file, as in /fields/density, or by number; &apos;automatic&apos; takes the one that the file shows first (NeXus), else the largest.</source>
+        <translation>L&apos;array da prendere, con il suo percorso nel file, come in /fields/density, o con il numero; «automatic» prende quello che il file mostra per primo (NeXus), altrimenti il più grande.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several time steps: which one, from 1.</source>
+        <translation>Di array con più passi temporali: quale, da 1.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several channels: the number of one, from 1; without it the first.</source>
+        <translation>Di array con più canali: il numero di uno, da 1; se vuoto il primo.</translation>
+    </message>
+    <message>
+        <source>Of arrays with more dimensions than space, time and channels: the number along each, from 1, as in d2=3; else the first is taken.</source>
+        <translation>Di array con altre dimensioni oltre a spazio, tempo e canali: il numero lungo ciascuna di esse, da 1, come in d2=3; altrimenti si prende il primo.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libhdf5-dev&apos;), or save the array as .npy, for instance with h5py and NumPy.</source>
+        <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libhdf5-dev»), o salvare l&apos;array come .npy, per esempio con h5py e NumPy.</translation>
+    </message>
+    <message>
+        <source>Install the HDF5 library with &apos;apt install libhdf5-103-1&apos; (other systems: hdf5).</source>
+        <translation>Installare la libreria HDF5 con «apt install libhdf5-103-1» (altri sistemi: hdf5).</translation>
+    </message>
+    <message>
+        <source>Copy or export it again; &apos;h5dump -H&apos; tells what is in it.</source>
+        <translation>Copiarlo o esportarlo di nuovo; «h5dump -H» mostra che cosa contiene.</translation>
+    </message>
+    <message>
+        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</source>
+        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</translation>
+    </message>
+    <message>
+        <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
+        <translation>ha %1 %2, e con «%4» si chiede il numero %3.</translation>
+    </message>
+    <message>
+        <source>components, counted from 0</source>
+        <translation>componenti, contate da 0</translation>
+    </message>
+    <message>
+        <source>numbers along &apos;%1&apos;</source>
+        <translation>numeri lungo «%1»</translation>
+    </message>
+    <message>
+        <source>its array %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <translation>il suo array %1 non ha un&apos;altra dimensione «%2», che viene chiesta con «index».</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>canali</translation>
+    </message>
+    <message>
+        <source>time steps</source>
+        <translation>passi temporali</translation>
+    </message>
+    <message>
+        <source>its array %1 has fewer than three dimensions of space: the others are of time or channels. TAn takes volumes: choose another array, or write one.</source>
+        <translation>il suo array %1 ha meno di tre dimensioni spaziali: le altre sono di tempo o di canali. TAn accetta volumi: scegliere un altro array, o scriverne uno.</translation>
+    </message>
+    <message>
+        <source>its array %1 needs %2 of memory, and this machine can spare %3. Write a part of it, or one with fewer points.</source>
+        <translation>il suo array %1 richiede %2 di memoria, e questo computer può metterne a disposizione %3. Scriverne una parte, o uno con meno punti.</translation>
+    </message>
+    <message>
+        <source>It has an attribute &apos;%1&apos;, which is not used.</source>
+        <translation>Ha un attributo «%1», che non viene usato.</translation>
+    </message>
+    <message>
+        <source>It holds other arrays, which are not read: %1.</source>
+        <translation>Contiene altri array, che non vengono letti: %1.</translation>
+    </message>
+    <message>
+        <source>%1, &apos;%2&apos; in the order of the array&apos;s axes</source>
+        <translation>%1, «%2» nell&apos;ordine degli assi dell&apos;array</translation>
+    </message>
+    <message>
+        <source>Its coordinates &apos;%1&apos; are the edges of bins: the middles were taken.</source>
+        <translation>Le sue coordinate «%1» sono i bordi di intervalli: ne sono stati presi i punti medi.</translation>
+    </message>
+    <message>
+        <source>&apos;Origin&apos;, &apos;Spacing&apos; and &apos;Directions&apos; of ITK</source>
+        <translation>«Origin», «Spacing» e «Directions» di ITK</translation>
+    </message>
+    <message>
+        <source>the chunks of its array &apos;%1&apos;</source>
+        <translation>i blocchi (chunk) del suo array «%1»</translation>
+    </message>
+    <message>
+        <source>nothing was written to its array %1: all that it has is a fill value. Choose another array, or write this one.</source>
+        <translation>nel suo array %1 non è stato scritto nulla: ha soltanto un valore di riempimento. Scegliere un altro array, o scrivere questo.</translation>
+    </message>
+    <message>
+        <source>only %1 of the %2 chunks of its array &apos;%3&apos; were written, and it has no fill value for the others. Write all of it.</source>
+        <translation>sono stati scritti solo %1 dei %2 blocchi (chunk) del suo array «%3», che non ha un valore di riempimento per gli altri. Scriverlo per intero.</translation>
+    </message>
+    <message>
+        <source>%1, the array&apos;s fill value</source>
+        <translation>%1, il valore di riempimento dell&apos;array</translation>
+    </message>
+    <message>
+        <source>%1, %2, the array&apos;s fill value</source>
+        <translation>%1, %2, il valore di riempimento dell&apos;array</translation>
+    </message>
+    <message>
+        <source>0 in %1 of %2 chunks, which nobody wrote</source>
+        <translation>0 in %1 di %2 blocchi (chunk), che non sono mai stati scritti</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos;</source>
+        <translation>il suo array «%1»</translation>
+    </message>
+    <message>
+        <source>Its numbers of more than 64 bits became floating-point numbers of 53 bits.</source>
+        <translation>I suoi numeri di più di 64 bit sono diventati numeri in virgola mobile a 53 bit.</translation>
+    </message>
+    <message>
+        <source>It holds more than %1 groups and arrays, or groups more than %2 deep: not all of them were looked at.</source>
+        <translation>Contiene più di %1 gruppi e array, o gruppi annidati a più di %2 livelli: non tutti sono stati esaminati.</translation>
+    </message>
+    <message>
+        <source>Its links into other files are not followed: %1.</source>
+        <translation>I suoi collegamenti ad altri file non vengono seguiti: %1.</translation>
+    </message>
+    <message>
+        <source>it is a file of %1, which TAn knows by its name. Give it the ending %2.</source>
+        <translation>è un file di %1, che TAn riconosce dal nome. Dargli l&apos;estensione %2.</translation>
+    </message>
+    <message>
+        <source>it is a MINC 2 file, whose numbers are scaled slice by slice; this is not read. Convert it with mnc2nii.</source>
+        <translation>è un file MINC 2, i cui numeri sono scalati strato per strato; questo non si legge. Convertirlo con mnc2nii.</translation>
+    </message>
+    <message>
+        <source>it holds no arrays of its own. %1 Open the file that holds them.</source>
+        <translation>non contiene array propri. %1 Aprire il file che li contiene.</translation>
+    </message>
+    <message>
+        <source>it holds no arrays. Write it with values.</source>
+        <translation>non contiene array. Scriverlo con dei valori.</translation>
+    </message>
+    <message>
+        <source>none of its arrays has numbers along three dimensions with two points or more: %1. TAn takes volumes: choose a file that holds one, or write one, for instance with h5py.</source>
+        <translation>nessuno dei suoi array ha numeri lungo tre dimensioni con due o più punti: %1. TAn accetta volumi: scegliere un file che ne contenga uno, o scriverne uno, per esempio con h5py.</translation>
+    </message>
+    <message>
+        <source>the values of its array &apos;%1&apos; lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
+        <translation>i valori del suo array «%1» si trovano in altri file o array, che non vengono aperti. Copiarli in un array a parte, per esempio con h5py.</translation>
+    </message>
+    <message>
+        <source>its array %1 holds no numbers that are read. Choose another one.</source>
+        <translation>il suo array %1 non contiene numeri che si leggano. Sceglierne un altro.</translation>
+    </message>
+    <message>
+        <source>its array %1 does not extend along three dimensions with two points or more. Choose one that does.</source>
+        <translation>il suo array %1 non si estende lungo tre dimensioni con due o più punti. Sceglierne uno che lo faccia.</translation>
+    </message>
+    <message>
+        <source>the whole file</source>
+        <translation>l&apos;intero file</translation>
+    </message>
+    <message>
+        <source>%1 (in other files)</source>
+        <translation>%1 (in altri file)</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; does not tell how it is packed. The file is damaged: copy or export it again.</source>
+        <translation>il suo array «%1» non dice come è compresso. Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; is packed by the filter %2, which is no part of HDF5 and is not read. Write it with gzip or unpacked: &apos;h5repack -f GZIP=4 old.h5 new.h5&apos; does it where the filter is installed.</source>
+        <translation>il suo array «%1» è compresso con il filtro %2, che non fa parte di HDF5 e non si legge. Scriverlo con gzip o senza compressione: «h5repack -f GZIP=4 old.h5 new.h5» lo fa dove il filtro è installato.</translation>
+    </message>
+    <message>
+        <source>the HDF5 library says of %1: %2. Copy or export the file again.</source>
+        <translation>errore della libreria HDF5 (%1): %2. Copiare o esportare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its size cannot be told: %1.</source>
+        <translation>la sua dimensione non si può determinare: %1.</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than %1, which pictures in so few bytes do not. It is damaged; if not, export it without compression.</source>
+        <translation>decompresso supera %1, cosa che immagini in così pochi byte non fanno. È danneggiato; altrimenti, esportarlo senza compressione.</translation>
+    </message>
+    <message>
+        <source>1 slice is missing between the others. The gap stays, and values are interpolated across it.</source>
+        <translation>Tra le altre manca 1 strato. La lacuna resta, e i valori vi sono interpolati.</translation>
+    </message>
+    <message>
+        <source>%1 slices are missing between the others. The gaps stay, and values are interpolated across them.</source>
+        <translation>Tra le altre mancano %1 strati. Le lacune restano, e i valori vi sono interpolati.</translation>
+    </message>
+    <message>
+        <source>SeriesNumber %1, %2</source>
+        <translation>SeriesNumber %1, %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>its folder holds one series, and &apos;%1&apos; is asked for. Leave &apos;series&apos; out.</source>
+        <translation>la sua cartella contiene una sola serie, e si chiede «%1». Omettere «series».</translation>
+    </message>
+    <message>
+        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one with &apos;series&apos;, by its number from 1 or its description: %3.</source>
+        <translation>la sua cartella contiene %1 serie, e si chiede «%2». Sceglierne una con «series», per numero a partire da 1 o per descrizione: %3.</translation>
+    </message>
+    <message>
+        <source>Beside it lies series %1: %2.</source>
+        <translation>Accanto c&apos;è la serie %1: %2.</translation>
+    </message>
+    <message>
+        <source>The series holds %1 volumes; the others are not read.</source>
+        <translation>La serie contiene %1 volumi; gli altri non vengono letti.</translation>
+    </message>
+    <message>
+        <source>Of a folder with several DICOM series, or an OME file with several images: which one, by number from 1, by its description or name, or by its SeriesInstanceUID; without it that of the file, or the first.</source>
+        <translation>Di una cartella con più serie DICOM, o di un file OME con più immagini: quale, per numero a partire da 1, per descrizione o nome, o per SeriesInstanceUID; senza indicazione quella del file, o la prima.</translation>
+    </message>
+    <message>
+        <source>a piece of %1 has %2 bytes, which cannot hold the %3 that its size asks for.</source>
+        <translation>un pezzo di %1 ha %2 byte, che non possono contenere i %3 che la sua dimensione richiede.</translation>
+    </message>
+    <message>
+        <source>its description, or its resolution,</source>
+        <translation>la sua descrizione, o la sua risoluzione,</translation>
+    </message>
+    <message>
+        <source>behind page %1 follows no page, or one that was there before.</source>
+        <translation>dopo la pagina %1 non ne segue alcuna, o ne segue una già incontrata.</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;, and nothing to choose from. Leave &apos;%2&apos; out.</source>
+        <translation>non ha «%1» per «%2», né altro tra cui scegliere. Omettere «%2».</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;. Choose one from 1 to %3.</source>
+        <translation>non ha «%1» per «%2». Sceglierne uno da 1 a %3.</translation>
+    </message>
+    <message>
+        <source>it has no &apos;%1&apos; for &apos;%2&apos;. Choose one from 1 to %3, or by its name: %4.</source>
+        <translation>non ha «%1» per «%2». Sceglierne uno da 1 a %3, oppure indicarne il nome: %4.</translation>
+    </message>
+    <message>
+        <source>It has %1 channels; the others are not read.</source>
+        <translation>Ha %1 canali; gli altri non vengono letti.</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <translation>%1, %2 %3</translation>
+    </message>
+    <message>
+        <source>It has %1 time steps; the others are not read.</source>
+        <translation>Ha %1 passi temporali; gli altri non vengono letti.</translation>
+    </message>
+    <message>
+        <source>It holds %1 images; the others are not read.</source>
+        <translation>Contiene %1 immagini; le altre non vengono lette.</translation>
+    </message>
+    <message>
+        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, int64, uint64, float and double.</source>
+        <translation>il suo tipo «%1» non è noto. Ci sono uint8, int8, uint16, int16, uint32, int32, int64, uint64, float e double.</translation>
+    </message>
+    <message>
+        <source>its samples are matrices of %1 numbers (&apos;%2&apos;), of which the magnitude means nothing. Choose one of them by &apos;--component&apos;, from 0.</source>
+        <translation>i suoi campioni sono matrici di %1 numeri («%2»), il cui modulo non significa nulla. Sceglierne uno con «--component», da 0.</translation>
+    </message>
+    <message>
+        <source>%1 numbers of type %2, %3 bytes</source>
+        <translation>%1 numeri di tipo %2, %3 byte</translation>
+    </message>
+    <message>
+        <source>its array has the shape %1. Export it again.</source>
+        <translation>il suo array ha la forma %1. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it names &apos;%1&apos;, which is not a regular file. Copy its content into one first.</source>
+        <translation>nomina «%1», che non è un file ordinario. Copiarne prima il contenuto in uno.</translation>
+    </message>
+    <message>
+        <source>its values &apos;%1&apos; name a node or an element %2, which it does not have.</source>
+        <translation>i suoi valori «%1» nominano un nodo o un elemento %2, che non ha.</translation>
+    </message>
+    <message>
+        <source>Of &apos;%1&apos; it has %2 steps; the last one is read.</source>
+        <translation>Di «%1» ha %2 passi; si legge l&apos;ultimo.</translation>
+    </message>
+    <message>
+        <source>%1, %2 (%3 %4)</source>
+        <translation>%1, %2 (%3 %4)</translation>
+    </message>
+    <message>
+        <source>Of NetCDF and Exodus files: the variable, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
+        <translation>Di file NetCDF ed Exodus: la variabile, per nome o numero; «automatic» prende la prima che non è costante.</translation>
+    </message>
+    <message>
+        <source>%1: it is of another format that begins with whole numbers, such as a surface of MOVIE.BYU, or only the beginning of a grid. Export its data as PLOT3D, .vtu or a table.</source>
+        <translation>%1: è di un altro formato che comincia con numeri interi, come una superficie di MOVIE.BYU, o è solo l&apos;inizio di una griglia. Esportarne i dati come PLOT3D, .vtu o tabella.</translation>
+    </message>
+    <message>
+        <source>Tables of points: the column of the values, by its name or its number in the table, from 1; &apos;automatic&apos; takes the first that is measured, not a counter or a constant.</source>
+        <translation>Tabelle di punti: la colonna dei valori, con il suo nome o il suo numero nella tabella, da 1; «automatic» prende la prima di valori misurati, non di un contatore o di una costante.</translation>
+    </message>
+    <message>
+        <source>The line of units below its names has %1 of them for %2 columns.</source>
+        <translation>La riga delle unità sotto i suoi nomi ne ha %1 per %2 colonne.</translation>
+    </message>
+    <message>
+        <source>Its file &apos;%1&apos; ends without an end of line: if it was cut short there, its last number is wrong.</source>
+        <translation>Il suo file «%1» finisce senza fine riga: se è stato troncato lì, il suo ultimo numero è sbagliato.</translation>
+    </message>
+    <message>
+        <source>cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: from VTK 9.4 on they are written in another way, which TAn reads in a single .vtu that is not packed, or packed by zlib. Save it as one.</source>
+        <translation>la cella %1 (da 0) è un poliedro, e VTK 9.1 non ne trova le facce: da VTK 9.4 in poi sono scritte in un altro modo, che TAn legge in un singolo .vtu non compresso, o compresso con zlib. Salvare i dati così.</translation>
+    </message>
+    <message>
+        <source>VTK reads its places in single precision: they may be up to %1 from those in the file.</source>
+        <translation>VTK ne legge le posizioni in precisione singola: possono discostarsi fino a %1 da quelle del file.</translation>
+    </message>
+    <message>
+        <source>Its families (boundary conditions and the like) are not told apart: %1.</source>
+        <translation>Le sue famiglie (condizioni al contorno e simili) non vengono distinte: %1.</translation>
+    </message>
+    <message>
+        <source>its part &apos;%1&apos; has %2 points, and its size says another number.</source>
+        <translation>la sua parte «%1» ha %2 punti, e la sua dimensione dice un altro numero.</translation>
+    </message>
+    <message>
+        <source>Its grids make no mesh together, and only the first one is read. %1</source>
+        <translation>Le sue griglie non formano insieme una mesh, e si legge solo la prima. %1</translation>
+    </message>
+    <message>
+        <source>Of files with several blocks or parts: one, by name or number from 1; without it all volumes that have the values, as one mesh.</source>
+        <translation>Di file con più blocchi o parti: uno, con il nome o il numero da 1; se vuoto tutti i volumi che hanno i valori, come una sola mesh.</translation>
+    </message>
+    <message>
+        <source>%1 Export the image again.</source>
+        <translation>%1 Esportare di nuovo l&apos;immagine.</translation>
+    </message>
+    <message>
+        <source>one of its axes has no name.</source>
+        <translation>uno dei suoi assi non ha nome.</translation>
+    </message>
+    <message>
+        <source>it has %1 axes.</source>
+        <translation>ha %1 assi.</translation>
+    </message>
+    <message>
+        <source>its transformation &apos;%1&apos; stands in an array of its own, which TAn does not read.</source>
+        <translation>la sua trasformazione «%1» sta in un array a parte, che TAn non legge.</translation>
+    </message>
+    <message>
+        <source>its transformation &apos;%1&apos; does not have one number for each of its %2 axes.</source>
+        <translation>la sua trasformazione «%1» non ha un numero per ciascuno dei suoi %2 assi.</translation>
+    </message>
+    <message>
+        <source>its transformation is of the kind &apos;%1&apos;, and TAn reads &apos;scale&apos; and &apos;translation&apos;.</source>
+        <translation>la sua trasformazione è di tipo «%1», e TAn legge «scale» e «translation».</translation>
+    </message>
+    <message>
+        <source>one of its levels has no path.</source>
+        <translation>uno dei suoi livelli non ha un percorso.</translation>
+    </message>
+    <message>
+        <source>it names no levels.</source>
+        <translation>non nomina livelli.</translation>
+    </message>
+    <message>
+        <source>its list of images (&apos;multiscales&apos;) is empty.</source>
+        <translation>il suo elenco di immagini («multiscales») è vuoto.</translation>
+    </message>
+    <message>
+        <source>Its group describes %1 images; only the first of them is read.</source>
+        <translation>Il suo gruppo descrive %1 immagini; se ne legge solo la prima.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos;: %2</source>
+        <translation>il suo array «%1»: %2</translation>
+    </message>
+    <message>
+        <source>its metadata have no usable &apos;%1&apos;. Copy or export it again.</source>
+        <translation>i suoi metadati non hanno un valore utilizzabile per «%1». Copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>%1, which TAn does not read. %2</source>
+        <translation>%1, cosa che TAn non legge. %2</translation>
+    </message>
+    <message>
+        <source>Write it with Blosc, Zstandard, gzip or zlib.</source>
+        <translation>Scriverlo con Blosc, Zstandard, gzip o zlib.</translation>
+    </message>
+    <message>
+        <source>its chunks have %1 axes, and it has %2. It is damaged.</source>
+        <translation>i suoi blocchi (chunk) hanno %1 assi, e il suo array ne ha %2. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>its chunks have no size. It is damaged.</source>
+        <translation>i suoi blocchi (chunk) non hanno dimensione. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>its chunks would have more bytes than any machine. It is damaged.</source>
+        <translation>i suoi blocchi (chunk) avrebbero più byte di qualsiasi computer. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by &apos;%1&apos;</source>
+        <translation>i suoi blocchi (chunk) sono compressi con «%1»</translation>
+    </message>
+    <message>
+        <source>its numbers went through the filter &apos;%1&apos;</source>
+        <translation>i suoi numeri sono passati per il filtro «%1»</translation>
+    </message>
+    <message>
+        <source>Write it without filters.</source>
+        <translation>Scriverlo senza filtri.</translation>
+    </message>
+    <message>
+        <source>its elements are records of several fields</source>
+        <translation>i suoi elementi sono record di più campi</translation>
+    </message>
+    <message>
+        <source>its elements are of the type &apos;%1&apos;</source>
+        <translation>i suoi elementi sono di tipo «%1»</translation>
+    </message>
+    <message>
+        <source>Write whole numbers, or floating point numbers of 16, 32 or 64 bits.</source>
+        <translation>Scrivere numeri interi, o numeri in virgola mobile a 16, 32 o 64 bit.</translation>
+    </message>
+    <message>
+        <source>its codec &apos;%1&apos; stands in an unusual place</source>
+        <translation>il suo codec «%1» sta in una posizione insolita</translation>
+    </message>
+    <message>
+        <source>its chunks went through the codec &apos;%1&apos;</source>
+        <translation>i suoi blocchi (chunk) sono passati per il codec «%1»</translation>
+    </message>
+    <message>
+        <source>its shards are no whole number of chunks. It is damaged.</source>
+        <translation>i suoi shard non sono composti da un numero intero di blocchi (chunk). È danneggiato.</translation>
+    </message>
+    <message>
+        <source>the index of its shards is packed</source>
+        <translation>l&apos;indice dei suoi shard è compresso</translation>
+    </message>
+    <message>
+        <source>Write it unpacked.</source>
+        <translation>Scriverlo senza compressione.</translation>
+    </message>
+    <message>
+        <source>the names of its chunks are of the kind &apos;%1&apos;</source>
+        <translation>i nomi dei suoi blocchi (chunk) sono di tipo «%1»</translation>
+    </message>
+    <message>
+        <source>Write it with the names &apos;default&apos;.</source>
+        <translation>Scriverlo con i nomi «default».</translation>
+    </message>
+    <message>
+        <source>it has the storage transformer &apos;%1&apos;</source>
+        <translation>usa la trasformazione di memorizzazione (storage transformer) «%1»</translation>
+    </message>
+    <message>
+        <source>Write it without.</source>
+        <translation>Scriverlo senza.</translation>
+    </message>
+    <message>
+        <source>its chunks lie in a grid of the kind &apos;%1&apos;</source>
+        <translation>i suoi blocchi (chunk) stanno in una griglia di tipo «%1»</translation>
+    </message>
+    <message>
+        <source>Write it in chunks of one size.</source>
+        <translation>Scriverlo in blocchi (chunk) di una sola dimensione.</translation>
+    </message>
+    <message>
+        <source>it is of version %1 of Zarr&apos;s format</source>
+        <translation>è della versione %1 del formato Zarr</translation>
+    </message>
+    <message>
+        <source>TAn reads the versions 2 and 3.</source>
+        <translation>TAn legge le versioni 2 e 3.</translation>
+    </message>
+    <message>
+        <source>it has no level &apos;%1&apos;. Choose one from 0 to %2 with &apos;part&apos;.</source>
+        <translation>non ha un livello «%1». Sceglierne uno da 0 a %2 con «part».</translation>
+    </message>
+    <message>
+        <source>It has %1 levels of detail, 0 being the finest; the others are not read. Choose one with &apos;part&apos;.</source>
+        <translation>Ha %1 livelli di dettaglio, di cui 0 è il più fine; gli altri non vengono letti. Sceglierne uno con «part».</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;.</source>
+        <translation>non ha un array «%1».</translation>
+    </message>
+    <message>
+        <source>Its labels, which number the parts of a picture, are not read.</source>
+        <translation>Le sue etichette, che numerano le parti di un&apos;immagine, non vengono lette.</translation>
+    </message>
+    <message>
+        <source>It holds %1 arrays besides (%2), which are not read. Choose one with &apos;array&apos;.</source>
+        <translation>Contiene altri %1 array (%2), che non vengono letti. Sceglierne uno con «array».</translation>
+    </message>
+    <message>
+        <source>%1 of its groups and arrays have metadata that cannot be read.</source>
+        <translation>%1 dei suoi gruppi e array hanno metadati che non si possono leggere.</translation>
+    </message>
+    <message>
+        <source>It has more groups and arrays than are looked at; &apos;array&apos; takes any of them by its path.</source>
+        <translation>Ha più gruppi e array di quanti se ne esaminino; «array» ne prende uno qualsiasi dal suo percorso.</translation>
+    </message>
+    <message>
+        <source>it is an array with %1 axes, and TAn reads volumes, which have three.</source>
+        <translation>è un array con %1 assi, e TAn legge volumi, che ne hanno tre.</translation>
+    </message>
+    <message>
+        <source>it holds %1 arrays, and none of numbers along three axes or more.</source>
+        <translation>contiene %1 array, e nessuno di numeri lungo tre o più assi.</translation>
+    </message>
+    <message>
+        <source>it holds no array. Open the folder in which the arrays are, or copy it again.</source>
+        <translation>non contiene un array. Aprire la cartella in cui si trovano gli array, o copiarla di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has %1 of &apos;%2&apos;, and number %3 is asked for. Choose one from 1 to %1.</source>
+        <translation>ha %1 di «%2», e si chiede il numero %3. Sceglierne uno da 1 a %1.</translation>
+    </message>
+    <message>
+        <source>%1, time %2 %3</source>
+        <translation>%1, tempo %2 %3</translation>
+    </message>
+    <message>
+        <source>It has %1 volumes along its axis &apos;%2&apos;, of which the first is read. Choose one with &apos;index&apos;, as in %2=2.</source>
+        <translation>Ha %1 volumi lungo il suo asse «%2», di cui si legge il primo. Sceglierne uno con «index», come in %2=2.</translation>
+    </message>
+    <message>
+        <source>it has no further axis &apos;%1&apos; for &apos;index&apos;.</source>
+        <translation>non ha un ulteriore asse «%1» per «index».</translation>
+    </message>
+    <message>
+        <source>it holds no values: its size is %1.</source>
+        <translation>non contiene valori: la sua dimensione è %1.</translation>
+    </message>
+    <message>
+        <source>it holds pictures, not volumes: it has fewer than three axes of space (its size is %1).</source>
+        <translation>contiene immagini, non volumi: ha meno di tre assi spaziali (la sua dimensione è %1).</translation>
+    </message>
+    <message>
+        <source>x, y and z along its axes %1, %2 and %3</source>
+        <translation>x, y e z lungo i suoi assi %1, %2 e %3</translation>
+    </message>
+    <message>
+        <source>Its axes x, y and z have different units, or none (%1), which are not converted.</source>
+        <translation>I suoi assi x, y e z hanno unità diverse, o nessuna (%1), e non vengono convertite.</translation>
+    </message>
+    <message>
+        <source>Its axes x, y and z have different units (%1): all are converted to %2.</source>
+        <translation>I suoi assi x, y e z hanno unità diverse (%1): tutte vengono convertite in %2.</translation>
+    </message>
+    <message>
+        <source>its scale along an axis of space is 0. Export it again.</source>
+        <translation>la sua scala lungo un asse spaziale è 0. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>Its attributes %1 are not used: values are as they are stored.</source>
+        <translation>I suoi attributi %1 non vengono usati: i valori sono come sono memorizzati.</translation>
+    </message>
+    <message>
+        <source>It holds %1 arrays of volumes; the others are not read. Choose one with &apos;array&apos;.</source>
+        <translation>Contiene %1 array di volumi; gli altri non vengono letti. Sceglierne uno con «array».</translation>
+    </message>
+    <message>
+        <source>its level &apos;%1&apos; has %2 axes, and it describes %3. Export it again.</source>
+        <translation>il suo livello «%1» ha %2 assi, e ne sono descritti %3. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its level &apos;%1&apos; is not there. The copy is not complete: copy the folder again, or choose another level with &apos;part&apos;.</source>
+        <translation>il suo livello «%1» non c&apos;è. La copia non è completa: copiare di nuovo la cartella, o scegliere un altro livello con «part».</translation>
+    </message>
+    <message>
+        <source>it is damaged: %1. Copy or export it again.</source>
+        <translation>è danneggiato: %1. Copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than the %1 bytes that it should</source>
+        <translation>decompresso dà più dei %1 byte che dovrebbe dare</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked</source>
+        <translation>non si può decomprimere</translation>
+    </message>
+    <message>
+        <source>Zstandard says &apos;%1&apos;</source>
+        <translation>Zstandard segnala «%1»</translation>
+    </message>
+    <message>
+        <source>it does not begin as Blosc writes, or is cut short</source>
+        <translation>non comincia come scrive Blosc, o è troncato</translation>
+    </message>
+    <message>
+        <source>it unpacks to %1 bytes, more than the %2 that it should</source>
+        <translation>decompresso dà %1 byte, più dei %2 che dovrebbe dare</translation>
+    </message>
+    <message>
+        <source>Blosc cannot unpack it (%1)</source>
+        <translation>Blosc non riesce a decomprimerlo (%1)</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong</source>
+        <translation>la sua somma di controllo è sbagliata</translation>
+    </message>
+    <message>
+        <source>its differences of numbers of 16 bits (the filter &apos;delta&apos;) are not read. Write it without.</source>
+        <translation>le sue differenze di numeri a 16 bit (il filtro «delta») non si leggono. Scriverlo senza.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, more than its %2 bytes of numbers can become</source>
+        <translation>ha %1 byte, più di quanti ne possano risultare dai suoi %2 byte di numeri</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes of numbers instead of %2</source>
+        <translation>ha %1 byte di numeri invece di %2</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; cannot be read (%2). Check its permissions.</source>
+        <translation>il suo file «%1» non si può leggere (%2). Controllarne i permessi.</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1). Check the name and the permissions.</source>
+        <translation>non si può leggere (%1). Controllare il nome e i permessi.</translation>
+    </message>
+    <message>
+        <source>it names &apos;%1&apos;, which is no path inside the folder. Only what lies in the folder is read.</source>
+        <translation>nomina «%1», che non è un percorso all&apos;interno della cartella. Si legge solo ciò che si trova nella cartella.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is a link to what is not there. Copy the folder with what its links lead to.</source>
+        <translation>il suo elemento «%1» è un collegamento a qualcosa che non c&apos;è. Copiare la cartella con ciò a cui portano i suoi collegamenti.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is a link that leads out of the folder. Only what lies in the folder is read: put a copy in its place.</source>
+        <translation>il suo elemento «%1» è un collegamento che porta fuori dalla cartella. Si legge solo ciò che si trova nella cartella: metterne una copia al suo posto.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is no file. Copy or export it again.</source>
+        <translation>il suo elemento «%1» non è un file. Copiare o esportare di nuovo la cartella.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; is larger than metadata are (%2). It is damaged, or no Zarr.</source>
+        <translation>il suo file «%1» è più grande di quanto lo siano dei metadati (%2). È danneggiato, o non è Zarr.</translation>
+    </message>
+    <message>
+        <source>its &apos;%1&apos; %2</source>
+        <translation>il suo file «%1» %2</translation>
+    </message>
+    <message>
+        <source>is no JSON: %1 at byte %2. Copy or export it again.</source>
+        <translation>non è JSON: %1 al byte %2. Copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>holds no JSON object. Copy or export it again.</source>
+        <translation>non contiene un oggetto JSON. Copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; was changed while it was read. Try again.</source>
+        <translation>il suo file «%1» è cambiato durante la lettura. Riprovare.</translation>
+    </message>
+    <message>
+        <source>none of the %1 files with its values is there, such as &apos;%2&apos;. The copy is not complete, or nobody has written them: copy or export it again.</source>
+        <translation>nessuno dei %1 file con i suoi valori è presente, per esempio «%2». La copia non è completa, o non sono mai stati scritti: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 chunks are not there: as the format has it, their values are the fill value %3.</source>
+        <translation>%1 dei suoi %2 blocchi (chunk) non ci sono: come prevede il formato, i loro valori sono il valore di riempimento %3.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 chunks are not there, and it has no fill value: %3 is assumed.</source>
+        <translation>%1 dei suoi %2 blocchi (chunk) non ci sono, e non ha un valore di riempimento: si assume %3.</translation>
+    </message>
+    <message>
+        <source>it lies in %1 files, more than %2. Write it in larger chunks.</source>
+        <translation>si trova in %1 file, più di %2. Scriverlo in blocchi (chunk) più grandi.</translation>
+    </message>
+    <message>
+        <source>none of its %1 chunks was written. Export it again.</source>
+        <translation>nessuno dei suoi %1 blocchi (chunk) è stato scritto. Esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it is shorter than the index of its chunks</source>
+        <translation>è più corto dell&apos;indice dei suoi blocchi (chunk)</translation>
+    </message>
+    <message>
+        <source>the checksum of the index of its chunks is wrong</source>
+        <translation>la somma di controllo dell&apos;indice dei suoi blocchi (chunk) è sbagliata</translation>
+    </message>
+    <message>
+        <source>the index of its chunks leads beyond its end</source>
+        <translation>l&apos;indice dei suoi blocchi (chunk) porta oltre la sua fine</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;index&apos; is not understood. Give the name of each axis with a number from 1, as in angle=3,type=1.</source>
+        <translation>«%1» per «index» non si capisce. Indicare il nome di ogni asse con un numero da 1, come in angle=3,type=1.</translation>
+    </message>
+    <message>
+        <source>Of Zarr groups: the array to take, or the image, by its path in the folder; &apos;automatic&apos; takes the first.</source>
+        <translation>Di gruppi Zarr: l&apos;array da prendere, o l&apos;immagine, con il suo percorso nella cartella; «automatic» prende il primo.</translation>
+    </message>
+    <message>
+        <source>Of OME-Zarr with several images: one, by its path or number from 1; without it the first.</source>
+        <translation>Di OME-Zarr con più immagini: una, con il suo percorso o il numero da 1; se vuoto la prima.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Livello</translation>
+    </message>
+    <message>
+        <source>Of OME-Zarr: the level of detail, by its path or by its number, 0 being the finest; without it that one.</source>
+        <translation>Di OME-Zarr: il livello di dettaglio, con il suo percorso o il suo numero, dove 0 è il più fine; se vuoto quello.</translation>
+    </message>
+    <message>
+        <source>Of pictures at several times: which one, from 1; 0 takes the first.</source>
+        <translation>Di immagini a più tempi: quale, da 1; 0 prende la prima.</translation>
+    </message>
+    <message>
+        <source>Further axes</source>
+        <translation>Altri assi</translation>
+    </message>
+    <message>
+        <source>Of arrays with more axes than space, time and channels: the number along each, from 1, as in angle=3; an axis without a name is called by its number from 1. Else the first is taken.</source>
+        <translation>Di array con altri assi oltre a spazio, tempo e canali: il numero lungo ciascuno di essi, da 1, come in angle=3; un asse senza nome si indica con il suo numero da 1. Altrimenti si prende il primo.</translation>
+    </message>
+    <message>
+        <source>it is no folder of Zarr, nor a file that describes one (zarr.json, .zarray, .zattrs, .zgroup). Let TAn choose the reader.</source>
+        <translation>non è una cartella Zarr, né un file che ne descrive una (zarr.json, .zarray, .zattrs, .zgroup). Lasciare a TAn la scelta della lettura.</translation>
+    </message>
+    <message>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libblosc-dev libzstd-dev&apos;), or save the array as NumPy&apos;s (.npy).</source>
+        <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libblosc-dev libzstd-dev»), o salvare l&apos;array nel formato di NumPy (.npy).</translation>
+    </message>
+    <message>
+        <source>Install Blosc and Zstandard with &apos;apt install libblosc1 libzstd1&apos;.</source>
+        <translation>Installare Blosc e Zstandard con «apt install libblosc1 libzstd1».</translation>
+    </message>
+    <message>
+        <source>Copy or export it again, or save the array as NumPy&apos;s (.npy).</source>
+        <translation>Copiarlo o esportarlo di nuovo, o salvare l&apos;array nel formato di NumPy (.npy).</translation>
+    </message>
+    <message>
+        <source>Zarr, OME-Zarr (*.zarr zarr.json .zattrs .zgroup .zarray)</source>
+        <translation>Zarr, OME-Zarr (*.zarr zarr.json .zattrs .zgroup .zarray)</translation>
+    </message>
+    <message>
+        <source>Install the HDF5 library with &apos;apt install libhdf5-103-1&apos;.</source>
+        <translation>Installare la libreria HDF5 con «apt install libhdf5-103-1».</translation>
     </message>
 </context>
 <context>
