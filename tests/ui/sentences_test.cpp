@@ -379,7 +379,7 @@ void SentencesTest::whatReadersRemark()
     const Speaking speaking(language);
     for (const std::uint64_t count : {1, 3}) {
         Repairs repairs{count, count, count, count, count, count, 0,     count, count, count, count,
-                        count, count, count, count, count, false, count, count, true,  {}};
+                        count, count, count, count, count, false, count, count, true,  false, {}};
         for (const CellFault fault : {CellFault::CrowdedFace, CellFault::Folded, CellFault::Overlap})
             for (std::uint64_t cell = 0; cell < count; ++cell)
                 repairs.faulty.push_back({cell, fault});
