@@ -66,6 +66,12 @@ def write_quakes(folder):
     (folder / "quakes.csv").write_text("\n".join(rows) + "\n")
 
 
+def write_recipe_inputs(folder):
+    """Whether there are the libraries that write them, which Debian's Python has."""
+    script = pathlib.Path(__file__).with_name("recipe_inputs.py")
+    return subprocess.run(["/usr/bin/python3", script, folder], check=False, capture_output=True).returncode == 0
+
+
 def write_all(folder: pathlib.Path, tan, source: pathlib.Path):
     write_engine(folder, tan)
     write_grids(folder, tan)
