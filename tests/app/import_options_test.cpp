@@ -100,7 +100,8 @@ private slots:
                       "ElementSpacing = 1 1 1 6\nOffset = 0 0 0 1073352\nElementDataFile = LOCAL\n" +
                           QByteArray("abcdefghijklmnopqrstuvwx")));
         const Run info = tan({"info", "steps.mha"});
-        QVERIFY2(info.output.contains("time steps: 1073352, 1073358, 1073364\n"), info.output + info.messages);
+        QVERIFY2(info.output.contains("time steps: 1 (time 1073352), 2 (time 1073358), 3 (time 1073364)\n"),
+                 info.output + info.messages);
     }
 
     void aModelOfARawFileKnowsItsLayout()

@@ -110,6 +110,8 @@ std::set<std::string> textsOf(PluginHost& host)
     texts.erase("");
     for (int type = 0; type <= static_cast<int>(SampleType::Float64); ++type) // names in any language
         texts.erase(std::string(sampleTypeName(static_cast<SampleType>(type))));
+    for (const char* wider : {"int64", "uint64"}) // that are read as others
+        texts.erase(wider);
     return texts;
 }
 

@@ -82,7 +82,11 @@ private slots:
         const auto contents = builtVtkReader().probe(path, {}, {});
         QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
         QCOMPARE(contents->blocks, (std::vector<std::string>{"mesh.vtu", "box"}));
-        const auto mesh = builtVtkReader().read(path, {}, {});
+        const auto all = builtVtkReader().read(path, {}, {});
+        QVERIFY2(all.ok(), all.ok() ? "" : all.error().text().c_str());
+        QCOMPARE(all->tetrahedra->size(), std::size_t(2 + 48));
+        QCOMPARE(leftOutOf(all->source.leftOut), QString());
+        const auto mesh = builtVtkReader().read(path, {{"part", std::string("mesh.vtu")}}, {});
         QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
         QCOMPARE(mesh->tetrahedra->size(), std::size_t(2));
         QCOMPARE(leftOutOf(mesh->source.leftOut), QString("1 other part is not read: box."));
