@@ -8977,14 +8977,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Exportieren Sie sie aus Amira als NRRD oder VTK.</translation>
     </message>
     <message>
-        <source>a MATLAB file</source>
-        <translation>eine MATLAB-Datei</translation>
-    </message>
-    <message>
-        <source>Write the array as raw data, by fwrite(), and say its size and type, or save it as NIfTI, by niftiwrite().</source>
-        <translation>Schreiben Sie das Feld mit fwrite() als Rohdaten, und geben Sie Größe und Typ an, oder speichern Sie es mit niftiwrite() als NIfTI.</translation>
-    </message>
-    <message>
         <source>a microscope&apos;s own file</source>
         <translation>eine Datei im eigenen Format eines Mikroskops</translation>
     </message>
@@ -11463,6 +11455,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Install the HDF5 library with &apos;apt install libhdf5-103-1&apos;.</source>
         <translation>Installieren Sie die HDF5-Bibliothek mit „apt install libhdf5-103-1“.</translation>
+    </message>
+    <message>
+        <source>a MATLAB file older than version 7.3</source>
+        <translation>eine MATLAB-Datei vor Version 7.3</translation>
+    </message>
+    <message>
+        <source>Save the array with the option &apos;-v7.3&apos;, or as NIfTI, by niftiwrite().</source>
+        <translation>Speichern Sie das Array mit der Option „-v7.3“ oder als NIfTI, mit niftiwrite().</translation>
     </message>
 </context>
 <context>

@@ -8977,14 +8977,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Esportarlo da Amira come NRRD o VTK.</translation>
     </message>
     <message>
-        <source>a MATLAB file</source>
-        <translation>un file MATLAB</translation>
-    </message>
-    <message>
-        <source>Write the array as raw data, by fwrite(), and say its size and type, or save it as NIfTI, by niftiwrite().</source>
-        <translation>Scrivere la matrice come dati grezzi, con fwrite(), e indicarne dimensioni e tipo, o salvarla come NIfTI, con niftiwrite().</translation>
-    </message>
-    <message>
         <source>a microscope&apos;s own file</source>
         <translation>un file nel formato proprio di un microscopio</translation>
     </message>
@@ -11463,6 +11455,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Install the HDF5 library with &apos;apt install libhdf5-103-1&apos;.</source>
         <translation>Installare la libreria HDF5 con «apt install libhdf5-103-1».</translation>
+    </message>
+    <message>
+        <source>a MATLAB file older than version 7.3</source>
+        <translation>un file MATLAB anteriore alla versione 7.3</translation>
+    </message>
+    <message>
+        <source>Save the array with the option &apos;-v7.3&apos;, or as NIfTI, by niftiwrite().</source>
+        <translation>Salvare l&apos;array con l&apos;opzione «-v7.3», o come NIfTI, con niftiwrite().</translation>
     </message>
 </context>
 <context>

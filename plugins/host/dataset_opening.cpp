@@ -67,9 +67,8 @@ constexpr std::array otherVolumes{
     OtherVolume{".vdb", Message::marked("an OpenVDB volume"),
                 Message::marked("Sample it on a regular grid, and save that as VTK, NRRD or a NumPy array.")},
     OtherVolume{".am", Message::marked("an Amira file"), Message::marked("Export it from Amira as NRRD or VTK.")},
-    OtherVolume{".mat", Message::marked("a MATLAB file"),
-                Message::marked("Write the array as raw data, by fwrite(), and say its size and type, or save it as "
-                                "NIfTI, by niftiwrite().")},
+    OtherVolume{".mat", Message::marked("a MATLAB file older than version 7.3"),
+                Message::marked("Save the array with the option '-v7.3', or as NIfTI, by niftiwrite().")},
     OtherVolume{".czi", Message::marked("a microscope's own file"),
                 Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
     OtherVolume{".lif", Message::marked("a microscope's own file"),

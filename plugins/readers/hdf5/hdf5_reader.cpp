@@ -93,7 +93,7 @@ double Hdf5Reader::score(const fs::path& path, std::span<const std::byte> firstB
     const std::string_view bytes(reinterpret_cast<const char*>(firstBytes.data()), firstBytes.size());
     const bool isNamed = std::ranges::any_of(
         endings, [&](std::string_view ending) { return name.size() > ending.size() && name.ends_with(ending); });
-    double score = isNamed ? byName : 0;
+    double score = isNamed && !name.ends_with(".mat") ? byName : 0; // older files of MATLAB are none
     if (isHdf5(bytes) && bytes.find("VTKHDF") == std::string_view::npos)
         score = isNamed ? byBoth : bySignature;
     std::error_code ignored;
