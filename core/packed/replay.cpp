@@ -324,6 +324,8 @@ public:
     Result<PackedRegion> pack(std::span<const float> limits, const Progress& progress);
 
 private:
+    class Level;
+
     Status packCorners(const Progress& progress);
     Status packLevel(float limit, const Progress& progress);
     Status addShared(const Progress& progress);
@@ -375,24 +377,70 @@ Status RegionPacker::packCorners(const Progress& progress)
     return {};
 }
 
+/// What comes when in a level (core/refine/greedy.h): in the lattice's order the worst points of all tetrahedra that
+/// are not good enough, which are a step, and then of those that it has changed. The level's last step has no points.
+class RegionPacker::Level {
+public:
+    Level(RegionPacker& packer, float limit, const Progress& progress)
+        : packer_(packer), mesh_(packer.mesh_), limit_(limit), progress_(progress)
+    {
+        find(true);
+    }
+
+    const WorstSample* next()
+    {
+        return worst_.next([this](const WorstSample& sample) { return mesh_.stands(sample); });
+    }
+    Status insert(const WorstSample& sample)
+    {
+        points_.push_back(mesh_.lattice().index(sample.point));
+        expected_.push_back(mesh_.expectedAt(sample));
+        return mesh_.add(sample);
+    }
+    std::uint64_t work() const { return Round<WorstSample>::work; }
+    Status pause() const { return progress_.cancelled() ? Status(cancelledError(packing)) : Status(); }
+    Result<bool> look()
+    {
+        packer_.models_.steps.code(packer_.positions_, points_.size());
+        ++packer_.chunk_.steps;
+        if (points_.empty())
+            return false;
+        packer_.packSites(points_, expected_);
+        points_.clear();
+        expected_.clear();
+        if (const Status measured = mesh_.measure(progress_); !measured)
+            return measured.error();
+        find(false);
+        return true;
+    }
+
+private:
+    void find(bool everywhere)
+    {
+        const auto isOwn = [this](std::uint32_t point) { return packer_.region_.owns(point); };
+        mesh_.findWorst(limit_, everywhere, isOwn, worst_.found);
+        worst_.begin([](const WorstSample& one, const WorstSample& other) {
+            return std::pair(one.point, one.slot) < std::pair(other.point, other.slot);
+        });
+    }
+
+    RegionPacker& packer_;
+    ReplayMesh& mesh_;
+    float limit_;
+    const Progress& progress_;
+    Round<WorstSample> worst_;
+    std::vector<std::uint32_t> points_; ///< of the step so far, by rising numbers ...
+    std::vector<double> expected_;      ///< ... and what the mesh before it said of their samples
+};
+
 /// Steps until no error is larger than the limit, after the sites that come from other regions.
 Status RegionPacker::packLevel(float limit, const Progress& progress)
 {
     if (const Status added = addShared(progress); !added)
         return added;
-    ReplayMesh::Round round;
-    const auto isOwn = [this](std::uint32_t point) { return region_.owns(point); };
-    for (bool everywhere = true;; everywhere = false) {
-        if (const Status added = mesh_.addWorst(limit, everywhere, isOwn, round, progress); !added)
-            return added;
-        models_.steps.code(positions_, round.points.size());
-        ++chunk_.steps;
-        if (round.points.empty())
-            break;
-        packSites(round.points, round.expected);
-        if (const Status measured = mesh_.measure(progress); !measured)
-            return measured;
-    }
+    Level level(*this, limit, progress);
+    if (const Status refined = refineGreedily(level); !refined)
+        return refined;
     endLevel();
     return {};
 }

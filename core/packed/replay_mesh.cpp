@@ -254,49 +254,34 @@ float ReplayMesh::error() const
     return largest;
 }
 
-Status ReplayMesh::addWorst(float limit, bool everywhere, const std::function<bool(std::uint32_t)>& eligible,
-                            Round& round, const Progress& progress)
+void ReplayMesh::findWorst(float limit, bool everywhere, const std::function<bool(std::uint32_t)>& eligible,
+                           std::vector<WorstSample>& found) const
 {
-    struct Candidate {
-        PackedPoint point;
-        std::uint32_t slot;
-        std::array<PackedPoint, 4> vertices;
-        double expected;
-    };
-    std::vector<Candidate> candidates;
+    found.clear();
     const auto look = [&](std::uint32_t slot) {
         if (errors_[slot] > limit && delaunay_.isAlive(slot) && eligible(lattice().index(worst_[slot])))
-            candidates.push_back({worst_[slot], slot, delaunay_.mesh()[slot].vertices, 0});
+            found.push_back(
+                {0, static_cast<double>(errors_[slot]), worst_[slot], slot, delaunay_.mesh()[slot].vertices});
     };
     if (everywhere)
         for (std::uint32_t slot = 0; slot < errors_.size(); ++slot)
             look(slot);
     else
         std::ranges::for_each(lastMeasured_, look);
-    std::ranges::sort(candidates, {}, [](const Candidate& one) { return std::pair(one.point, one.slot); });
-    visitSampleType(type_, [&]<class T>() {
+}
+
+double ReplayMesh::expectedAt(const WorstSample& sample) const
+{
+    return visitSampleType(type_, [&]<class T>() {
         const T* const samples = reinterpret_cast<const T*>(samples_.get());
         const auto sampleAt = [&](PackedPoint vertex) { return samples[lattice().index(vertex)]; };
-        for (Candidate& one : candidates)
-            one.expected =
-                interpolatedAt<T>(sampleAt, one.vertices, placeIn(delaunay_.mesh(), one.point, one.slot).volumes);
+        return interpolatedAt<T>(sampleAt, sample.tetrahedron, volumesAt(lattice(), sample.point, sample.tetrahedron));
     });
-    round.points.clear();
-    round.expected.clear();
-    constexpr std::size_t between = 4096;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        if (i % between == 0 && progress.cancelled())
-            return cancelledError(replaying);
-        const Candidate& one = candidates[i];
-        const DelaunayTetrahedron& now = delaunay_.mesh()[one.slot];
-        if (!(now.determinant() > 0) || now.vertices != one.vertices || delaunay_.isVertex(one.point))
-            continue;
-        if (!delaunay_.add({&one.point, 1}, {&one.slot, 1}))
-            return meshGrewTooLarge();
-        round.points.push_back(lattice().index(one.point));
-        round.expected.push_back(one.expected);
-    }
-    return {};
+}
+
+Status ReplayMesh::add(const WorstSample& sample)
+{
+    return delaunay_.add({&sample.point, 1}, {&sample.slot, 1}) ? Status() : Status(meshGrewTooLarge());
 }
 
 } // namespace tetra

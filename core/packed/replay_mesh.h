@@ -132,16 +132,16 @@ public:
     Status measure(const Progress& progress);
     /// A bound on the error of the mesh as it was measured, in units of the values.
     float error() const;
-    /// Sites that entered together, by rising numbers, and what the mesh before them said of their samples.
-    struct Round {
-        std::vector<std::uint32_t> points;
-        std::vector<double> expected;
-    };
-    /// Adds the worst point of each tetrahedron of a larger error than `limit`, in the lattice's order, but for those
-    /// whose tetrahedron an earlier one destroyed, and those that are not `eligible`. `everywhere`: not only where
-    /// something changed before it was last measured. Errors: as add().
-    Status addWorst(float limit, bool everywhere, const std::function<bool(std::uint32_t point)>& eligible,
-                    Round& round, const Progress& progress);
+    /// The worst point of each tetrahedron of a larger error than `limit`, of those that are `eligible`, as found.
+    /// `everywhere`: not only where something changed before it was last measured.
+    void findWorst(float limit, bool everywhere, const std::function<bool(std::uint32_t point)>& eligible,
+                   std::vector<WorstSample>& found) const;
+    /// Whether its tetrahedron is still there, and it is no site.
+    bool stands(const WorstSample& sample) const { return tetra::stands(delaunay_, sample); }
+    /// What that tetrahedron says of its sample, as expect().
+    double expectedAt(const WorstSample& sample) const;
+    /// Makes it a site. Errors: the mesh grew beyond what was reserved.
+    Status add(const WorstSample& sample);
 
 private:
     ReplayMesh(const Shape& shape, SampleType type, std::shared_ptr<std::byte> samples);

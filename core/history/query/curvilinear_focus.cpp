@@ -90,6 +90,7 @@ private:
     Status load(std::uint32_t sites, const Progress& progress);
     Status insertSites(const Progress& progress);
     Status look(bool coarseIsKnown, const Progress& progress);
+    Status lookAtChanges(const Progress& progress);
     bool scan(std::span<const std::uint32_t> slots, ScannedPart part, const Progress& progress);
     Status repair(const Progress& progress);
     Status add(PackedPoint point, std::uint32_t site);
@@ -109,7 +110,7 @@ private:
 
     CurvilinearLimits limits_;
     std::vector<double> keys_; ///< the limits as keys
-    std::vector<WorstSample> worst_;
+    Round<WorstSample> worst_;
     std::vector<std::uint32_t> slots_;
 };
 
@@ -219,9 +220,18 @@ bool CurvilinearFocus::Work::scan(std::span<const std::uint32_t> slots, ScannedP
         if (progress.cancelled())
             return false;
         scanCurvilinearSamples(mesh_, slots.subspan(first, std::min(slotsAtOnce, slots.size() - first)), grid_, blocks_,
-                               limits_, part, worst_);
+                               limits_, part, worst_.found);
     }
     return true;
+}
+
+/// Adds the worst samples of what changed.
+Status CurvilinearFocus::Work::lookAtChanges(const Progress& progress)
+{
+    if (!scan(mesh_.changed(), ScannedPart::All, progress))
+        return cancelledError(Message::marked("Extracting the mesh"));
+    mesh_.acceptChanges();
+    return {};
 }
 
 /// Looks at what changed, and at what did not but lies where limits are not the largest.
@@ -231,33 +241,37 @@ Status CurvilinearFocus::Work::look(bool coarseIsKnown, const Progress& progress
     for (std::uint32_t slot = 0; slot < mesh_.mesh().slotCount(); ++slot)
         if (!mesh_.hasChanged(slot))
             slots_.push_back(slot);
-    worst_.clear();
-    if (!scan(slots_, coarseIsKnown ? ScannedPart::Limited : ScannedPart::All, progress) ||
-        !scan(mesh_.changed(), ScannedPart::All, progress))
+    worst_.found.clear();
+    if (!scan(slots_, coarseIsKnown ? ScannedPart::Limited : ScannedPart::All, progress))
         return cancelledError(Message::marked("Extracting the mesh"));
-    mesh_.acceptChanges();
-    return {};
+    return lookAtChanges(progress);
 }
 
 Status CurvilinearFocus::Work::repair(const Progress& progress)
 {
-    struct Space {
-        Work& work;
+    struct Order {
+        Work& focus;
         const Progress& progress;
-        std::vector<WorstSample>& found() { return work.worst_; }
-        bool stands(const WorstSample& sample) const { return tetra::stands(work.mesh_, sample); }
-        Status insert(const WorstSample& sample) { return work.add(sample.point, work.siteAt(sample.point)); }
-        Status look()
+        const WorstSample* next()
         {
-            work.worst_.clear();
-            if (!work.scan(work.mesh_.changed(), ScannedPart::All, progress))
-                return cancelledError(Message::marked("Extracting the mesh"));
-            work.mesh_.acceptChanges();
-            return {};
+            return focus.worst_.next([this](const WorstSample& sample) { return stands(focus.mesh_, sample); });
+        }
+        Status insert(const WorstSample& sample) { return focus.add(sample.point, focus.siteAt(sample.point)); }
+        std::uint64_t work() const { return Round<WorstSample>::work; }
+        Status pause() const
+        {
+            return progress.cancelled() ? Status(cancelledError(Message::marked("Extracting the mesh"))) : Status();
+        }
+        Result<bool> look()
+        {
+            focus.worst_.found.clear();
+            const Status looked = focus.lookAtChanges(progress);
+            return looked ? Result<bool>(focus.worst_.begin(isWorse)) : looked.error();
         }
     };
-    Space space{*this, progress};
-    return refineInRounds(space, progress, Message::marked("Extracting the mesh"));
+    worst_.begin(isWorse);
+    Order order{*this, progress};
+    return refineGreedily(order);
 }
 
 void CurvilinearFocus::Work::write(ExtractedMesh& mesh) const

@@ -535,7 +535,7 @@ private:
     std::vector<SiteGrid::Site> missing_;
     std::vector<SiteGrid::Site> sortScratch_;
     std::vector<PackedPoint> points_;
-    std::vector<WorstSample> worst_;
+    Round<WorstSample> worst_;
     std::vector<WorstSample> others_;
 };
 
@@ -749,7 +749,7 @@ Result<ExtractedMesh> RegionRefiner::Work::extract(const SpaceRamp& error, bool 
     others_.clear();
     lookAtOthers(limits, range.known, progress);
     lookAtChanges(limits, true, progress);
-    worst_.insert(worst_.end(), others_.begin(), others_.end());
+    worst_.found.insert(worst_.found.end(), others_.begin(), others_.end());
     if (const Status repaired = repair(limits, progress); !repaired)
         return repaired.error();
     write(reuse);
@@ -859,7 +859,7 @@ void RegionRefiner::Work::scan(const FocusLimits& limits, ScannedPart part, cons
 /// Looks at what changed since the last look, unless its error is known to be small enough.
 void RegionRefiner::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKnown, const Progress& progress)
 {
-    worst_.clear();
+    worst_.found.clear();
     slots_.clear();
     bounds_.resize(mesh_.mesh().slotCount());
     constexpr std::size_t ahead = 12;
@@ -882,7 +882,7 @@ void RegionRefiner::Work::lookAtChanges(const FocusLimits& limits, bool mayBeKno
         if (!known)
             slots_.push_back(slot);
     }
-    scan(limits, ScannedPart::All, progress, worst_);
+    scan(limits, ScannedPart::All, progress, worst_.found);
     mesh_.acceptChanges();
 }
 
@@ -915,32 +915,38 @@ void RegionRefiner::Work::lookAtOthers(const FocusLimits& limits, bool outsideIs
 
 Status RegionRefiner::Work::repair(const FocusLimits& limits, const Progress& progress)
 {
-    struct Space {
-        Work& work;
+    struct Order {
+        Work& focus;
         const FocusLimits& limits;
         const Progress& progress;
-        std::vector<WorstSample>& found() { return work.worst_; }
-        bool stands(const WorstSample& sample) const { return tetra::stands(work.mesh_, sample); }
+        const WorstSample* next()
+        {
+            return focus.worst_.next([this](const WorstSample& sample) { return stands(focus.mesh_, sample); });
+        }
         Status insert(const WorstSample& sample)
         {
-            if (!work.mesh_.add({&sample.point, 1}))
+            if (!focus.mesh_.add({&sample.point, 1}))
                 return focusTooLarge();
-            work.addedSites_.push_back(
-                work.sites_->siteAt(work.lattice_, sample.point).value_or(ExtractedMesh::noSite));
+            focus.addedSites_.push_back(
+                focus.sites_->siteAt(focus.lattice_, sample.point).value_or(ExtractedMesh::noSite));
             return {};
         }
-        Status look()
+        std::uint64_t work() const { return Round<WorstSample>::work; }
+        Status pause() const
         {
-            work.lookAtChanges(limits, false, progress);
-            return {};
+            return progress.cancelled() ? Status(cancelledError(Message::marked("Extracting the mesh"))) : Status();
+        }
+        Result<bool> look()
+        {
+            focus.lookAtChanges(limits, false, progress);
+            // Once cancelled, nothing may have been found because nothing was looked at.
+            const Status looked = pause();
+            return looked ? Result<bool>(focus.worst_.begin(isWorse)) : looked.error();
         }
     };
-    Space space{*this, limits, progress};
-    if (const Status repaired = refineInRounds(space, progress, Message::marked("Extracting the mesh")); !repaired)
-        return repaired;
-    if (progress.cancelled()) // then nothing may have been found because nothing was looked at
-        return cancelledError(Message::marked("Extracting the mesh"));
-    return {};
+    worst_.begin(isWorse);
+    Order order{*this, limits, progress};
+    return refineGreedily(order);
 }
 
 } // namespace tetra

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -118,102 +119,94 @@ Result<CurvilinearRefinementResult> finishedBy(CurvilinearSpace& space, const Cu
     return resultOf(mesh, refineWorstFirst(space, stopKey, sink, progress, state));
 }
 
-/// Refinement of a whole grid that keeps the error in space as well (C12).
+/// What comes when in a whole grid that keeps the error in space as well (C12): in the grid the worst until it is no
+/// worse than the rung; then what one look at the error in space has found; and so by turns, from rung to rung.
 class SpaceRefinement {
 public:
     SpaceRefinement(const CurvilinearGrid& grid, CurvilinearMesh& mesh, const CurvilinearRefinementOptions& options,
-                    HistorySink& sink)
-        : mesh_(mesh), options_(options), sink_(sink), space_(mesh, CurvilinearSelection::Normalised, sink),
-          errors_(grid, options.valueExtent)
+                    HistorySink& sink, const Progress& progress)
+        : mesh_(mesh), options_(options), sink_(sink), progress_(progress),
+          space_(mesh, CurvilinearSelection::Normalised, sink), errors_(grid, options.valueExtent)
     {
     }
 
-    /// The key that was reached.
-    Result<float> run(const Progress& progress)
+    /// Before anything in the grid, what was found in tetrahedra that no insertion since then has destroyed.
+    std::optional<CurvilinearMesh::Candidate> next()
     {
-        // Below a hundredth of a percent there is one rung, the last: more are not worth their time.
-        const double least = 1e-4 * std::max(options_.valueExtent, options_.warpingWeight * options_.positionExtent);
-        for (;;) {
-            const Result<float> inGrid = refineInGrid(rung_, progress);
-            if (!inGrid)
-                return inGrid.error();
-            const float inSpace = errors_.measure(mesh_.tetrahedra(), rung_, found_);
-            if (static_cast<double>(inSpace) > rung_) {
-                if (const Status inserted = insertFound(); !inserted)
-                    return inserted.error();
-                continue;
-            }
-            key_ = std::max(*inGrid, inSpace);
-            const auto key = static_cast<double>(key_);
-            if (!(key > options_.stopKey)) {
-                const Status finished = sink_.finish(key_);
-                return finished ? Result<float>(key_) : Result<float>(finished.error());
-            }
-            rung_ = std::max(options_.stopKey, downToRung * key);
-            if (rung_ < least)
-                rung_ = options_.stopKey;
-            first_ = std::max(first_, key);
-            const double last = std::max(least, options_.stopKey);
-            progress.report(std::clamp(std::log(first_ / key) / std::log(std::max(first_ / last, 2.0)), 0.0, 1.0),
-                            Message::marked("Refining"));
-        }
+        const auto stands = [this](const SpaceErrors::Worst& worst) {
+            const DelaunayTetrahedron& now = mesh_.tetrahedra()[worst.slot];
+            return now.determinant() > 0 && now.vertices == worst.tetrahedron;
+        };
+        while (const SpaceErrors::Worst* const worst = found_.next(stands))
+            if (const CurvilinearMesh::Candidate candidate = mesh_.at(worst->point); candidate.exists())
+                return candidate;
+        const CurvilinearSpace::Next next = space_.next();
+        inGrid_ = next.key;
+        if (next.complete && !(static_cast<double>(next.key) > rung_))
+            return std::nullopt;
+        return next.candidate;
     }
-
-    void archive(StateArchive& archive) { archive(space_, errors_, key_, rung_, first_); }
-
-private:
-    static constexpr double downToRung = 0.95;
-
     /// Of a mesh that is no rung's last its distance from the data is not known.
     Status insert(const CurvilinearMesh::Candidate& candidate)
     {
         return space_.insert({candidate, std::exchange(key_, infiniteKey), false});
     }
-    /// Until nothing in the grid is worse than the rung, and no tetrahedron flipped that may not be; the key then.
-    Result<float> refineInGrid(double rung, const Progress& progress)
+    std::uint64_t work() const { return space_.work(); }
+    Status pause()
     {
-        constexpr std::uint32_t betweenLooks = 4096;
-        for (std::uint32_t inserted = 0;; ++inserted) {
-            if (inserted % betweenLooks == 0) {
-                const bool cancelled = progress.cancelled();
-                if (options_.state != nullptr)
-                    options_.state->pause(*this, cancelled);
-                if (cancelled)
-                    return cancelledError(Message::marked("The refinement"));
-                space_.sweep();
-            }
-            const CurvilinearSpace::Next next = space_.next();
-            if (next.complete && !(static_cast<double>(next.key) > rung))
-                return next.key;
-            if (const Status done = insert(next.candidate); !done)
-                return done.error();
-        }
-    }
-    /// What was found in tetrahedra that none of these insertions has destroyed.
-    Status insertFound()
-    {
-        std::vector<std::array<PackedPoint, 4>> vertices;
-        for (const SpaceErrors::Worst& worst : found_)
-            vertices.push_back(mesh_.tetrahedra()[worst.slot].vertices);
-        for (std::size_t i = 0; i < found_.size(); ++i) {
-            const DelaunayTetrahedron& now = mesh_.tetrahedra()[found_[i].slot];
-            if (now.determinant() == 0 || now.vertices != vertices[i])
-                continue;
-            const CurvilinearMesh::Candidate candidate = mesh_.at(found_[i].point);
-            if (!candidate.exists())
-                continue;
-            if (const Status inserted = insert(candidate); !inserted)
-                return inserted;
-        }
+        const bool cancelled = progress_.cancelled();
+        if (options_.state != nullptr)
+            options_.state->pause(*this, cancelled);
+        if (cancelled)
+            return cancelledError(Message::marked("The refinement"));
+        space_.sweep();
         return {};
+    }
+    Result<bool> look()
+    {
+        if (const Status paused = pause(); !paused)
+            return paused.error();
+        const float inSpace = errors_.measure(mesh_.tetrahedra(), rung_, found_.found);
+        if (found_.begin(SpaceErrors::isWorse))
+            return true;
+        key_ = std::max(inGrid_, inSpace);
+        if (static_cast<double>(key_) > options_.stopKey) {
+            goDown();
+            return true;
+        }
+        const Status finished = sink_.finish(key_);
+        return finished ? Result<bool>(false) : finished.error();
+    }
+    /// Of the mesh as it is, if it is a rung's last.
+    float key() const { return key_; }
+
+    void archive(StateArchive& archive) { archive(space_, errors_, found_, key_, rung_, first_); }
+
+private:
+    static constexpr double downToRung = 0.95;
+
+    void goDown()
+    {
+        // Below a hundredth of a percent there is one rung, the last: more are not worth their time.
+        const double least = 1e-4 * std::max(options_.valueExtent, options_.warpingWeight * options_.positionExtent);
+        const auto key = static_cast<double>(key_);
+        rung_ = std::max(options_.stopKey, downToRung * key);
+        if (rung_ < least)
+            rung_ = options_.stopKey;
+        first_ = std::max(first_, key);
+        const double last = std::max(least, options_.stopKey);
+        progress_.report(std::clamp(std::log(first_ / key) / std::log(std::max(first_ / last, 2.0)), 0.0, 1.0),
+                         Message::marked("Refining"));
     }
 
     CurvilinearMesh& mesh_;
     const CurvilinearRefinementOptions& options_;
     HistorySink& sink_;
+    const Progress& progress_;
     CurvilinearSpace space_;
     SpaceErrors errors_;
-    std::vector<SpaceErrors::Worst> found_;
+    Round<SpaceErrors::Worst> found_;
+    float inGrid_ = 0;                                      ///< the key there
     float key_ = infiniteKey;                               ///< of the mesh as it is, if that is known
     double rung_ = std::numeric_limits<double>::infinity(); ///< that the mesh is on its way to
     double first_ = 0;                                      ///< key that was known
@@ -238,10 +231,11 @@ Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const Cu
     if (Status status = mesh.start(grid, meshOptions, history); !status)
         return status.error();
     if (options.inSpace) {
-        SpaceRefinement refinement(grid, mesh, options, history);
-        if (Status status = history.goOn(refinement, progress); !status)
+        SpaceRefinement order(grid, mesh, options, history, progress);
+        if (Status status = history.goOn(order, progress); !status)
             return status.error();
-        return resultOf(mesh, refinement.run(progress));
+        const Status refined = refineGreedily(order);
+        return resultOf(mesh, refined ? Result<float>(order.key()) : refined.error());
     }
     CurvilinearSpace space(mesh, options.selection, history);
     if (Status status = history.goOn(space, progress); !status)

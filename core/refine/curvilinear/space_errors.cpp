@@ -253,17 +253,13 @@ float SpaceErrors::measure(std::span<const DelaunayTetrahedron> tetrahedra, doub
         const auto error = std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32));
         largest = std::max(largest, error);
         if (static_cast<double>(error) > limit)
-            found.push_back({point, error, slotOf(entry)});
+            found.push_back({point, error, slotOf(entry), tetrahedra[slotOf(entry)].vertices});
     }
-    const auto isWorse = [](const Worst& one, const Worst& other) {
-        return one.error != other.error ? one.error > other.error : one.point < other.point;
-    };
-    std::ranges::sort(found, [&](const Worst& one, const Worst& other) {
+    std::ranges::sort(found, [](const Worst& one, const Worst& other) {
         return one.slot != other.slot ? one.slot < other.slot : isWorse(one, other);
     });
     const auto others = std::ranges::unique(found, {}, &Worst::slot);
     found.erase(others.begin(), others.end());
-    std::ranges::sort(found, isWorse);
     return largest;
 }
 

@@ -29,10 +29,16 @@ public:
         std::uint32_t point = 0;
         float error = 0; ///< a bound, weighted (R6)
         std::uint32_t slot = 0;
+        std::array<PackedPoint, 4> tetrahedron{}; ///< what the slot held
     };
+    /// The worse first, then the first in the grid.
+    static bool isWorse(const Worst& one, const Worst& other)
+    {
+        return one.error != other.error ? one.error > other.error : one.point < other.point;
+    }
     /// Of the tetrahedra of a whole grid (LatticeDelaunay::tetrahedra(), dead ones among them) a bound on the error at
-    /// all points; to `found` it gives the worst of each tetrahedron that is worse than `limit`, the worst first. Sites
-    /// stay sites from one call to the next, as in a refinement: only what lies in tetrahedra that are new since is
+    /// all points; to `found` it gives the worst of each tetrahedron that is worse than `limit`, by slots. Sites stay
+    /// sites from one call to the next, as in a refinement: only what lies in tetrahedra that are new since is
     /// measured again. On all threads, the same with any number of them; O(tetrahedra + points), and the points in new
     /// tetrahedra or outside of all times the depth of trees.
     float measure(std::span<const DelaunayTetrahedron> tetrahedra, double limit, std::vector<Worst>& found);
