@@ -428,7 +428,7 @@ private:
             return entry == header.words.end() ? std::string() : entry->second;
         };
         std::string type = word("ZONETYPE");
-        const std::string format = word("F");
+        const std::string format = word("F").empty() ? word("DATAPACKING") : word("F");
         if (type.empty() && format.starts_with("FE"))
             type = "FE" + (word("ET").empty() ? std::string("QUADRILATERAL") : word("ET"));
         if (type.empty() || type == "ORDERED")

@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(valuesOf(zone, 4), std::vector<double>{9.5});
         for (const char* header :
              {"ZONE N=4, E=1, F=FEPOINT, ET=TETRAHEDRON", "ZONE N=4,E=1,ZONETYPE=FETETRAHEDRON,DATAPACKING=POINT",
-              "ZONE N=4, E=1, F=FEPOINT, ET=QUADRILATERAL"}) {
+              "ZONE N=4, E=1, F=FEPOINT, ET=QUADRILATERAL", "ZONE N=4, E=1, ET=TETRAHEDRON, DATAPACKING=FEPOINT"}) {
             const auto tetrahedron =
                 readTecplot(cubeHead + header + "\n0 0 0 1 5\n1 0 0 2 5\n0 1 0 3 5\n0 0 1 4 5\n1 2 3 4\n");
             QVERIFY2(tetrahedron.ok(), tetrahedron.ok() ? "" : tetrahedron.error().text().c_str());
