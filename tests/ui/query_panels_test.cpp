@@ -341,6 +341,7 @@ void QueryPanelsTest::whatAFileSaysOtherwiseIsTold()
     Dataset far = sampleDataset(6);
     far.lattice.origin = {339385, 4264212, 1680};
     far.lattice.spacing = {0.05, 0.05, 0.05};
+    far.lengthUnit = "m";
     const auto model = buildSampleModel(*window_->host, far, folder.path().toStdString());
     window_->window.open(QString::fromStdString(model));
     QTRY_VERIFY(session().model() && session().model()->path() == model && window_->settled());
@@ -355,6 +356,10 @@ void QueryPanelsTest::whatAFileSaysOtherwiseIsTold()
     const QString text = "In '%1' x, y and z are less than in the data by 339385, 4264212 and 1680, as";
     QVERIFY2(told[0].startsWith(text.arg(folder.filePath("far.glb"))), qPrintable(told[0]));
     QVERIFY2(told[1].startsWith(text.arg(folder.filePath("far.stl"))), qPrintable(told[1]));
+    QFile ply(folder.filePath("far.ply"));
+    QVERIFY(ply.open(QIODevice::ReadOnly));
+    const QByteArray head = ply.read(2000);
+    QVERIFY2(head.contains("comment unit: m\n"), head.constData());
 }
 
 /// By the dialog: closed, and what they are is told, with the deviation if that was asked for.

@@ -31,6 +31,8 @@ MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
     MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
     if (!model.description().valueName.empty())
         facts.emplace_back("array", model.description().valueName);
+    if (!model.description().lengthUnit.empty())
+        facts.emplace_back("unit", model.description().lengthUnit);
     if (query.range) {
         facts.emplace_back("smallest error in percent", std::min(query.range->one.error, query.range->other.error));
         facts.emplace_back("largest error in percent", std::max(query.range->one.error, query.range->other.error));
