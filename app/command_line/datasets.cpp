@@ -277,10 +277,11 @@ QJsonArray toJson(std::span<const std::string> names)
     return list;
 }
 
+constexpr std::size_t mostShown = 20; ///< of what there is to choose from
+
 /// "blocks: a, b, c", the first of them; nothing where there is no choice.
 std::string choiceText(std::string_view what, std::span<const std::string> names)
 {
-    constexpr std::size_t mostShown = 20;
     if (names.size() < 2)
         return {};
     std::string text = std::string(what) + ": ";
@@ -294,7 +295,6 @@ std::string choiceText(std::string_view what, std::span<const std::string> names
 /// Names with commas in them, by which one is chosen or by its number.
 std::string seriesText(std::span<const std::string> names)
 {
-    constexpr std::size_t mostShown = 20;
     if (names.size() < 2)
         return {};
     std::string text = "series:\n";

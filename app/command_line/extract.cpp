@@ -213,9 +213,8 @@ Syntax extractSyntax(PluginHost& host)
             "near certain values, without cracks; or the best one of so many tetrahedra; or a part of it. The file is "
             "a VTK XML unstructured grid (.vtu) or a legacy one (.vtk), with the values of the vertices, called as in "
             "the data; or the boundary of the mesh alone, as triangles: VTK polydata (.vtp), binary PLY (.ply), STL "
-            "(.stl), Wavefront text (.obj) or binary glTF (.glb). Surfaces on which the data have a value are written "
-            "by "
-            "'tan isosurface'.",
+            "(.stl), Wavefront text (.obj) or binary glTF (.glb). Surfaces on which the data have a value are "
+            "written by 'tan isosurface'.",
         .positionals = {{"MODEL", modelExplanation()}},
         .options = queryOptions(),
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},

@@ -28,7 +28,7 @@ except ImportError as missing:
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 TAN = BUILD / "bin/tan"
 SOAK = os.environ.get("TAN_SOAK")
-LATTICES = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 96 if SOAK else 4
+LATTICES = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 96 if SOAK else 8
 SEED = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else int(SOAK or 20260728)
 
 METHODS = {"whole": ("--builder", "refinement", "--block", "none"), "blocks": ("--builder", "refinement", "--block", "3"),

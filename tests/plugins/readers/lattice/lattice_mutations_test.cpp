@@ -92,7 +92,7 @@ private slots:
     {
         std::mt19937 random(seedOf(20240229));
         int read = 0;
-        for (int round = 0; round < 1500; ++round)
+        for (int round = 0; round < 6000; ++round)
             for (const QByteArray& file : validFiles()) {
                 const Result<Dataset> dataset = readNrrd(mutated(file, random));
                 if (!dataset) {
