@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/datasets.h"
+#include "app/command_line/error_statistics.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/pack.h"
 #include "app/command_line/plugin_options.h"
@@ -8,6 +9,8 @@
 #include "core/base/text.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
+#include "core/history/error_meaning.h"
+#include "core/history/query_words.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"
@@ -54,6 +57,10 @@ Outcome describe(const ModelBuild& build, const std::string& wanted, bool isPack
                    (isPacked ? "" : ", " + byteText(build.fileBytes)) + "\nbuilt by " + visibleText(build.builder) +
                    " in " + rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) +
                    " of memory\n";
+    if (const auto model = Model::open(build.model)) {
+        outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning((*model)->description()));
+        outcome.text += guaranteeText((*model)->description(), false);
+    }
     if (build.stoppedEarly)
         outcome.text += "Stopped early: 'tan info' tells what accuracy it has.\n";
     if (output != wanted)

@@ -2,8 +2,8 @@
 #include "app/command_line/error_statistics.h"
 
 #include "app/command_line/table.h"
-
-#include <algorithm>
+#include "core/history/error_meaning.h"
+#include "core/history/query_words.h"
 
 namespace tetra {
 
@@ -17,26 +17,57 @@ QJsonObject toJson(const ResidualStatistics& statistics)
             {"root_mean_square", statistics.rootMeanSquare}};
 }
 
+/// Of figures that do not say it, such as those of an older server, there is one error.
+ErrorMeaning meaningOf(const QJsonObject& figures)
+{
+    const auto word = figures["error_kind"].toString().toStdString();
+    return choiceOf<ErrorMeaning>(errorKindWords, word).value_or(ErrorMeaning::Only);
+}
+
+std::string paragraph(ErrorMeaning meaning, bool isMeasured)
+{
+    if (meaning == ErrorMeaning::Only)
+        return {};
+    const bool isAdvised = meaning == ErrorMeaning::InGrid && !isMeasured;
+    return "\n" + std::string(textFor(errorPromises, meaning)) +
+           (isAdvised ? " " + std::string(errorInSpaceAdvice) : "") + "\n";
+}
+
 } // namespace
 
-std::string guaranteeText(const ModelDescription& description)
+std::string guaranteeText(const ModelDescription& description, bool isMeasured)
 {
-    if (description.domain != DomainClass::Curvilinear)
-        return {};
-    const std::pair<std::string, std::string> inSpace("error-in", "space");
-    return std::ranges::find(description.parameters, inSpace) != description.parameters.end()
-               ? "\nThe error in the grid and the error in space, at the place where you look, are both guaranteed at "
-                 "every accuracy; in a focus or a field, the error in the grid alone.\n"
-               : "\nWhat is guaranteed is the error in the grid; the error in space, at the place where you look, may "
-                 "be larger.\n";
+    return paragraph(errorMeaning(description), isMeasured);
+}
+
+std::string guaranteeText(const QJsonObject& figures)
+{
+    const bool isOneMesh = figures.contains("error");
+    return isOneMesh ? paragraph(meaningOf(figures), figures.contains("error_in_space")) : std::string();
+}
+
+std::string errorsUpTo(double percent, const QJsonObject& figures)
+{
+    const ErrorMeaning meaning = meaningOf(figures);
+    std::string text = std::string(textFor(errorsNames, meaning)) + " of up to " + rounded(percent) + " %";
+    if (meaning == ErrorMeaning::InGrid && figures.contains("error_in_space"))
+        text += ", in space of up to " + rounded(figures["error_in_space"].toObject()["largest"].toDouble()) + " %";
+    return text;
+}
+
+void addErrorInSpace(QJsonObject& figures, const ErrorInSpace& measured)
+{
+    QJsonObject inSpace = toJson(measured);
+    inSpace["outside"] = static_cast<qint64>(measured.outside);
+    figures["error_in_space"] = inSpace;
 }
 
 void addStatistics(QJsonObject& figures, const ErrorStatistics& measured, DomainClass domain)
 {
     figures["error_statistics"] = toJson(measured.error);
-    QJsonObject inSpace = toJson(measured.errorInSpace);
-    inSpace["outside"] = static_cast<qint64>(measured.errorInSpace.outside);
-    figures["error_in_space"] = inSpace;
+    addErrorInSpace(figures, measured.errorInSpace);
+    if (measured.errorAtNearest)
+        figures["error_at_nearest"] = toJson(*measured.errorAtNearest);
     if (canWarp(domain))
         figures["warping_statistics"] = toJson(measured.warping);
 }
@@ -47,7 +78,7 @@ std::string statisticsText(const std::vector<NamedStatistics>& meshes, DomainCla
         {"mesh", "measured", "largest %", "mean %", "99th percentile %", "root mean square %"}};
     if (canWarp(domain))
         rows[0].emplace_back("points outside");
-    const auto add = [&](const std::string& mesh, const char* what, const ResidualStatistics& statistics,
+    const auto add = [&](const std::string& mesh, const std::string& what, const ResidualStatistics& statistics,
                          const std::string& outside) {
         rows.push_back({mesh, what, rounded(statistics.largest), rounded(statistics.mean),
                         rounded(statistics.percentile99), rounded(statistics.rootMeanSquare)});
@@ -57,11 +88,13 @@ std::string statisticsText(const std::vector<NamedStatistics>& meshes, DomainCla
     for (const auto& [name, measured] : meshes) {
         const std::string outside = std::to_string(measured.errorInSpace.outside);
         if (domain == DomainClass::Curvilinear) {
-            add(name, "error in the grid", measured.error, "-");
-            add(name, "error in space", measured.errorInSpace, outside);
+            add(name, textFor(errorNames, ErrorMeaning::InGrid), measured.error, "-");
+            add(name, textFor(errorNames, ErrorMeaning::InSpace), measured.errorInSpace, outside);
         } else {
-            add(name, "error", measured.error, outside);
+            add(name, textFor(errorNames, ErrorMeaning::Only), measured.error, outside);
         }
+        if (measured.errorAtNearest)
+            add(name, "error at the nearest place", *measured.errorAtNearest, outside);
         if (canWarp(domain))
             add(name, "warping", measured.warping, "-");
     }

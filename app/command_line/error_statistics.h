@@ -13,7 +13,8 @@
 
 namespace tetra {
 
-/// Adds "error_statistics", "error_in_space" and, of data that can warp, "warping_statistics".
+/// Adds "error_statistics", "error_in_space", of irregular data "error_at_nearest" and, of data that can warp,
+/// "warping_statistics".
 void addStatistics(QJsonObject& figures, const ErrorStatistics& measured, DomainClass domain);
 
 /// The same for people, one row a measure; each mesh's with its name before it. Of curvilinear data the error in the
@@ -24,7 +25,16 @@ struct NamedStatistics {
 };
 std::string statisticsText(const std::vector<NamedStatistics>& meshes, DomainClass domain);
 
-/// Which of the two a model of curvilinear data guarantees, in a paragraph of its own; of other data nothing.
-std::string guaranteeText(const ModelDescription& description);
+/// Adds "error_in_space" alone, where the rest was not measured.
+void addErrorInSpace(QJsonObject& figures, const ErrorInSpace& measured);
+
+/// Which of the two a model of curvilinear data guarantees, in a paragraph of its own, and how to know the other one
+/// where that `isMeasured` not; of other data nothing.
+std::string guaranteeText(const ModelDescription& description, bool isMeasured);
+/// The same below the figures of a mesh (meshFigures()), which tell both.
+std::string guaranteeText(const QJsonObject& figures);
+
+/// "errors in the grid of up to 1.68 %", and in space, as far as the figures of a mesh tell.
+std::string errorsUpTo(double percent, const QJsonObject& figures);
 
 } // namespace tetra

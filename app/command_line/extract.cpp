@@ -12,6 +12,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/text.h"
+#include "core/history/error_meaning.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
@@ -66,7 +67,7 @@ void describeMesh(PluginHost& host, const Destination& output, Outcome& outcome)
     const bool isScaled = outcome.figures["scale"].toDouble() > 1;
     outcome.text += reachedText(outcome.figures);
     if (!outcome.figures.contains("reached_error") && isScaled)
-        outcome.text += ", with errors of up to " + rounded(outcome.figures["error"].toDouble()) + " %";
+        outcome.text += ", with " + errorsUpTo(outcome.figures["error"].toDouble(), outcome.figures);
 }
 
 void addFigures(Outcome& outcome, const QJsonObject& figures)
@@ -130,25 +131,36 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
     if (found.overlaps && isSurfaceFileOnly(task.host, task.output.path))
         return noBoundary();
     std::optional<ErrorStatistics> statistics;
+    std::optional<ErrorInSpace> inSpace;
     if (const auto against = task.arguments.value("against")) {
         const auto measurement = measured(task, *against, query, found);
         if (!measurement)
             return measurement.error();
         statistics = *measurement;
+        if (errorMeaning(task.model.description()) != ErrorMeaning::Only)
+            inSpace = statistics->errorInSpace;
+    } else {
+        const auto known = measureInSpace(task.model, query, found, task.progress.part(extractionEnd, measuringEnd));
+        if (!known)
+            return known.error();
+        inSpace = *known;
     }
-    const auto written = saveMesh(task.host, contentOf(task.model, query, found), task.output, task.values,
-                                  task.progress.part(statistics ? measuringEnd : extractionEnd, 1));
+    const std::optional<double> largestInSpace = inSpace ? std::optional(inSpace->largest) : std::nullopt;
+    const auto written = saveMesh(task.host, contentOf(task.model, query, found, largestInSpace), task.output,
+                                  task.values, task.progress.part(measuringEnd, 1));
     if (!written)
         return written.error();
     Outcome outcome = outcomeOf(task.output, found.mesh);
     addFigures(outcome, figuresOf(task.model, query, found));
+    const DomainClass domain = task.model.description().domain;
+    if (statistics)
+        addStatistics(outcome.figures, *statistics, domain);
+    else if (inSpace)
+        addErrorInSpace(outcome.figures, *inSpace);
     if (!query.range)
         describeMesh(task.host, task.output, outcome);
-    if (statistics) {
-        const DomainClass domain = task.model.description().domain;
-        addStatistics(outcome.figures, *statistics, domain);
+    if (statistics)
         outcome.text += "\n" + statisticsText({{"extracted", *statistics}}, domain);
-    }
     return Extraction{std::move(outcome), *written};
 }
 
@@ -198,6 +210,7 @@ Outcome outcomeOf(Extraction extraction, std::chrono::steady_clock::time_point s
     outcome.figures["seconds"] = elapsed.count();
     outcome.text.insert(std::min(outcome.text.find('\n'), outcome.text.size()),
                         ", in " + rounded(elapsed.count(), 3) + " s\n");
+    outcome.text += guaranteeText(outcome.figures);
     addRemarks(extraction.remarks, outcome);
     return outcome;
 }

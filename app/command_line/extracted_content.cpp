@@ -5,7 +5,8 @@
 
 namespace tetra {
 
-MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
+MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                      const std::optional<double>& errorInSpace)
 {
     MeshContent content;
     content.positions = mesh.mesh.positions;
@@ -14,7 +15,7 @@ MeshContent contentOf(const Model& model, const MeshQuery& query, const Extracte
     if (query.range)
         content.cellArrays = {{"birth_error", std::span<const float>(mesh.birthErrors)},
                               {"death_error", std::span<const float>(mesh.deathErrors)}};
-    content.facts = meshFacts(model, query, mesh);
+    content.facts = meshFacts(model, query, mesh, errorInSpace);
     return content;
 }
 

@@ -6,10 +6,13 @@
 
 #include <tan/query.h>
 
+#include <optional>
+
 namespace tetra {
 
 /// A mesh for a file: the array of its vertices' values; of a range of accuracies also "birth_error" and "death_error"
 /// of the tetrahedra; and meshFacts(). Points into `mesh`.
-MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
+MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                      const std::optional<double>& errorInSpace = {});
 
 } // namespace tetra

@@ -8,6 +8,8 @@
 #include "app/command_line/table.h"
 #include "core/base/file_writer.h"
 #include "core/base/text.h"
+#include "core/history/error_meaning.h"
+#include "core/history/query_words.h"
 #include "core/verify/curvilinear_cells.h"
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
@@ -77,6 +79,12 @@ struct LevelTable {
     bool anyInverted = false;
 };
 
+/// The head of the column of what was asked for, which is what the model guarantees.
+std::string errorHead(const ModelDescription& description)
+{
+    return std::string(textFor(errorNames, errorMeaning(description))) + " %";
+}
+
 Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& levels)
 {
     const bool warps = model.description().warpingWeight > 0;
@@ -89,7 +97,7 @@ Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& l
     const std::vector<std::uint64_t>& inverted = *counted;
     LevelTable result;
     result.anyInverted = std::ranges::any_of(inverted, [](std::uint64_t count) { return count > 0; });
-    result.rows = {{"error %", "sites", "tetrahedra", "reached %"}};
+    result.rows = {{errorHead(model.description()), "sites", "tetrahedra", "reached %"}};
     if (warps) {
         result.rows[0].insert(result.rows[0].begin() + 1, "warping %");
         result.rows[0].emplace_back("warping reached %");
@@ -196,9 +204,10 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
     outcome.figures["levels"] = found->list;
+    outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning(description));
     outcome.text += std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
                     " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows) +
-                    guaranteeText(description);
+                    guaranteeText(description, invocation.arguments.has("against"));
     if (found->anyInverted)
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
     if (const Status listed = addFaultyCells(model, outcome); !listed)
@@ -224,7 +233,7 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     const bool isPacked = facts->form == ModelForm::Packed;
     const DatasetSummary summary = summaryOf(description);
     QJsonArray list;
-    std::vector<std::vector<std::string>> rows = {{"error %", "sites", "read", "reached %"}};
+    std::vector<std::vector<std::string>> rows = {{errorHead(description), "sites", "read", "reached %"}};
     if (warps) {
         rows[0].insert(rows[0].begin() + 1, "warping %");
         rows[0].emplace_back("warping reached %");
@@ -258,9 +267,11 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     outcome.figures["bytes"] = static_cast<qint64>(facts->fileBytes);
     outcome.figures["unpacked_bytes"] = static_cast<qint64>(facts->unpackedBytes);
     outcome.figures["levels"] = list;
+    outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning(description));
     outcome.text += std::to_string(facts->sites) + " sites, " + std::to_string(facts->tetrahedra) +
                     " tetrahedra in the history, " + byteText(facts->fileBytes) +
-                    (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows);
+                    (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows) +
+                    guaranteeText(description, false);
     return outcome;
 }
 

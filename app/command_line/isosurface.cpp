@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/error_statistics.h"
 #include "app/command_line/extracted_content.h"
 #include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
@@ -10,6 +11,7 @@
 #include "app/command_line/table.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "core/history/error_meaning.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
 #include "ui/workbench/surface_making.h"
@@ -171,7 +173,9 @@ void tellLostSurfaces(std::span<const MadeSurface> surfaces, const Model& model,
 void tellFinestError(const Model& model, Outcome& outcome)
 {
     if (const double error = meshSizeAt(model, Accuracy{}).error; error > 0)
-        addRemarks(std::vector<Message>{Message("The finest mesh of this model has errors of up to " + rounded(error) +
+        addRemarks(std::vector<Message>{Message("The finest mesh of this model has " +
+                                                std::string(textFor(errorsNames, errorMeaning(model.description()))) +
+                                                " of up to " + rounded(error) +
                                                 " % itself, which the deviation does not count.")},
                    outcome);
 }
@@ -342,7 +346,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
                     .text = shownName(*output) + ": " + std::to_string(vertices) + " vertices, " +
                             std::to_string(triangles) + " triangles from " +
                             std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra" + reachedText(figures) +
-                            ", in " + rounded(elapsed.count(), 3) + " s\n" + (query->range ? "" : shapes)};
+                            ", in " + rounded(elapsed.count(), 3) + " s\n" + (query->range ? "" : shapes) +
+                            guaranteeText(figures)};
     tellEmptySurfaces(empty, model->description().range, outcome);
     tellLostSurfaces(surfaces->all, *model, mesh.mesh, outcome);
     if (wishes->deviation)

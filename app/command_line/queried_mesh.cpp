@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/queried_mesh.h"
 
+#include "app/command_line/error_statistics.h"
 #include "app/command_line/table.h"
 
 #include <QJsonDocument>
@@ -23,9 +24,10 @@ std::string reachedText(const QJsonObject& figures)
 {
     if (!figures.contains("reached_error"))
         return "";
-    std::string text = ", with errors of up to " + rounded(figures["reached_error"].toDouble()) + " %";
+    std::string text = ", with " + errorsUpTo(figures["reached_error"].toDouble(), figures);
     if (const double warping = figures["reached_warping"].toDouble(); warping > 0)
-        text += " and a warping of up to " + rounded(warping) + " %";
+        text += (figures.contains("error_in_space") ? ", and a warping of up to " : " and a warping of up to ") +
+                rounded(warping) + " %";
     return text;
 }
 

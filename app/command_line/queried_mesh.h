@@ -21,7 +21,8 @@ template <class Value> Result<Value> confirmed(const Model& model, Result<Value>
     return right ? std::move(read) : Result<Value>(right.error());
 }
 
-/// ", with errors of up to 1.68 %": what figuresOf() tell that the mesh reaches; nothing where they do not.
+/// ", with errors of up to 1.68 %", in the words for that error: what figuresOf() tell that the mesh reaches; nothing
+/// where they do not.
 std::string reachedText(const QJsonObject& figures);
 
 /// meshFigures(), for the outcome of a command.

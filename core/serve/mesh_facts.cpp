@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/serve/mesh_facts.h"
 
+#include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
 #include "core/serve/json_text.h"
 #include "core/verify/verify_mesh.h"
@@ -22,6 +23,15 @@ void addField(Facts& facts, const std::string& name, const ErrorField& field, do
         facts.emplace_back(name, keptPercent(field.bounds().minimum, scale));
     else
         facts.emplace_back(name + "_field", toText(field));
+}
+
+/// Which error the numbers are where there are two, and the one that was measured.
+void addErrorKind(Facts& facts, const Model& model, const MeshQuery& query, const std::optional<double>& errorInSpace)
+{
+    if (const ErrorMeaning meaning = errorMeaning(model.description(), query); meaning != ErrorMeaning::Only)
+        facts.emplace_back("error_kind", wordOf(errorKindWords, meaning));
+    if (errorInSpace)
+        facts.emplace_back("error_in_space", *errorInSpace);
 }
 
 std::string sizeFigures(const MeshSize& size)
@@ -53,7 +63,8 @@ bool isLimited(const ValueRange& lives)
 
 } // namespace
 
-Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
+Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                const std::optional<double>& errorInSpace)
 {
     Facts facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
     if (!model.description().valueName.empty())
@@ -68,19 +79,23 @@ Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh&
         const double one = errorOf(query.range->one), other = errorOf(query.range->other);
         facts.emplace_back("coarsest_error", std::max(one, other));
         facts.emplace_back("finest_error", std::min(one, other));
+        addErrorKind(facts, model, query, errorInSpace);
         return facts;
     }
     addField(facts, "error", query.error, mesh.scale);
     if (model.description().warpingWeight > 0)
         addField(facts, "warping", query.warping, mesh.scale);
     facts.emplace_back("error_scale", mesh.scale);
+    addErrorKind(facts, model, query, errorInSpace);
     return facts;
 }
 
 std::string meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
     JsonObjectText figures;
-    figures.add("sites", mesh.mesh.positions.size()).add("tetrahedra", mesh.mesh.tetrahedra.size());
+    figures.add("sites", mesh.mesh.positions.size())
+        .add("tetrahedra", mesh.mesh.tetrahedra.size())
+        .add("error_kind", wordOf(errorKindWords, errorMeaning(model.description(), query)));
     if (query.range) {
         if (model.elsewhere() != nullptr) // the sizes of its meshes are known only about
             return figures.text();

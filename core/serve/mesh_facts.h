@@ -4,6 +4,7 @@
 #include <tan/model.h>
 #include <tan/query.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,9 +14,11 @@ namespace tetra {
 
 // What there is to tell of a mesh that a query gave; the same at a server and at hand.
 
-/// What a mesh was extracted from, and how, for the file that it is written into: MeshFacts of the writers.
+/// What a mesh was extracted from, and how, for the file that it is written into: MeshFacts of the writers. Which error
+/// a number is they tell where there are two; `errorInSpace`: the largest one in %, if it was measured.
 std::vector<std::pair<std::string, std::variant<double, std::string>>>
-meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
+meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+          const std::optional<double>& errorInSpace = {});
 
 /// Its size, what it keeps, and what it was chosen from, as JSON.
 std::string meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);

@@ -3,6 +3,7 @@
 
 #include "core/base/checksum.h"
 #include "core/base/text.h"
+#include "core/history/error_meaning.h"
 #include "core/history/format.h"
 #include "core/history/query_words.h"
 #include "core/packed/packed_mesh.h"
@@ -486,6 +487,7 @@ ServedAnswer ModelServer::aboutAnswer(const ServedRequest& request, const Served
                           .add("unpacked_bytes", facts->unpackedBytes)
                           .add("sites", facts->sites)
                           .add("tetrahedra", facts->tetrahedra)
+                          .add("error_kind", wordOf(errorKindWords, errorMeaning(facts->description)))
                           .add("tag", file.tag));
 }
 
@@ -507,6 +509,7 @@ ServedAnswer ModelServer::sizesAnswer(const ServedRequest& request, const Served
                               .add("tetrahedra", sizes.tetrahedra)
                               .add("bytes", file.size)
                               .add("warps", (*model)->description().warpingWeight > 0)
+                              .add("error_kind", wordOf(errorKindWords, errorMeaning((*model)->description())))
                               .addText("meshes", meshes.text())
                               .add("tag", file.tag));
     });

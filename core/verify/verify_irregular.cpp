@@ -352,7 +352,7 @@ public:
     RelatedCheck(const MeshToVerify& mesh, const MeshBoundary& boundary, CellFindings& inside)
         : mesh_(mesh), boundary_(boundary), original_(*mesh.original.irregular), inside_(inside),
           isVertex_(original_.points.positions.size()), error_(Residual::error(mesh)),
-          warping_(Residual::warping(mesh)), warpings_(isVertex_.size(), 0)
+          warping_(Residual::warping(mesh)), warpings_(isVertex_.size(), 0), atNearest_(isVertex_.size(), 0)
     {
         for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
             for (const std::uint32_t point : mesh.cells.points(cell))
@@ -400,6 +400,7 @@ private:
     Residual warping_;
     double largestOwnWarping_ = 0; ///< of cells on the boundary
     PointResiduals warpings_;
+    PointResiduals atNearest_; ///< the errors of points outside at the nearest place
     std::atomic<std::uint64_t> outside_ = 0;
     Findings tooFar_;
     Findings tooLarge_;
@@ -467,6 +468,7 @@ void RelatedCheck::checkOutside(const Related& related)
     const std::array<double, 3>& weights = related.nearest.place.weights;
     const double there = weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
     double error = related.weight * std::abs(there - related.value);
+    atNearest_.raise(related.point, error);
     const double claimed = error_.claimed(related.point);
     if (error > claimed + error_.allowance) {
         const double radius = std::max(related.nearest.place.distance,
@@ -534,6 +536,9 @@ void RelatedCheck::moveTo(LevelReport& verdict)
 {
     verdict.measured.error = inside_.residuals.statistics(error_.percent(1));
     verdict.measured.errorInSpace = {verdict.measured.error, outside_};
+    for (std::size_t point = 0; point < atNearest_.size(); ++point)
+        atNearest_.raise(point, inside_.residuals.at(point)); // of those outside no more than at the nearest place
+    verdict.measured.errorAtNearest = atNearest_.statistics(error_.percent(1));
     verdict.measured.warping = warpings_.statistics(warping_.percent(1), [this](std::size_t point) {
         return original_.isOnBoundary(static_cast<std::uint32_t>(point));
     });

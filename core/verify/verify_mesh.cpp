@@ -2,13 +2,18 @@
 #include "core/verify/verify_mesh.h"
 
 #include "core/base/guarded.h"
+#include "core/history/error_meaning.h"
 #include "core/verify/cell_check.h"
+#include "core/verify/error_in_space.h"
 #include "core/verify/findings.h"
 #include "core/verify/verify_parts.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -148,6 +153,77 @@ Result<LevelReport> verifyWhole(const Model& model, const Dataset& given, const 
     return verdict;
 }
 
+template <class Position> PointPositions inDoubles(std::span<const Position> positions)
+{
+    auto all = std::make_shared<std::vector<Eigen::Vector3d>>(positions.size());
+    std::ranges::transform(positions, all->begin(),
+                           [](const Position& position) { return Eigen::Vector3d(position.template cast<double>()); });
+    return all;
+}
+
+/// The grid of a model that has its samples and their places, as far as it takes to compare a mesh with them. The model
+/// outlives it.
+Dataset gridOf(const Model& model)
+{
+    const ModelDescription& description = model.description();
+    Dataset grid;
+    grid.domain = DomainClass::Curvilinear;
+    grid.lattice = description.lattice;
+    grid.positions = model.floatSamplePositions().empty() ? inDoubles(model.doubleSamplePositions())
+                                                          : inDoubles(model.floatSamplePositions());
+    grid.values = ScalarField(description.sampleType, description.lattice.pointCount(),
+                              {std::shared_ptr<const std::byte>(), model.samples().data()});
+    return grid;
+}
+
+/// Whether there is an error in space to measure, and all that it takes.
+bool isMeasuredInPassing(const Model& model, const MeshQuery& query)
+{
+    const bool isWhole = query.values.empty() && !query.window && !query.range;
+    const std::size_t places = model.floatSamplePositions().size() + model.doubleSamplePositions().size();
+    const std::uint64_t points = model.description().lattice.pointCount();
+    return isWhole && errorMeaning(model.description(), query) == ErrorMeaning::InGrid && !model.samples().empty() &&
+           places == points && points <= mostPointsInPassing;
+}
+
+Result<std::optional<ErrorInSpace>> measureWhole(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                                                 const Progress& progress)
+{
+    for (const Status& right :
+         {model.check(model.samples(), progress), model.check(model.floatSamplePositions(), progress),
+          model.check(model.doubleSamplePositions(), progress), model.check(model.points(), progress)})
+        if (!right)
+            return right.error();
+    const Dataset grid = gridOf(model);
+    LevelReport verdict;
+    const auto weights = weightsOf(model, grid, verdict.failures, progress.withCallback({}));
+    if (!weights)
+        return weights.error();
+    if (!isWellFormed(mesh, verdict.failures))
+        return std::optional<ErrorInSpace>();
+    const std::vector<std::uint32_t> points = pointsOfVertices(model, grid, mesh, verdict.failures);
+    if (points.empty())
+        return std::optional<ErrorInSpace>();
+    const std::vector<LatticePoint> places = placesOf(grid, points);
+    const LevelCells cells(points, places, cellsOf(model, mesh));
+    Original original(grid);
+    original.gridPoints.emplace(grid);
+    const FaceRule anyFace{.onBoundary = [](const Triangle&) { return true; },
+                           .place = [](std::uint32_t) { return std::string(); }};
+    std::vector<BoundaryFace> boundary;
+    constexpr double facesEnd = 0.3;
+    if (const Status done = verifyFaces(cells, anyFace, verdict, progress.part(0, facesEnd), &boundary); !done)
+        return done.error();
+    const MeshBounds bounds(query, mesh.scale, grid);
+    if (const Status done = verifyErrorInSpace({model, original, *weights, cells, bounds}, boundary, verdict,
+                                               progress.part(facesEnd, 1));
+        !done)
+        return done.error();
+    if (const Status intact = model.checkIntact(); !intact)
+        return intact.error();
+    return std::optional(verdict.measured.errorInSpace);
+}
+
 } // namespace
 
 Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
@@ -163,6 +239,15 @@ Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, cons
     return guarded(
         Message::marked("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."),
         [&] { return verifyWhole(model, original, query, mesh, progress); });
+}
+
+Result<std::optional<ErrorInSpace>> measureInSpace(const Model& model, const MeshQuery& query,
+                                                   const ExtractedMesh& mesh, const Progress& progress)
+{
+    if (!isMeasuredInPassing(model, query))
+        return std::optional<ErrorInSpace>();
+    return guarded(Message::marked("Not enough memory to measure the error in space. Ask for a coarser mesh."),
+                   [&] { return measureWhole(model, query, mesh, progress); });
 }
 
 } // namespace tetra

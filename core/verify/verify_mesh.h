@@ -7,6 +7,9 @@
 #include <tan/query.h>
 #include <tan/verify.h>
 
+#include <cstdint>
+#include <optional>
+
 namespace tetra {
 
 /// The least accuracy that a mesh of this scale (keptPercent()) keeps at all samples.
@@ -21,5 +24,15 @@ TAN_INTERNAL Accuracy keptEverywhere(const MeshQuery& query, double scale);
 /// verify() proves. An Error only if checking itself was impossible.
 TAN_INTERNAL Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
                                             const ExtractedMesh& mesh, const Progress& progress = {});
+
+/// Grids of more points are not measured in passing: it would take longer than people wait for a mesh.
+inline constexpr std::uint64_t mostPointsInPassing = 500'000;
+
+/// The error in space of a mesh whose model guarantees the one in the grid, at all samples of the dataset, which the
+/// model itself has. Nothing where there is none to measure (ErrorMeaning), of a part of a mesh, where the model lacks
+/// samples, and of more than `mostPointsInPassing`. It proves nothing: the mesh is taken as it is. On all threads,
+/// O(tetrahedra + points) times the depth of trees of their boxes. Errors: a damaged file, out of memory, cancelled.
+TAN_INTERNAL Result<std::optional<ErrorInSpace>>
+measureInSpace(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh, const Progress& progress = {});
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #include "ui/session/shown_mesh.h"
 
 #include "plugins/widgets/number_text.h"
+#include "ui/session/message_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -42,22 +43,45 @@ QString partText(const ShownMesh& mesh)
         .arg(countText(mesh.keptTetrahedra), countText(mesh.wholeTetrahedra));
 }
 
+/// By the words of the kind of error, without the one in space.
+QString keptErrors(const ShownMesh& mesh)
+{
+    if (mesh.query.range)
+        return MeshText::tr("%1 from %2 to %3", "errors")
+            .arg(translatedText(textFor(errorsNames, mesh.errorMeaning)),
+                 percentText(std::min(mesh.query.range->one.error, mesh.query.range->other.error)),
+                 percentText(std::max(mesh.query.range->one.error, mesh.query.range->other.error)));
+    const QString name = translatedText(textFor(errorNames, mesh.errorMeaning));
+    if (const SpaceRamp* ramp = mesh.query.error.asSpaceRamp())
+        return MeshText::tr("%1 %2 in the focus, %3 outside", "error")
+            .arg(name, keptText(ramp->inner, mesh.scale), keptText(ramp->outer, mesh.scale));
+    if (!mesh.query.error.isConstant())
+        return MeshText::tr("%1 %2 to %3", "error")
+            .arg(name, keptText(mesh.query.error.bounds().minimum, mesh.scale),
+                 keptText(mesh.query.error.bounds().maximum, mesh.scale));
+    return MeshText::tr("%1 %2", "error").arg(name, keptText(mesh.query.error.bounds().maximum, mesh.scale));
+}
+
 } // namespace
 
 QString errorText(const ShownMesh& mesh)
 {
-    if (mesh.query.range)
-        return MeshText::tr("errors from %1 to %2")
-            .arg(percentText(std::min(mesh.query.range->one.error, mesh.query.range->other.error)),
-                 percentText(std::max(mesh.query.range->one.error, mesh.query.range->other.error)));
-    if (const SpaceRamp* ramp = mesh.query.error.asSpaceRamp())
-        return MeshText::tr("error %1 in the focus, %2 outside")
-            .arg(keptText(ramp->inner, mesh.scale), keptText(ramp->outer, mesh.scale));
-    if (!mesh.query.error.isConstant())
-        return MeshText::tr("error %1 to %2")
-            .arg(keptText(mesh.query.error.bounds().minimum, mesh.scale),
-                 keptText(mesh.query.error.bounds().maximum, mesh.scale));
-    return MeshText::tr("error %1").arg(keptText(mesh.query.error.bounds().maximum, mesh.scale));
+    const QString kept = keptErrors(mesh);
+    return mesh.errorInSpace ? MeshText::tr("%1 (in space up to %2)").arg(kept, percentText(*mesh.errorInSpace)) : kept;
+}
+
+QString errorPlaceText(ErrorMeaning meaning, const std::optional<double>& errorInSpace)
+{
+    if (meaning == ErrorMeaning::InGrid && errorInSpace)
+        return MeshText::tr("in the grid; in space up to %1").arg(percentText(*errorInSpace));
+    return translatedText(textFor(errorPlaces, meaning));
+}
+
+QString errorPromiseText(ErrorMeaning meaning, bool isMeasured)
+{
+    const QString promise = translatedText(textFor(errorPromises, meaning));
+    const bool isAdvised = meaning == ErrorMeaning::InGrid && !isMeasured;
+    return isAdvised ? promise + ' ' + translatedText(errorInSpaceAdvice) : promise;
 }
 
 QString piecesText(const ShownMesh& mesh)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/history/error_meaning.h"
+
 #include <tan/model.h>
 #include <tan/query.h>
 #include <tan/transfer.h>
@@ -11,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace tetra {
 
@@ -25,14 +28,24 @@ struct ShownMesh {
     std::uint64_t keptTetrahedra = 0;
     bool isBlended = false;       ///< of two meshes, both are counted; the whole one is that outside the focus
     double scale = 1;             ///< as in ExtractedMesh
+    ErrorMeaning errorMeaning = ErrorMeaning::Only;
+    std::optional<double> errorInSpace{}; ///< the largest one, %, where it was measured beside one in the grid
     Eigen::AlignedBox3d bounds{}; ///< of what is drawn, if window or values leave something out; else empty
     std::shared_ptr<const ValueHistogram> histogram{}; ///< of its vertices' values, over the model's range
     /// The same of the values' natural logarithms; none if the range is not positive.
     std::shared_ptr<const ValueHistogram> logarithmicHistogram{};
 };
 
-/// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside".
+/// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside", in the words for which error it is, and with
+/// the one in space beside that in the grid where it was measured.
 QString errorText(const ShownMesh& mesh);
+
+/// What is beside the name "Error": "in the grid; in space up to 7.3 %". Empty where there is one error only.
+QString errorPlaceText(ErrorMeaning meaning, const std::optional<double>& errorInSpace);
+
+/// What that promises, in a sentence or two, and how the error in space becomes known where it is not. Empty where
+/// there is one error only.
+QString errorPromiseText(ErrorMeaning meaning, bool isMeasured);
 
 /// How many pieces the window cuts its tetrahedra into; empty if it cuts none.
 QString piecesText(const ShownMesh& mesh);

@@ -175,7 +175,7 @@ void ScenePipeline::open(const SceneRequest& request, const NeededMeshes& needed
     renderer_ = request.renderer;
 }
 
-ShownMesh ScenePipeline::shownMesh(const MeshQuery& asked) const
+ShownMesh ScenePipeline::shownMesh(const Model& model, const MeshQuery& asked) const
 {
     ShownMesh shown{.query = asked,
                     .vertices = mesh_->mesh.positions.size(),
@@ -186,6 +186,7 @@ ShownMesh ScenePipeline::shownMesh(const MeshQuery& asked) const
                     .keptTetrahedra = mesh_->keptTetrahedra,
                     .isBlended = fineMesh_ != nullptr,
                     .scale = mesh_->scale,
+                    .errorMeaning = errorMeaning(model.description(), asked),
                     .bounds = meshBounds_,
                     .histogram = histogram_,
                     .logarithmicHistogram = logarithmic_};
@@ -257,7 +258,7 @@ try {
     if (request.faultyCells)
         if (const Status outlined = outlineFaultyCells(built); !outlined)
             return outlined.error();
-    built.mesh = shownMesh(request.query);
+    built.mesh = shownMesh(*request.model, request.query);
     built.triangles = triangleCount(*built.scene);
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
     last_ = request;

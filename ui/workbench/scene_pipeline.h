@@ -99,7 +99,7 @@ private:
     Status extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
     Status extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
     void open(const SceneRequest& request, const NeededMeshes& needed);
-    ShownMesh shownMesh(const MeshQuery& asked) const;
+    ShownMesh shownMesh(const Model& model, const MeshQuery& asked) const;
     Status outlineFaultyCells(BuiltScene& built);
 
     std::unique_ptr<RenderBackend> backend_;

@@ -43,8 +43,8 @@ struct ResidualStatistics {
 
 /// The error that is seen (C12): at each point's place in space, the tetrahedron there, its linear value against the
 /// sample. Where several tetrahedra hold a place, which are folded there or share a face, the one that comes closest
-/// counts; where none does, the nearest place on the mesh's boundary (R5). The same as the error but for curvilinear
-/// data, whose error has the weights of computational space.
+/// counts; where none does, the nearest place on the mesh's boundary. The same as the error but for curvilinear data,
+/// whose error has the weights of computational space.
 struct ErrorInSpace : ResidualStatistics {
     std::uint64_t outside = 0; ///< how many points lie in no tetrahedron
 };
@@ -54,6 +54,9 @@ struct ErrorStatistics {
     ResidualStatistics error;   ///< that of the claim (R5)
     ResidualStatistics warping; ///< likewise (R4); of irregular data over the boundary's vertices alone
     ErrorInSpace errorInSpace;
+    /// Of irregular data: the error, but that of points outside of the mesh is taken at the nearest place of its
+    /// boundary, whatever the claim; where that exceeds it, the claim is of any place within the claimed warping (R5).
+    std::optional<ResidualStatistics> errorAtNearest{};
 };
 
 /// What the checker found of one level (B3).

@@ -5,6 +5,7 @@
 #include "core/history/batch_builder.h"
 #include "tests/core/data/cells/damaged_cells.h"
 #include "tests/core/history/irregular/irregular_models.h"
+#include "tests/core/verify/slow_errors.h"
 #include "tests/verdict_text.h"
 
 #include <tan/data.h>
@@ -213,6 +214,30 @@ private slots:
             fewer += refuted->levels[3].sites < verdict->levels[3].sites ? 1 : 0;
         }
         QVERIFY2(found > 2 && fewer > 2, qPrintable(QString("%1 found, %2 fewer").arg(found).arg(fewer)));
+    }
+
+    /// Points outside of the mesh are measured at the nearest place, too, whatever the claim: as looking at every
+    /// tetrahedron and every face of the boundary finds it.
+    void theErrorAtTheNearestPlaceIsMeasured()
+    {
+        std::uint64_t outside = 0;
+        int larger = 0;
+        for (std::uint32_t seed = 0; seed < 12; ++seed) {
+            const Dataset dataset = randomIrregular(seed);
+            const auto model = modelOf(path(), dataset, decimated(dataset));
+            const auto verdict = verify(*model, dataset, levels);
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
+            for (const LevelReport& level : verdict->levels) {
+                const testing::SlowErrors slow(dataset, *model, level.sites);
+                const auto& atNearest = level.measured.errorAtNearest;
+                QVERIFY2(atNearest && testing::areSame(*atNearest, slow.percents),
+                         qPrintable(QString("seed %1, %2 %").arg(seed).arg(level.asked.error)));
+                QVERIFY(atNearest->largest >= level.measured.error.largest);
+                outside += level.measured.errorInSpace.outside;
+                larger += atNearest->largest > 1.01 * level.measured.error.largest ? 1 : 0;
+            }
+        }
+        QVERIFY2(outside > 100 && larger > 0, qPrintable(QString("%1 outside, %2 larger").arg(outside).arg(larger)));
     }
 
     /// Straight edges of the boundary that rounding bends: removed points of theirs lie outside, if only by rounding,

@@ -86,6 +86,16 @@ private slots:
             QCOMPARE(proved->measured.error.largest, same.measured.error.largest);
             QCOMPARE(proved->measured.warping.largest, same.measured.warping.largest);
             QVERIFY(proved->conforming && proved->covers && proved->inverted == 0);
+            // What is measured in passing, of what the model itself has.
+            const auto passing = measureInSpace(*model, made.query, made.mesh);
+            QVERIFY(passing.ok());
+            QCOMPARE(passing->has_value(), dataset.domain == DomainClass::Curvilinear && !model->samples().empty());
+            if (*passing) {
+                const ErrorInSpace& found = **passing;
+                QCOMPARE(found.largest, same.measured.errorInSpace.largest);
+                QCOMPARE(found.mean, same.measured.errorInSpace.mean);
+                QCOMPARE(found.outside, same.measured.errorInSpace.outside);
+            }
         }
     }
 
