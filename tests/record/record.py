@@ -147,8 +147,10 @@ def hashes_of_model(path):
 
 def kept_form(legacy):
     """A mesh in a legacy VTK file as the record has it: the facts of its title, then its vertices with their values, then its
-    tetrahedra with theirs, as a PLY file would hold them. What the data call the values makes no difference."""
-    title = [fact for fact in re.split(rb"; (?=[a-z_]+: )", legacy.split(b"\n", 2)[1]) if not fact.startswith(b"array: ")]
+    tetrahedra with theirs, as a PLY file would hold them. What the data call the values makes no difference, nor what a
+    file says beside its error: which one it is, and how large the other one is."""
+    beside = (b"array: ", b"error_kind: ", b"error_in_space: ")
+    title = [fact for fact in re.split(rb"; (?=[a-z_]+: )", legacy.split(b"\n", 2)[1]) if not fact.startswith(beside)]
     at = 0
 
     def block(pattern, count, form):

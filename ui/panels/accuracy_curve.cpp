@@ -2,6 +2,7 @@
 #include "ui/panels/accuracy_curve.h"
 
 #include "plugins/widgets/number_text.h"
+#include "ui/session/message_text.h"
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -81,8 +82,15 @@ void AccuracyCurve::setCurve(std::vector<CurvePoint> points)
 void AccuracyCurve::setMarked(const CurvePoint& chosen)
 {
     marked_ = chosen;
-    setAccessibleDescription(
-        tr("%1 tetrahedra at an error of %2").arg(countText(chosen.tetrahedra), percentText(chosen.error)));
+    setAccessibleDescription(tr("%1 tetrahedra at an %2 of %3", "error")
+                                 .arg(countText(chosen.tetrahedra), translatedText(textFor(errorNames, errorMeaning_)),
+                                      percentText(chosen.error)));
+    update();
+}
+
+void AccuracyCurve::setErrorMeaning(ErrorMeaning meaning)
+{
+    errorMeaning_ = meaning;
     update();
 }
 
@@ -231,7 +239,7 @@ void AccuracyCurve::paintAxes(QPainter& painter) const
     painter.setPen(text);
     painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft, tr("Tetrahedra"));
     painter.drawText(QRectF(area.left(), area.bottom() + line + 5, area.width(), line), Qt::AlignHCenter,
-                     tr("Error, % of the value range"));
+                     tr("%1, % of the value range", "error").arg(translatedText(textFor(errorLabels, errorMeaning_))));
 }
 
 void AccuracyCurve::paintCurve(QPainter& painter) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/history/error_meaning.h"
 #include "ui/session/accuracy_scale.h"
 
 #include <QWidget>
@@ -22,6 +23,9 @@ public:
     void setMarked(const CurvePoint& chosen);
     /// Tetrahedra; none: there is no budget.
     void setBudget(std::optional<std::uint64_t> budget);
+    /// Which error it is that the axis is of.
+    void setErrorMeaning(ErrorMeaning meaning);
+
     /// The distances of the error axis from the left and the right edge, so that a slider can be laid out along it.
     int leftMargin() const;
     int rightMargin() const;
@@ -57,6 +61,7 @@ private:
     std::vector<CurvePoint> points_;
     CurvePoint marked_;
     std::optional<std::uint64_t> budget_;
+    ErrorMeaning errorMeaning_ = ErrorMeaning::Only;
     bool draggingBudget_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/accuracy_inputs.h"
+#include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 #include "ui/widgets/checked_button.h"
 
@@ -49,7 +50,7 @@ QString shareText(double part, double whole)
 AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), curve_(new AccuracyCurve), slider_(new AccuracySlider),
       byError_(new QRadioButton(tr("Err&or"))), box_(new AccuracyBox), byBudget_(new QRadioButton(tr("Bu&dget"))),
-      budget_(new BudgetBox), inUnits_(new QLabel), warpingLabel_(new QLabel(tr("War&ping"))),
+      budget_(new BudgetBox), inUnits_(new QLabel), errorPlace_(new QLabel), warpingLabel_(new QLabel(tr("War&ping"))),
       warpingLimit_(new QComboBox), warping_(new AccuracyBox), sites_(numberLabel("accuracy.sites")),
       siteShare_(numberLabel("accuracy.siteShare")), tetrahedra_(numberLabel("accuracy.tetrahedra")),
       tetrahedronShare_(numberLabel("accuracy.tetrahedronShare")), outcome_(new QLabel), limit_(new QLabel)
@@ -59,6 +60,9 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     inUnits_->setToolTip(
         tr("What the percentages mean in units of the data. The warping of curvilinear and irregular data is the "
            "distance of the mesh from the data, in percent of the diagonal of the box around these."));
+    errorPlace_->setObjectName("accuracy.errorPlace");
+    errorPlace_->setWordWrap(true);
+    errorPlace_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     limit_->setObjectName("accuracy.limit");
     limit_->setWordWrap(true);
     outcome_->setObjectName("accuracy.outcome");
@@ -128,10 +132,11 @@ QLayout* AccuracyPanel::makeModes()
     grid->addWidget(byError_, 0, 0);
     grid->addWidget(box_, 0, 1);
     grid->addWidget(inUnits_, 0, 2);
-    addWarping(*grid, 1);
-    grid->addWidget(byBudget_, 2, 0);
-    grid->addWidget(budget_, 2, 1);
-    grid->addWidget(new QLabel(tr("tetrahedra")), 2, 2);
+    grid->addWidget(errorPlace_, 1, 1, 1, 2);
+    addWarping(*grid, 2);
+    grid->addWidget(byBudget_, 3, 0);
+    grid->addWidget(budget_, 3, 1);
+    grid->addWidget(new QLabel(tr("tetrahedra")), 3, 2);
     return grid;
 }
 
@@ -204,7 +209,8 @@ void AccuracyPanel::showModel()
     showCurve();
     const double end = model ? 100 * model->finalKey() / session_.range().extent() : 0;
     limit_->setText(
-        end > 0 ? tr("This model was built down to an error of %1; it contains nothing finer.").arg(percentText(end))
+        end > 0 ? tr("This model was built down to an %1 of %2; it contains nothing finer.", "error")
+                      .arg(translatedText(textFor(errorNames, errorMeaning(model->description()))), percentText(end))
                 : QString());
     limit_->setVisible(end > 0);
     showQuery();
@@ -215,6 +221,7 @@ void AccuracyPanel::showCurve()
     curveWarping_ = session_.view().query.warping;
     const auto& model = session_.model();
     curve_->setCurve(model ? sizeAgainstError(*model, curveWarping_) : std::vector<CurvePoint>{});
+    curve_->setErrorMeaning(model ? errorMeaning(model->description()) : ErrorMeaning::Only);
 }
 
 void AccuracyPanel::showWarping()
@@ -277,6 +284,24 @@ void AccuracyPanel::showError(double error)
         inUnits_->setText(tr("of the range\n± %1").arg(byError));
 }
 
+/// The error in space is that of the last picture until the next one comes, and may come later.
+void AccuracyPanel::showErrorPlace()
+{
+    const auto& model = session_.model();
+    const bool isSeen = session_.showsQuery();
+    const ErrorMeaning meaning = !model   ? ErrorMeaning::Only
+                                 : isSeen ? session_.shown()->errorMeaning
+                                          : errorMeaning(model->description());
+    const std::optional<double> inSpace = isSeen ? session_.shown()->errorInSpace : std::nullopt;
+    QString text = errorPlaceText(meaning, inSpace);
+    if (inSpace)
+        text =
+            tr("%1, ± %2", "errors").arg(text, QLocale().toString(*inSpace / 100 * session_.range().extent(), 'g', 3));
+    errorPlace_->setText(text);
+    errorPlace_->setToolTip(errorPromiseText(meaning, inSpace.has_value()));
+    errorPlace_->setVisible(!text.isEmpty());
+}
+
 /// A uniform mesh is counted beforehand; of any other the numbers are those of the last picture until the next one
 /// comes.
 void AccuracyPanel::showSize()
@@ -285,6 +310,7 @@ void AccuracyPanel::showSize()
     const auto error = errorOfMesh();
     if (error)
         showError(*error);
+    showErrorPlace();
     for (QLabel* label : {sites_, siteShare_, tetrahedra_, tetrahedronShare_, outcome_})
         label->clear();
     if (!model)

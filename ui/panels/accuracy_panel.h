@@ -39,6 +39,7 @@ private:
     void showWarping();
     void showQuery();
     void showError(double error);
+    void showErrorPlace();
     void showSize();
     std::optional<double> errorOfMesh() const;
 
@@ -50,6 +51,7 @@ private:
     QRadioButton* byBudget_;
     BudgetBox* budget_;
     QLabel* inUnits_;
+    QLabel* errorPlace_;   ///< which error it is, where there are two
     QLabel* warpingLabel_; ///< seen with its row if the model can warp
     QComboBox* warpingLimit_;
     AccuracyBox* warping_;

@@ -15,8 +15,6 @@
 #include <QLocale>
 #include <QStringList>
 
-#include <algorithm>
-
 namespace tetra {
 namespace {
 
@@ -59,11 +57,16 @@ std::optional<double> secondsPerTetrahedron(const BuiltScene& scene)
     return scene.extractionSeconds / static_cast<double>(scene.mesh.wholeTetrahedra);
 }
 
-QStringList levelColumns()
+QStringList levelColumns(ErrorMeaning meaning)
 {
     // What counts least comes last, where a narrow panel hides it.
-    return {Statistics::tr("Error"), Statistics::tr("Vertices"), Statistics::tr("Tetrahedra"), Statistics::tr("Share"),
-            Statistics::tr("Time"),  Statistics::tr("Memory"),   Statistics::tr("± value")};
+    return {translatedText(textFor(errorLabels, meaning)),
+            Statistics::tr("Vertices"),
+            Statistics::tr("Tetrahedra"),
+            Statistics::tr("Share"),
+            Statistics::tr("Time"),
+            Statistics::tr("Memory"),
+            Statistics::tr("± value")};
 }
 
 QStringList levelTexts(const LevelStatistics& level)
@@ -86,13 +89,8 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
                                                                           valueText(range.maximum, range.extent()))},
                                       {Statistics::tr("Total vertices"), countText(wholeSites(model))},
                                       {Statistics::tr("File"), bytesText(wholeBytes(model))}};
-    if (model.description().domain == DomainClass::Curvilinear) {
-        const auto& parameters = model.description().parameters;
-        const bool inSpace =
-            std::ranges::find(parameters, std::pair<std::string, std::string>("error-in", "space")) != parameters.end();
-        facts.push_back({Statistics::tr("Error"), inSpace ? Statistics::tr("in the grid and in space")
-                                                          : Statistics::tr("in the grid; in space it may be larger")});
-    }
+    if (const QString place = errorPlaceText(errorMeaning(model.description()), {}); !place.isEmpty())
+        facts.push_back({Statistics::tr("Error"), place});
     if (const std::uint64_t faulty = faultyCellCount(model); faulty > 0)
         facts.push_back({Statistics::tr("Faulty cells"), countText(faulty)});
     const ModelDescription& description = model.description();
@@ -141,12 +139,13 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
     return facts;
 }
 
-QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vector<LevelStatistics>& levels)
+QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vector<LevelStatistics>& levels,
+                       ErrorMeaning meaning)
 {
     QString text;
     for (const auto& [name, value] : facts)
         text += name + '\t' + value + '\n';
-    text += '\n' + levelColumns().join('\t') + '\n';
+    text += '\n' + levelColumns(meaning).join('\t') + '\n';
     for (const LevelStatistics& level : levels)
         text += levelTexts(level).join('\t') + '\n';
     return text;

@@ -31,8 +31,9 @@ std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<d
 /// How quickly the mesh of a scene was extracted; nothing if it was there already.
 std::optional<double> secondsPerTetrahedron(const BuiltScene& scene);
 
-/// The names of the columns, and what stands in them for a level, as the user reads it.
-QStringList levelColumns();
+/// The names of the columns, by which error it is that a model guarantees, and what stands in them for a level, as the
+/// user reads it.
+QStringList levelColumns(ErrorMeaning meaning);
 QStringList levelTexts(const LevelStatistics& level);
 
 /// A fact for people: what it is and what it amounts to.
@@ -55,6 +56,7 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
                                        const std::optional<OrderFaults>& faults);
 
 /// All of it as lines of text with tabs between the columns, for a clipboard.
-QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vector<LevelStatistics>& levels);
+QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vector<LevelStatistics>& levels,
+                       ErrorMeaning meaning);
 
 } // namespace tetra

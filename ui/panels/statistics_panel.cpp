@@ -20,6 +20,12 @@
 namespace tetra {
 namespace {
 
+/// Of what the model guarantees at each accuracy.
+ErrorMeaning meaningOf(const Session& session)
+{
+    return session.model() ? errorMeaning(session.model()->description()) : ErrorMeaning::Only;
+}
+
 constexpr int errorRole = Qt::UserRole;
 
 QTreeWidget* makeTable()
@@ -33,7 +39,7 @@ QTreeWidget* makeTable()
     table->setRootIsDecorated(false);
     table->setUniformRowHeights(true);
     table->setAlternatingRowColors(true);
-    table->setHeaderLabels(levelColumns());
+    table->setHeaderLabels(levelColumns(ErrorMeaning::Only));
     table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->header()->setStretchLastSection(false);
     table->header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -108,6 +114,12 @@ void StatisticsPanel::connectSources(Viewport& viewport)
     session_.whenChanged(ViewPart::Query, this, &StatisticsPanel::showQuery);
     session_.whenChanged(ViewPart::Settings, this, &StatisticsPanel::showFaultyCells);
     connect(&scenes_, &SceneBuilder::sceneReady, this, &StatisticsPanel::showScene);
+    connect(&session_, &Session::shownChanged, this, [this] {
+        if (!scene_ || !session_.shown() || scene_->mesh.errorInSpace == session_.shown()->errorInSpace)
+            return;
+        scene_->mesh.errorInSpace = session_.shown()->errorInSpace;
+        showFacts();
+    });
     connect(&viewport, &Viewport::framePainted, this, [this](const FrameReport& report) {
         const auto faults =
             report.cells > 0 ? std::optional(OrderFaults{report.cutCells, report.brokenCycles}) : std::nullopt;
@@ -150,6 +162,8 @@ void StatisticsPanel::showLevels()
     warping_ = session_.view().query.warping;
     levels_ = model ? levelStatistics(*model, pace_, warping_) : std::vector<LevelStatistics>();
     curve_->setCurve(model ? sizeAgainstError(*model, warping_) : std::vector<CurvePoint>());
+    curve_->setErrorMeaning(meaningOf(session_));
+    table_->setHeaderLabels(levelColumns(meaningOf(session_)));
     table_->clear();
     for (const LevelStatistics& level : levels_) {
         auto* item = new QTreeWidgetItem(table_, levelTexts(level));
@@ -216,7 +230,7 @@ void StatisticsPanel::showFacts()
 
 void StatisticsPanel::copy() const
 {
-    QGuiApplication::clipboard()->setText(statisticsText(facts_, levels_));
+    QGuiApplication::clipboard()->setText(statisticsText(facts_, levels_, meaningOf(session_)));
 }
 
 } // namespace tetra

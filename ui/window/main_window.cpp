@@ -448,6 +448,10 @@ void MainWindow::connectWorkbench()
     });
     SceneBuilder& scenes = workbench_.scenes().sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
+    connect(&workbench_.session(), &Session::shownChanged, this, [this] {
+        if (const Session& session = workbench_.session(); session.shown() && session.model())
+            status_->setErrors(*session.shown(), *session.model());
+    });
     connect(&scenes, &SceneBuilder::failed, this, [this](const Error& error) {
         sceneFailures_.append(translatedMessage(error.message));
         isOutdated_ = viewport_->scene() != nullptr;

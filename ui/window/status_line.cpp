@@ -96,8 +96,7 @@ void StatusLine::clearScene()
 
 void StatusLine::setScene(const BuiltScene& scene)
 {
-    errors_->setText(errorText(scene.mesh));
-    errors_->setToolTip(meshText(scene.mesh, *scene.model));
+    setErrors(scene.mesh, *scene.model);
     sites_->setText(tr("%1 vertices").arg(countText(scene.mesh.keptSites)));
     tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.mesh.keptTetrahedra)));
     const QString pieces = piecesText(scene.mesh);
@@ -109,6 +108,13 @@ void StatusLine::setScene(const BuiltScene& scene)
         label->show();
     triangles_->setVisible(scene.triangles > 0);
     showMemory();
+}
+
+void StatusLine::setErrors(const ShownMesh& mesh, const Model& model)
+{
+    errors_->setText(errorText(mesh));
+    const QString promise = errorPromiseText(mesh.errorMeaning, mesh.errorInSpace.has_value());
+    errors_->setToolTip(promise.isEmpty() ? meshText(mesh, model) : meshText(mesh, model) + '\n' + promise);
 }
 
 void StatusLine::setFrame(const FrameReport& report)

@@ -24,6 +24,8 @@ public:
     /// Nothing is said of a scene any more: what is open is another one.
     void clearScene();
     void setScene(const BuiltScene& scene);
+    /// The errors of the mesh that is shown, which may become known later than its scene.
+    void setErrors(const ShownMesh& mesh, const Model& model);
     void setFrame(const FrameReport& report);
     void setBackend(const QString& name);
     /// The value that was picked in the picture and where it is; empty: none.

@@ -2,6 +2,9 @@
 #include "ui/workbench/mesh_saving.h"
 
 #include "core/base/guarded.h"
+#include "core/history/error_meaning.h"
+#include "core/history/query_words.h"
+#include "core/verify/verify_mesh.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -9,6 +12,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -26,7 +30,19 @@ void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& fiel
     }
 }
 
-MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
+/// Which error the numbers are where there are two, and the largest one in space if it was measured; the names are
+/// those that the command line writes.
+void addErrorKind(MeshFacts& facts, const Model& model, const MeshQuery& query,
+                  const std::optional<double>& errorInSpace)
+{
+    if (const ErrorMeaning meaning = errorMeaning(model.description(), query); meaning != ErrorMeaning::Only)
+        facts.emplace_back("error_kind", wordOf(errorKindWords, meaning));
+    if (errorInSpace)
+        facts.emplace_back("error_in_space", *errorInSpace);
+}
+
+MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale,
+                  const std::optional<double>& errorInSpace = {})
 {
     MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
     if (!model.description().valueName.empty())
@@ -36,11 +52,13 @@ MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
     if (query.range) {
         facts.emplace_back("smallest error in percent", std::min(query.range->one.error, query.range->other.error));
         facts.emplace_back("largest error in percent", std::max(query.range->one.error, query.range->other.error));
+        addErrorKind(facts, model, query, errorInSpace);
         return facts;
     }
     addErrors(facts, "error in percent", query.error, scale);
     if (model.description().warpingWeight > 0)
         addErrors(facts, "warping in percent", query.warping, scale);
+    addErrorKind(facts, model, query, errorInSpace);
     return facts;
 }
 
@@ -115,10 +133,14 @@ Result<FileRemarks> writeMesh(PluginHost& host, const MeshOrder& order, const Pr
     if (!extracted.birthErrors.empty())
         content.cellArrays = {{"birth_error", std::span<const float>(extracted.birthErrors)},
                               {"death_error", std::span<const float>(extracted.deathErrors)}};
-    content.facts = factsOf(*order.model, order.query, extracted.scale);
+    const auto measured = measureInSpace(*order.model, order.query, extracted, progress.part(0, 0.3));
+    if (!measured)
+        return measured.error();
+    content.facts = factsOf(*order.model, order.query, extracted.scale,
+                            *measured ? std::optional((*measured)->largest) : std::nullopt);
     if (const Status right = order.model->confirm(progress.withCallback({})); !right)
         return right.error();
-    return saveMesh(host, content, order.target, {}, progress);
+    return saveMesh(host, content, order.target, {}, progress.part(0.3, 1));
 }
 
 Result<FileRemarks> writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress)
@@ -136,7 +158,7 @@ Result<FileRemarks> writeSurfaces(PluginHost& host, const SurfaceOrder& order, c
     if (content.parts.empty())
         return noSurface();
     const Model& model = *order.scene.model;
-    content.facts = factsOf(model, order.scene.query, order.built->mesh.scale);
+    content.facts = factsOf(model, order.scene.query, order.built->mesh.scale, order.built->mesh.errorInSpace);
     if (const Status right = model.confirm(progress.withCallback({})); !right)
         return right.error();
     return saveSurface(host, content, order.target, {}, progress);

@@ -13,7 +13,8 @@ constexpr std::chrono::milliseconds settlingTime(300);
 
 } // namespace
 
-SceneService::SceneService(PluginHost& host, Session& session) : host_(host), session_(session)
+SceneService::SceneService(PluginHost& host, Session& session)
+    : host_(host), session_(session), errors_(sceneBuilder_, session)
 {
     connect(&session_, &Session::modelChanged, this, &SceneService::requestScene);
     connect(&session_, &Session::modelGrown, this, &SceneService::requestScene);
@@ -26,6 +27,7 @@ SceneService::SceneService(PluginHost& host, Session& session) : host_(host), se
             [this](const Error& error) { emit failed(translatedMessage(error.message)); });
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
             [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, &errors_, &ErrorMeasuring::look);
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &SceneService::requestDrafts);
 }
 

@@ -4,6 +4,7 @@
 #include "plugins/host/plugin_host.h"
 #include "ui/annotations/annotation_content.h"
 #include "ui/session/session.h"
+#include "ui/workbench/error_measuring.h"
 #include "ui/workbench/scene_builder.h"
 
 #include <tan/data.h>
@@ -91,6 +92,7 @@ private:
     QSize pixels_{1024, 768};
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
+    ErrorMeasuring errors_;
 };
 
 } // namespace tetra
