@@ -374,6 +374,26 @@ void QueryTest::theMeshIsToldInWords()
     mesh.isBlended = true;
     QCOMPARE(meshText(mesh, *model_), QString("Shown: error 0.5 % in the focus, 4 % outside."));
 
+    // Which error it is, where there are two.
+    mesh = {};
+    mesh.query.error = 0.5;
+    mesh.errorMeaning = ErrorMeaning::InGrid;
+    QCOMPARE(errorText(mesh), QString("error in the grid 0.5 %"));
+    QCOMPARE(errorPlaceText(mesh.errorMeaning, {}), QString("in the grid; in space it may be larger"));
+    QVERIFY(errorPromiseText(mesh.errorMeaning, false).endsWith("'tan verify' measures the error in space."));
+    QVERIFY(errorPromiseText(mesh.errorMeaning, true).endsWith("may be larger."));
+    mesh.errorInSpace = 7.5;
+    QCOMPARE(meshText(mesh, *model_), QString("Shown: error in the grid 0.5 % (in space up to 7.5 %)."));
+    QCOMPARE(errorPlaceText(mesh.errorMeaning, 7.5), QString("in the grid; in space up to 7.5 %"));
+    mesh.errorInSpace.reset();
+    mesh.query.error = SpaceRamp{Sphere{{3, 4, 5}, 2}, 0.5, 4, 1};
+    QCOMPARE(errorText(mesh), QString("error in the grid 0.5 % in the focus, 4 % outside"));
+    mesh.query.error = 0.5;
+    mesh.errorMeaning = ErrorMeaning::InSpace;
+    QCOMPARE(errorText(mesh), QString("error in space 0.5 %"));
+    QCOMPARE(errorPlaceText(mesh.errorMeaning, {}), QString("in the grid and in space"));
+    QVERIFY(errorPlaceText(ErrorMeaning::Only, {}).isEmpty() && errorPromiseText(ErrorMeaning::Only, false).isEmpty());
+
     const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
     QVERIFY(grid);
     const auto warped = Model::open(buildSampleModel(*host_, *grid, folder_.path().toStdString()));

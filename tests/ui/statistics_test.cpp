@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/volume/volume_mesh.h"
+#include "core/verify/verify_mesh.h"
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/folded_model.h"
@@ -18,11 +19,14 @@
 #include <QClipboard>
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 using namespace tetra;
 
@@ -40,6 +44,7 @@ private slots:
     void theTableIsSaved();
     void cyclesOfTheOrderAreCounted();
     void whichErrorIsSaid();
+    void theErrorInSpaceIsMeasured();
     void faultyCellsAreShown();
     void withoutAModelThereIsNothing();
 
@@ -119,6 +124,50 @@ void StatisticsTest::whichErrorIsSaid()
     QCOMPARE(said(false), QString("in the grid; in space it may be larger"));
     const auto facts = modelFacts(*session().model()); // a lattice has one
     QVERIFY(std::ranges::none_of(facts, [](const auto& one) { return one.name == "Error"; }));
+}
+
+/// C12: of a grid whose model keeps the error in the grid, the error in space of the mesh that is shown is measured and
+/// stands beside it, wherever the one does.
+void StatisticsTest::theErrorInSpaceIsMeasured()
+{
+    auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
+    QVERIFY(grid);
+    auto places = std::make_shared<std::vector<Eigen::Vector3d>>(*grid->positions);
+    for (Eigen::Vector3d& place : *places) // in floats the model holds them all
+        place = place.cast<float>().cast<double>();
+    grid->positions = places;
+    grid->source.hash = contentHash(grid->values, grid->positions);
+    const std::filesystem::path path = window_->folderPath() + "/grid.tan";
+    QVERIFY(tetra::buildModel(*grid, path, Refinement{.inSpace = false}).ok());
+    const auto& place = window_->find<QLabel>("accuracy.errorPlace");
+    QVERIFY(place.isHidden()); // a lattice has one error
+    QCOMPARE(table().headerItem()->text(0), QString("Error"));
+    window_->find<QAction>("action.close").trigger();
+    window_->window.open(QString::fromStdString(path.string()));
+    QTRY_VERIFY(session().model() && window_->settled());
+    QVERIFY(!session().model()->samples().empty());
+    QCOMPARE(table().headerItem()->text(0), QString("Error in the grid"));
+    session().setError(10);
+    QTRY_VERIFY(window_->settled() && session().shown()->errorInSpace);
+
+    MeshExtractor extractor(session().model());
+    const auto mesh = extractor.extract(session().shown()->query);
+    QVERIFY(mesh.ok());
+    const auto judged = verifyMesh(*session().model(), *grid, session().shown()->query, **mesh);
+    QVERIFY(judged.ok());
+    const double inSpace = judged->measured.errorInSpace.largest;
+    QCOMPARE(*session().shown()->errorInSpace, inSpace);
+    const QString text = "in the grid; in space up to " + percentText(inSpace);
+    QVERIFY2(place.text().startsWith(text + ", ± ") && !place.isHidden(), qPrintable(place.text()));
+    const QString kept = "error in the grid 10 % (in space up to " + percentText(inSpace) + ")";
+    QCOMPARE(window_->find<QLabel>("status.errors").text(), kept);
+    window_->find<QPushButton>("statistics.copy").click();
+    QVERIFY(QGuiApplication::clipboard()->text().contains("Guaranteed\t" + kept + "\n"));
+    // Another look at the same mesh is told the same, and another mesh is measured anew.
+    session().setMode("volume");
+    QTRY_VERIFY(window_->settled() && session().shown()->errorInSpace == inSpace);
+    session().setError(0);
+    QTRY_VERIFY(window_->settled() && session().shown()->errorInSpace == 0.0);
 }
 
 /// C10: the cells at fault are counted, and outlined on request: a step to undo, which the session keeps. Where there
