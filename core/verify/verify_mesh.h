@@ -30,8 +30,9 @@ inline constexpr std::uint64_t mostPointsInPassing = 500'000;
 
 /// The error in space of a mesh whose model guarantees the one in the grid, at all samples of the dataset, which the
 /// model itself has. Nothing where there is none to measure (ErrorMeaning), of a part of a mesh, where the model lacks
-/// samples, and of more than `mostPointsInPassing`. It proves nothing: the mesh is taken as it is. On all threads,
-/// O(tetrahedra + points) times the depth of trees of their boxes. Errors: a damaged file, out of memory, cancelled.
+/// samples or there is no memory, and of more than `mostPointsInPassing`. It proves nothing: the mesh is taken as it
+/// is. On all threads, O(tetrahedra + points) times the depth of trees of their boxes. Errors: a damaged file,
+/// cancelled.
 TAN_INTERNAL Result<std::optional<ErrorInSpace>>
 measureInSpace(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh, const Progress& progress = {});
 
