@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
 #include "core/base/json.h"
+#include "core/history/error_meaning.h"
 #include "core/history/pair_limits.h"
+#include "core/history/query_words.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
 #include "core/history/whole_elsewhere.h"
@@ -298,6 +300,7 @@ std::string levelsAsJson(const Model& model, std::span<const Accuracy> levels)
     return "{\n  \"model\": " + jsonString(model.path().filename().string()) +
            ",\n  \"source\": " + jsonString(model.description().sourceName) +
            ",\n  \"builder\": " + jsonString(model.description().builder) +
+           ",\n  \"error_kind\": " + jsonString(wordOf(errorKindWords, errorMeaning(model.description()))) +
            ",\n  \"sites\": " + std::to_string(wholeSites(model)) +
            ",\n  \"tetrahedra\": " + std::to_string(wholeTetrahedra(model)) +
            ",\n  \"bytes\": " + std::to_string(wholeBytes(model)) + ",\n  \"levels\": [" + list + "\n  ]\n}\n";
