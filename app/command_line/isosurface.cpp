@@ -12,6 +12,7 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/history/error_meaning.h"
+#include "core/verify/verify_mesh.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
 #include "ui/workbench/surface_making.h"
@@ -182,7 +183,7 @@ void tellFinestError(const Model& model, Outcome& outcome)
 
 /// Points into the surfaces.
 SurfaceContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
-                         const ValuedSurfaces& surfaces)
+                         const ValuedSurfaces& surfaces, const std::optional<double>& errorInSpace)
 {
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
     for (const MadeSurface& surface : surfaces.all) {
@@ -194,7 +195,7 @@ SurfaceContent contentOf(const Model& model, const MeshQuery& query, const Extra
                                  .values = static_cast<float>(surface.value),
                                  .colour = {colour.red, colour.green, colour.blue, 1}});
     }
-    content.facts = meshFacts(model, query, mesh);
+    content.facts = meshFacts(model, query, mesh, errorInSpace);
     addDeviation(surfaces.all, content.facts);
     if (query.range)
         content.cellArrays = {{"birth_error", std::span<const float>(surfaces.births)},
@@ -313,8 +314,12 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
                                                   invocation.progress.part(extracted, measured));
             !held)
             return held.error();
-    const auto written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces), *output, *values,
-                                     invocation.progress.part(wishes->deviation ? measured : extracted, 1));
+    const auto inSpace = measureInSpace(*model, *query, mesh, invocation.progress.withCallback({}));
+    if (!inSpace)
+        return inSpace.error();
+    const std::optional<double> largest = *inSpace ? std::optional((*inSpace)->largest) : std::nullopt;
+    const auto written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces, largest), *output,
+                                     *values, invocation.progress.part(wishes->deviation ? measured : extracted, 1));
     if (!written)
         return written.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -334,6 +339,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         each.append(figuresOf(surface));
     }
     QJsonObject figures = figuresOf(*model, *query, mesh);
+    if (*inSpace)
+        addErrorInSpace(figures, **inSpace);
     figures["file"] = QFile::decodeName(nameInFigures(*output).c_str());
     figures["vertices"] = static_cast<qint64>(vertices);
     figures["triangles"] = static_cast<qint64>(triangles);
