@@ -366,6 +366,9 @@ Result<Surface> BoundaryCache::coloured(const TransferFunction& function, const 
             function_ = function;
         }
         surface->mesh = coloured_;
+        surface->lit = false;
+        if (function.colours.empty())
+            surface->colour = {1, 1, 1}; // as the function has it
         return surface;
     });
 }

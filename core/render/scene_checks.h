@@ -13,6 +13,12 @@ Status checkMesh(const TriangleMesh& mesh);
 /// An error if a segment has an end that does not exist. O(segments).
 Status checkLines(const LineSet& lines);
 
+/// Whether light changes the colours of a surface that has a mesh.
+inline bool isLit(const Surface& surface)
+{
+    return surface.lit.value_or(surface.mesh->colours.empty());
+}
+
 /// The scene with what its custom drawables draw in a picture in their place; nothing if it has none. May throw what
 /// they throw.
 std::optional<Scene> withDrawn(const Scene& scene, const Camera& camera, int width, int height);

@@ -57,6 +57,14 @@ inline Parameter boundaryFarSideParameter()
     return parameter;
 }
 
+/// bool, false by default: whether light changes the colours of its values.
+inline Parameter boundaryLitParameter()
+{
+    Parameter parameter = litParameter();
+    parameter.onlyWith = {boundaryId, {std::string(boundaryValues)}};
+    return parameter;
+}
+
 /// The transfer function for a renderer that needs one for the boundary's values alone.
 inline Parameter boundaryTransferParameter(const FieldExtent& field)
 {
@@ -80,6 +88,8 @@ inline Status addBoundary(BoundaryCache& cache, const RendererView& view, const 
                            : cache.plain(look, progress);
         if (!surface)
             return surface.error();
+        if (shown == boundaryValues)
+            surface->lit = view.value<bool>(litId);
         scene.drawables.push_back({.id = boundaryId, .label = "Boundary", .shape = *std::move(surface)});
     }
     progress.report(1, {});

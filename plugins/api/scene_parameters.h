@@ -16,6 +16,7 @@ namespace tetra {
 inline constexpr const char* isovaluesId = "isovalues";
 inline constexpr const char* transferId = "transfer";
 inline constexpr const char* shadedId = "shaded";
+inline constexpr const char* litId = "lit";
 inline constexpr const char* outlineId = "outline";
 inline constexpr const char* clipId = "clip";
 
@@ -59,6 +60,19 @@ inline Parameter shadedParameter()
     parameter.label = Message::marked("Shaded");
     parameter.explanation =
         Message::marked("Lights the volume, as if a surface lay across the direction in which its values change most.");
+    parameter.defaultValue = false;
+    return parameter;
+}
+
+/// bool, false by default: for renderers whose surfaces have colours that stand for values.
+inline Parameter litParameter()
+{
+    Parameter parameter;
+    parameter.id = litId;
+    parameter.label = Message::marked("Lit");
+    parameter.explanation =
+        Message::marked("Lights surfaces in the colours of values, so that their shape is seen better; their colours "
+                        "are then no longer those of the colour bar.");
     parameter.defaultValue = false;
     return parameter;
 }

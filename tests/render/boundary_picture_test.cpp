@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a boundary needs of the CPU back end: colours of vertices, and surfaces without what faces the eye; against
 // closed forms and against the same triangles taken out by hand.
-#include "core/render/shading.h"
 #include "core/render/view_transform.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/render/boundary_scenes.h"
@@ -88,7 +87,7 @@ private slots:
                 if (!place || blue == 255)
                     continue; // beside the floor
                 const auto share = [](double at) { return static_cast<float>((at / half + 1) / 2); };
-                const Colour expected = shaded({share(place->x()), share(place->y()), 0.25f}, 1, 1);
+                const Colour expected{share(place->x()), share(place->y()), 0.25f};
                 QVERIFY(std::abs(red - toByte(expected.red)) <= 2 && std::abs(green - toByte(expected.green)) <= 2);
                 QVERIFY(std::abs(blue - toByte(expected.blue)) <= 1);
                 ++seen;

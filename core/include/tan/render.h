@@ -167,7 +167,9 @@ struct Surface {
     Colour colour;
     float opacity = 1;
     bool backFacesOnly = false; ///< triangles that the eye sees counterclockwise are not drawn
-    bool lit = true;            ///< else its colours are seen as they are
+    /// If false, its colours are seen as they are. Where nothing is said, those of the mesh's vertices are, because
+    /// they stand for values that light would falsify, and one colour all over is lit.
+    std::optional<bool> lit{};
     /// If any: where the share of a place is w, the opacity is 1 - (1 - opacity)^w. So the surface of a finer mesh and
     /// that of the mesh outside let through together what one of them would (R24, S18). An opaque one counts as if it
     /// let 1/4096 through.
@@ -442,7 +444,7 @@ public:
 
     /// Errors: those of extractBoundary(), an opacity outside (0, 1].
     Result<Surface> plain(const BoundaryLook& look, const Progress& progress = {});
-    /// In the colours of the field's values (colouredByValue()). Errors: the same, and those of
+    /// In the colours of the field's values (colouredByValue()), which no light changes. Errors: the same, and those of
     /// checkTransferFunction().
     Result<Surface> coloured(const TransferFunction& function, const BoundaryLook& look, const Progress& progress = {});
 

@@ -248,6 +248,7 @@ struct ImportedTransfer {
     std::string name; ///< may be empty
     TransferFunction function;
     bool coloursOnly = false; ///< the opacities are those of `present`
+    bool spread = false;      ///< the file has values from 0 to 1, spread over ImportContext::limits
 };
 
 /// The transfer functions of a file, one or more: one of ours (transferFunctionToText()), or ParaView's presets, JSON

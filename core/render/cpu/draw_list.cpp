@@ -309,7 +309,7 @@ Status Builder::addSurface(const Surface& surface, bool overlay)
     const bool coloured = !mesh.colours.empty();
     const float opacity = overlay ? 1 : std::min(surface.opacity, 1.0f);
     const std::uint32_t material = addMaterial(
-        {surface.colour, opacity, surface.lit, !overlay, coloured, overlay ? nullptr : surface.share.get()});
+        {surface.colour, opacity, isLit(surface), !overlay, coloured, overlay ? nullptr : surface.share.get()});
     const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());
     const Buffer<std::uint8_t> bits = projectVertices(mesh);
     if (coloured) {

@@ -108,8 +108,8 @@ void SurfacePainter::draw(const GlProgram& program, const DrawnSurface& drawn) c
     program.set("colour", colourOf(*drawn.surface));
     program.set("coloured", drawn.surface->mesh->colours.empty() ? 0 : 1);
     program.set("backFacesOnly", drawn.surface->backFacesOnly ? 1 : 0);
-    program.set("light", drawn.surface->lit ? Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular)
-                                            : Eigen::Vector3f(1, 0, 0));
+    program.set("light", isLit(*drawn.surface) ? Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular)
+                                               : Eigen::Vector3f(1, 0, 0));
     program.set("overlay", drawn.overlay ? 1 : 0);
     setCuts(program, drawn.overlay ? std::span<const ClipPlane>() : scene_->clipPlanes, origin);
     gl_.bindVertexArray(drawn.buffers->vertexArray.name());

@@ -73,9 +73,11 @@ Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view t
         return presets.error();
     std::vector<ImportedTransfer> imported;
     for (CurvePreset& preset : *presets) {
-        if (context.limits && isForAnyData(preset))
+        const bool spreads = context.limits && isForAnyData(preset);
+        if (spreads)
             spreadPreset(preset, *context.limits);
-        imported.push_back({preset.name, transferFunctionOf(preset, context.present), preset.opacities.empty()});
+        imported.push_back(
+            {preset.name, transferFunctionOf(preset, context.present), preset.opacities.empty(), spreads});
     }
     return imported;
 }

@@ -148,6 +148,7 @@ public:
                 boundaryParameter(),
                 boundaryOpacityParameter(),
                 boundaryFarSideParameter(),
+                boundaryLitParameter(),
                 clipParameter(),
                 outlineParameter()};
     }

@@ -76,7 +76,8 @@ public:
     {
         return {transferParameter(field),   isovaluesParameter(field), shadedParameter(),
                 orderParameter(),           boundaryParameter(),       boundaryOpacityParameter(),
-                boundaryFarSideParameter(), clipParameter(),           outlineParameter()};
+                boundaryFarSideParameter(), boundaryLitParameter(),    clipParameter(),
+                outlineParameter()};
     }
 
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override

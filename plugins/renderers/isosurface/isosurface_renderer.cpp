@@ -51,6 +51,7 @@ public:
                 boundaryParameter(),
                 boundaryOpacityParameter(),
                 boundaryFarSideParameter(),
+                boundaryLitParameter(),
                 boundaryTransferParameter(field),
                 clipParameter(),
                 outlineParameter()};

@@ -51,8 +51,8 @@ class VolumeRenderer : public QObject, public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return {transferParameter(field),   shadedParameter(), boundaryParameter(), boundaryOpacityParameter(),
-                boundaryFarSideParameter(), clipParameter(),   outlineParameter()};
+        return {transferParameter(field),   shadedParameter(),      boundaryParameter(), boundaryOpacityParameter(),
+                boundaryFarSideParameter(), boundaryLitParameter(), clipParameter(),     outlineParameter()};
     }
 
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override

@@ -13,7 +13,7 @@ private slots:
     void defaultsFitTheRange()
     {
         const auto parameters = rendererNamed("isosurface").parameters({{-10, 30}});
-        QCOMPARE(parameters.size(), std::size_t(7));
+        QCOMPARE(parameters.size(), std::size_t(8));
         QCOMPARE(parameters[0].id, std::string("isovalues"));
         const auto isovalues = parameterValue<std::vector<Isovalue>>(parameters, {}, "isovalues");
         QCOMPARE(isovalues.size(), std::size_t(1));
