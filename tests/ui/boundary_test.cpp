@@ -124,9 +124,9 @@ void BoundaryTest::itsSettingsAreThoseThatMatter()
     };
     QVERIFY(isShown("boundary-opacity") && isShown("boundary-far-side"));
     choose("values");
-    QVERIFY(!isShown("boundary-opacity") && isShown("boundary-far-side"));
+    QVERIFY(!isShown("boundary-opacity") && isShown("boundary-far-side") && isShown("lit"));
     choose("off");
-    QVERIFY(!isShown("boundary-opacity") && !isShown("boundary-far-side"));
+    QVERIFY(!isShown("boundary-opacity") && !isShown("boundary-far-side") && !isShown("lit"));
     QCOMPARE(scene().surfaces.size(), std::size_t(1));
 }
 
@@ -163,12 +163,16 @@ void BoundaryTest::valuesHaveTheColoursOfTheTransferFunction()
     QVERIFY(!bar());
     choose("values");
     QVERIFY(bar() && *bar() == session().view().appearance.transfer);
-    QVERIFY(!boundary().mesh->colours.empty() && boundary().opacity == 1);
+    QVERIFY(!boundary().mesh->colours.empty() && boundary().opacity == 1 && boundary().lit == false);
     TransferFunction green = session().view().appearance.transfer;
     for (ColourPoint& point : green.colours)
         point.colour = {0, 1, 0};
     session().setTransfer(green);
     QTRY_VERIFY(window_->settled() && boundary().mesh->colours.front() == (Colour{0, 1, 0}));
+    window_->find<QCheckBox>("rendering.setting.lit").click();
+    QTRY_VERIFY(window_->settled() && boundary().lit == true);
+    window_->find<QAction>("action.undo").trigger();
+    QTRY_VERIFY(window_->settled() && boundary().lit == false);
 }
 
 void BoundaryTest::sessionsKeepIt()

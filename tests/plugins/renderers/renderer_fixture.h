@@ -65,7 +65,9 @@ inline void checkBoundary(const std::string& id, std::size_t before)
                                          {"transfer", red},
                                          {"boundary-opacity", 0.4}});
     QVERIFY(coloured.mesh && coloured.opacity == 1 && coloured.backFacesOnly);
-    QVERIFY(!coloured.mesh->colours.empty());
+    QVERIFY(!coloured.mesh->colours.empty() && coloured.lit == false);
+    QVERIFY(boundaryOf({{"boundary", std::string("values")}, {"transfer", red}, {"lit", true}}).lit == true);
+    QVERIFY(faint.lit.value_or(true));
     for (const Colour& colour : coloured.mesh->colours)
         QVERIFY(colour == (Colour{1, 0, 0}));
     const auto wrong = session->prepare({{{"boundary", std::string("translucent")}, {"boundary-opacity", 0.0}}}, {});

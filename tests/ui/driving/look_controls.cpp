@@ -47,14 +47,14 @@ Driver setting(const QString& id, const ParameterValue& value, const std::functi
         inMode("hybrid", "dock.rendering"), std::move(use));
 }
 
-/// A setting of the boundary, which is shown first.
+/// A setting of the boundary, which is shown first, in this way.
 Driver boundarySetting(const QString& id, const ParameterValue& value,
-                       const std::function<bool(const SceneFacts&)>& isSo)
+                       const std::function<bool(const SceneFacts&)>& isSo, const std::string& shown = "translucent")
 {
     Driver driver = setting(id, value, isSo);
-    driver.prepare = [show = driver.prepare](DrivenWindow& window) {
+    driver.prepare = [show = driver.prepare, shown](DrivenWindow& window) {
         show(window);
-        window.session().setSetting("boundary", std::string("translucent"));
+        window.session().setSetting("boundary", shown);
         QCoreApplication::processEvents(); // what belongs to it is seen
         window.waitForPicture();
     };
@@ -102,6 +102,8 @@ Drivers renderingControls()
                         [](const SceneFacts& scene) { return scene.surfaces == 2 && scene.lastOpacity == 0.35F; }),
         boundarySetting("boundary-far-side", true,
                         [](const SceneFacts& scene) { return scene.surfaces == 2 && scene.backFacesOnly; }),
+        boundarySetting(
+            "lit", true, [](const SceneFacts& scene) { return scene.surfaces == 2 && scene.lit; }, "values"),
         setting(
             "clip", std::string("1,0,0,4"),
             [](const SceneFacts& scene) {

@@ -17,6 +17,7 @@ struct SceneFacts {
     std::size_t surfaces = 0;
     float lastOpacity = 0; ///< of the last surface, which is the boundary if that is shown
     bool backFacesOnly = false;
+    bool lit = false;                                ///< the last surface, as its renderer says
     std::vector<std::array<double, 4>> clipPlanes{}; ///< normal and offset
 };
 
@@ -32,6 +33,7 @@ inline SceneFacts factsOf(const Scene& scene)
     if (!parts.surfaces.empty()) {
         facts.lastOpacity = parts.surfaces.back().opacity;
         facts.backFacesOnly = parts.surfaces.back().backFacesOnly;
+        facts.lit = parts.surfaces.back().lit.value_or(false);
     }
     for (const ClipPlane& plane : parts.clipPlanes)
         facts.clipPlanes.push_back({plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});

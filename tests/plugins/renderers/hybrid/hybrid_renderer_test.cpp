@@ -20,9 +20,9 @@ private slots:
     {
         const auto parameters = rendererNamed("hybrid").parameters({{-10, 30}, unitBox});
         for (const char* id : {"transfer", "isovalues", "shaded", "order", "boundary", "boundary-opacity",
-                               "boundary-far-side", "clip", "outline"})
+                               "boundary-far-side", "lit", "clip", "outline"})
             QVERIFY2(std::ranges::count(parameters, id, &Parameter::id) == 1, id);
-        QCOMPARE(parameters.size(), std::size_t(9));
+        QCOMPARE(parameters.size(), std::size_t(10));
         const auto order = std::ranges::find(parameters, "order", &Parameter::id);
         QCOMPARE(order->choices, (std::vector<std::string>{"exact", "with-cell"}));
         QCOMPARE(std::get<std::string>(order->defaultValue), std::string("exact"));
