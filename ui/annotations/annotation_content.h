@@ -22,7 +22,7 @@ struct ShownMesh;
 /// What the annotations of a picture say: a value, painted in any thread.
 struct AnnotationContent {
     AnnotationState state{};
-    ValueRange range{};                               ///< of the colour bar's axis
+    ValueRange range{};                               ///< of the data: that of the colour bar, if it has no other ends
     std::optional<TransferFunction> transfer{};       ///< none where the picture does not follow one
     std::string transferParameter{};                  ///< id of the renderer's parameter that it is
     std::optional<std::vector<Isovalue>> isovalues{}; ///< that are seen; none where the picture has no surfaces

@@ -99,15 +99,15 @@ Sizes sizesOf(const AnnotationContent& content, const QSizeF& picture, const Tex
 }
 
 /// The places with the highest colour bar that fits.
-std::optional<Places> withHighestBar(const AnnotationContent& content, Sizes sizes, bool bar, const QSizeF& picture,
-                                     const TextMeasure& measure)
+std::optional<Places> withHighestBar(const AnnotationContent& content, const BarAxis& axis, Sizes sizes, bool bar,
+                                     const QSizeF& picture, const TextMeasure& measure)
 {
     QSizeF& size = sizes[indexOf(AnnotationKind::ColourBar)];
-    if (!bar || colourBarSize(content, shortestBar, measure).isEmpty())
+    if (!bar || colourBarSize(content, axis, shortestBar, measure).isEmpty())
         return placed(content.state, sizes, picture);
     const double highest = std::clamp(picture.height() * tallestShare, shortestBar, tallestBar);
     for (double height = highest; height >= shortestBar; height -= barStep) {
-        size = colourBarSize(content, height, measure);
+        size = colourBarSize(content, axis, height, measure);
         if (auto places = placed(content.state, sizes, picture))
             return places;
     }
@@ -115,7 +115,8 @@ std::optional<Places> withHighestBar(const AnnotationContent& content, Sizes siz
 }
 
 /// The places of as many as fit: `dropped` has a bit for each that is left out, the least important first.
-Places placesOf(const AnnotationContent& content, const QSizeF& picture, const TextMeasure& measure)
+Places placesOf(const AnnotationContent& content, const BarAxis& axis, const QSizeF& picture,
+                const TextMeasure& measure)
 {
     const Sizes sizes = sizesOf(content, picture, measure);
     for (unsigned dropped = 0; dropped < (1U << annotationCount); ++dropped) {
@@ -126,7 +127,7 @@ Places placesOf(const AnnotationContent& content, const QSizeF& picture, const T
                 kept[indexOf(leastFirst[i])] = {};
                 bar = bar && leastFirst[i] != AnnotationKind::ColourBar;
             }
-        if (const auto places = withHighestBar(content, kept, bar, picture, measure))
+        if (const auto places = withHighestBar(content, axis, kept, bar, picture, measure))
             return *places;
     }
     return {};
@@ -137,11 +138,12 @@ Places placesOf(const AnnotationContent& content, const QSizeF& picture, const T
 AnnotationLayout layOutAnnotations(const AnnotationContent& content, QSizeF picture, const TextMeasure& measure)
 {
     AnnotationLayout layout;
-    layout.places = placesOf(content, picture, measure);
+    const BarAxis axis = barAxisOf(content);
+    layout.places = placesOf(content, axis, picture, measure);
     const auto place = [&](AnnotationKind kind) { return layout.places[indexOf(kind)]; };
     const auto has = [&](AnnotationKind kind) { return !place(kind).isNull(); };
     if (has(AnnotationKind::ColourBar))
-        layout.colourBar = layOutColourBar(content, place(AnnotationKind::ColourBar), measure);
+        layout.colourBar = layOutColourBar(content, axis, place(AnnotationKind::ColourBar), measure);
     if (has(AnnotationKind::Axes))
         layout.axes = layOutAxes(content, place(AnnotationKind::Axes), measure);
     if (has(AnnotationKind::ScaleBar))

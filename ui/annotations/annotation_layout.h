@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/annotations/annotation_content.h"
+#include "ui/annotations/bar_axis.h"
 
 #include <QLineF>
 #include <QRectF>
@@ -29,9 +30,11 @@ struct PlacedText {
 struct AxisMark {
     double position = 0; ///< down the picture
     PlacedText label;    ///< an empty text where there is no room for one
+    bool beyond = false; ///< the value is not on the axis, and has no mark
 };
 
 struct ColourBarLayout {
+    BarAxis axis;
     QRectF bar;
     PlacedText field;
     std::vector<AxisMark> ticks;

@@ -89,16 +89,14 @@ QColor colourOf(const TransferSample& sample, double opacity)
 }
 
 /// Left the colours alone, right as opaque as they are: a colour of little opacity could not be told otherwise.
-void paintTransfer(QPainter& painter, const AnnotationContent& content, const QRectF& bar)
+void paintTransfer(QPainter& painter, const TransferFunction& transfer, const BarAxis& axis, const QRectF& bar)
 {
     const QRectF opacities = bar.adjusted(solidPart, 0, 0, 0);
     paintChequers(painter, opacities);
     const int rows = std::max(1, static_cast<int>(std::ceil(bar.height() * painter.deviceTransform().m22())));
-    const TransferFunction& transfer = *content.transfer;
     QImage colours(2, rows, QImage::Format_ARGB32);
     for (int row = 0; row < rows; ++row) {
-        const double value = std::lerp(content.range.maximum, content.range.minimum, (row + 0.5) / rows);
-        const TransferSample sample = evaluate(transfer, value);
+        const TransferSample sample = evaluate(transfer, axis.valueAt(1 - (row + 0.5) / rows));
         colours.setPixelColor(0, row, colourOf(sample, 1));
         colours.setPixelColor(1, row, colourOf(sample, -std::expm1(-sample.extinction * transfer.unitDistance)));
     }
@@ -125,7 +123,7 @@ void paintIsovalue(QPainter& painter, const Isovalue& isovalue, const AxisMark& 
 void paintColourBar(QPainter& painter, const AnnotationContent& content, const ColourBarLayout& layout, const Ink& ink)
 {
     if (content.transfer) {
-        paintTransfer(painter, content, layout.bar);
+        paintTransfer(painter, *content.transfer, layout.axis, layout.bar);
     } else {
         QColor ground = ink.line;
         ground.setAlphaF(0.12F);
@@ -142,6 +140,8 @@ void paintColourBar(QPainter& painter, const AnnotationContent& content, const C
         paintText(painter, tick.label, ink);
     }
     for (std::size_t i = 0; i < layout.isovalues.size(); ++i) {
+        if (layout.isovalues[i].beyond)
+            continue;
         paintIsovalue(painter, (*content.isovalues)[i], layout.isovalues[i], layout.bar, ink);
         paintText(painter, layout.isovalues[i].label, ink);
     }

@@ -8,8 +8,10 @@ namespace tetra {
 /// The annotations one by one: how large they are, and what stands where in the place that they were given. Sizes are
 /// null for what has nothing to say.
 
-QSizeF colourBarSize(const AnnotationContent& content, double height, const TextMeasure& measure);
-ColourBarLayout layOutColourBar(const AnnotationContent& content, const QRectF& place, const TextMeasure& measure);
+/// `axis`: barAxisOf() the content, which is worked out once for a layout.
+QSizeF colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure);
+ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis& axis, const QRectF& place,
+                                const TextMeasure& measure);
 
 QSizeF axesSize(const TextMeasure& measure);
 AxesLayout layOutAxes(const AnnotationContent& content, const QRectF& place, const TextMeasure& measure);

@@ -120,6 +120,20 @@ std::vector<QString> tickTexts(const std::vector<double>& values)
     return texts;
 }
 
+QString ownText(double value)
+{
+    constexpr int mostDigits = 12;
+    const double magnitude = std::abs(value);
+    if (magnitude == 0 || (magnitude >= smallestPlain && magnitude < largestPlain))
+        return withDigits(value, mostDigits);
+    const QLocale locale;
+    for (int digits = 0; digits < mostDigits; ++digits)
+        if (const QString text = locale.toString(value, 'e', digits);
+            std::abs(locale.toDouble(text) - value) <= 1e-12 * magnitude)
+            return text;
+    return locale.toString(value, 'e', mostDigits);
+}
+
 QString shortNumber(double value)
 {
     return withDigits(value, fewestDigits);

@@ -18,6 +18,10 @@ double niceLength(double length);
 /// are very large or very small.
 std::vector<QString> tickTexts(const std::vector<double>& values);
 
+/// One round number as it is, whatever stands beside it: with the digits that it needs, at most twelve significant
+/// ones; in powers of ten where it is very large or very small.
+QString ownText(double value);
+
 /// One number, with the digits that it needs, at most four significant ones.
 QString shortNumber(double value);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_parts.h"
-#include "ui/annotations/axis_ticks.h"
+#include "ui/annotations/bar_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,29 +15,29 @@ constexpr double widestField = 150;  ///< the name of the values
 constexpr double linesPerTick = 2.2; ///< heights of a line from one tick to the next, or more
 constexpr int mostTicks = 9;
 
-std::vector<double> ticksFor(const AnnotationContent& content, double height, const TextMeasure& measure)
+std::vector<double> ticksFor(const BarAxis& axis, double height, const TextMeasure& measure)
 {
     const int most = std::clamp(static_cast<int>(height / (linesPerTick * measure.height)), 2, mostTicks);
-    return niceTicks(content.range.minimum, content.range.maximum, most);
+    return barTicks(axis, most);
 }
 
 /// Of all labels: the ticks' and the isovalues'.
-double labelWidth(const AnnotationContent& content, double height, const TextMeasure& measure)
+double labelWidth(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
 {
     double widest = 0;
-    const auto ticks = ticksFor(content, height, measure);
-    for (const QString& text : tickTexts(ticks))
+    const auto ticks = ticksFor(axis, height, measure);
+    for (const QString& text : barTickTexts(axis, ticks))
         widest = std::max(widest, measure.width(text));
     if (content.isovalues && !content.transfer)
         for (const Isovalue& isovalue : *content.isovalues)
-            widest = std::max(widest, measure.width(numberAmong(isovalue.value, ticks)));
+            if (axis.contains(isovalue.value))
+                widest = std::max(widest, measure.width(barValueText(axis, isovalue.value, ticks)));
     return std::ceil(widest);
 }
 
-double positionOf(double value, const ValueRange& range, const QRectF& bar)
+double positionOf(double value, const BarAxis& axis, const QRectF& bar)
 {
-    const double part = (value - range.minimum) / (range.maximum - range.minimum);
-    return bar.bottom() - std::clamp(part, 0.0, 1.0) * bar.height();
+    return bar.bottom() - std::clamp(axis.shareOf(value), 0.0, 1.0) * bar.height();
 }
 
 /// Gives marks their labels, in their order, but for those that would touch one that is there already.
@@ -62,19 +62,21 @@ private:
 
 } // namespace
 
-QSizeF colourBarSize(const AnnotationContent& content, double height, const TextMeasure& measure)
+QSizeF colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
 {
     const bool hasMarks = content.isovalues && !content.isovalues->empty();
-    if (!(content.range.maximum > content.range.minimum) || (!content.transfer && !hasMarks))
+    if (!(axis.ends.largest > axis.ends.least) || (!content.transfer && !hasMarks))
         return {};
-    const double width = markWidth + barWidth + labelGap + labelWidth(content, height, measure);
+    const double width = markWidth + barWidth + labelGap + labelWidth(content, axis, height, measure);
     const double name = fittedText(content.field, widestField, measure).place.width();
     return {std::max(width, name), height};
 }
 
-ColourBarLayout layOutColourBar(const AnnotationContent& content, const QRectF& place, const TextMeasure& measure)
+ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis& axis, const QRectF& place,
+                                const TextMeasure& measure)
 {
     ColourBarLayout layout;
+    layout.axis = axis;
     layout.field = fittedText(content.field, std::min(widestField, place.width() + 0.5), measure);
     layout.field.place.moveTopLeft(place.topLeft());
     // Half a line at both ends is for the labels there.
@@ -82,16 +84,16 @@ ColourBarLayout layOutColourBar(const AnnotationContent& content, const QRectF& 
     layout.bar =
         QRectF(place.left() + markWidth, place.top() + above, barWidth, place.height() - above - measure.height / 2);
     LabelColumn labels(layout.bar, measure);
-    const auto ticks = ticksFor(content, place.height(), measure);
+    const auto ticks = ticksFor(axis, place.height(), measure);
     for (const Isovalue& isovalue : content.isovalues.value_or(std::vector<Isovalue>{})) {
-        AxisMark mark{positionOf(isovalue.value, content.range, layout.bar), {}};
-        if (!content.transfer) // else the axis is there to tell
-            labels.label(mark, numberAmong(isovalue.value, ticks));
+        AxisMark mark{positionOf(isovalue.value, axis, layout.bar), {}, !axis.contains(isovalue.value)};
+        if (!content.transfer && !mark.beyond) // else the axis is there to tell
+            labels.label(mark, barValueText(axis, isovalue.value, ticks));
         layout.isovalues.push_back(mark);
     }
-    const auto texts = tickTexts(ticks);
+    const auto texts = barTickTexts(axis, ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-        AxisMark mark{positionOf(ticks[i], content.range, layout.bar), {}};
+        AxisMark mark{positionOf(ticks[i], axis, layout.bar), {}};
         labels.label(mark, texts[i]);
         layout.ticks.push_back(mark);
     }

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/annotation_rows.h"
 
+#include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/value_box.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QGridLayout>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+#include <algorithm>
 
 namespace tetra {
 namespace {
@@ -46,7 +53,9 @@ QString annotationExplanation(AnnotationKind kind)
     return {};
 }
 
-AnnotationRows::AnnotationRows(Session& session, QWidget* parent) : QWidget(parent), session_(session)
+AnnotationRows::AnnotationRows(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), fixed_(new QCheckBox(tr("Fixed ends"))), least_(new ValueBox),
+      largest_(new ValueBox)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins({});
@@ -63,9 +72,11 @@ AnnotationRows::AnnotationRows(Session& session, QWidget* parent) : QWidget(pare
         corners_[i]->addItems({tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")});
         corners_[i]->setToolTip(tr("Corner of the picture"));
         corners_[i]->setAccessibleName(tr("%1: corner").arg(annotationText(kind)));
-        const int row = static_cast<int>(i);
+        const int row = grid->rowCount();
         grid->addWidget(shown_[i], row, 0);
         grid->addWidget(corners_[i], row, 1);
+        if (kind == AnnotationKind::ColourBar)
+            grid->addWidget(makeBarEnds(), row + 1, 0, 1, 2);
         connect(shown_[i], &QCheckBox::clicked, this, [this, i] { edit(i); });
         connect(corners_[i], &QComboBox::activated, this, [this, i] { edit(i); });
     }
@@ -82,6 +93,78 @@ void AnnotationRows::show(const AnnotationState& state)
         corners_[i]->setCurrentIndex(static_cast<int>(state.places[i].corner));
         corners_[i]->setEnabled(state.places[i].shown);
     }
+    showBarEnds(state);
+}
+
+QWidget* AnnotationRows::makeBarEnds()
+{
+    fixed_->setObjectName("view.barEnds.fixed");
+    fixed_->setToolTip(
+        tr("The colour bar goes from one chosen value to another, so that several pictures have the same "
+           "one; else it goes over all values of the data"));
+    least_->setObjectName("view.barEnds.least");
+    least_->setAccessibleName(tr("Colour bar: smaller end"));
+    least_->setToolTip(tr("Value at the lower end of the colour bar"));
+    largest_->setObjectName("view.barEnds.largest");
+    largest_->setAccessibleName(tr("Colour bar: larger end"));
+    largest_->setToolTip(tr("Value at the upper end of the colour bar"));
+    auto* ends = new QWidget;
+    auto* row = new QHBoxLayout(ends);
+    constexpr int indent = 20; // they belong to the colour bar
+    row->setContentsMargins(indent, 0, 0, 0);
+    row->addWidget(fixed_);
+    row->addWidget(least_, 1);
+    row->addWidget(largest_, 1);
+    connect(fixed_, &QCheckBox::clicked, this, [this](bool on) {
+        const ValueRange range = session_.range();
+        setBarEnds(on ? std::optional<BarEnds>({range.minimum, range.maximum}) : std::nullopt);
+    });
+    for (const auto& [box, end] : {std::pair(least_, &BarEnds::least), std::pair(largest_, &BarEnds::largest)}) {
+        new GestureWatcher(box, session_);
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, end = end](double value) { moveEnd(end, value); });
+    }
+    return ends;
+}
+
+/// Boxes step and round as the data's values ask for, and take what lies far beside them: a bar may be that of many
+/// models.
+void AnnotationRows::showBarEnds(const AnnotationState& state)
+{
+    const ValueRange range = session_.range();
+    const BarEnds shown = state.barEnds.value_or(BarEnds{range.minimum, range.maximum});
+    const bool isUsed = state[AnnotationKind::ColourBar].shown && range.extent() > 0;
+    fixed_->setEnabled(isUsed);
+    fixed_->setChecked(state.barEnds.has_value());
+    constexpr double extentsBeside = 1000;
+    for (const auto& [box, value] : {std::pair(least_, shown.least), std::pair(largest_, shown.largest)}) {
+        const QSignalBlocker blocker(box);
+        box->setEnabled(isUsed && state.barEnds);
+        box->setValueRange(range.minimum, range.maximum);
+        box->setRange(std::min(shown.least, range.minimum - extentsBeside * range.extent()),
+                      std::max(shown.largest, range.maximum + extentsBeside * range.extent()));
+        box->setValue(value);
+    }
+}
+
+void AnnotationRows::setBarEnds(const std::optional<BarEnds>& ends)
+{
+    AnnotationState state = session_.view().annotations;
+    state.barEnds = ends;
+    session_.setAnnotations(state);
+}
+
+void AnnotationRows::moveEnd(double BarEnds::*end, double value)
+{
+    std::optional<BarEnds> ends = session_.view().annotations.barEnds;
+    if (!ends)
+        return;
+    const double extent = ends->largest - ends->least;
+    ends.value().*end = value;
+    if (!(ends->least < ends->largest) && end == &BarEnds::least)
+        ends->largest = ends->least + extent;
+    else if (!(ends->least < ends->largest))
+        ends->least = ends->largest - extent;
+    setBarEnds(ends);
 }
 
 void AnnotationRows::edit(std::size_t index)

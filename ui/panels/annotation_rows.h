@@ -6,18 +6,22 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
 
 namespace tetra {
 
+class ValueBox;
+
 /// What the annotation is called, for people; `mnemonic` with a letter to choose it by.
 QString annotationText(AnnotationKind kind, bool mnemonic = false);
 /// What it shows, in a sentence.
 QString annotationExplanation(AnnotationKind kind);
 
-/// Which annotations are written over the picture, and in which corner: view.annotation.NAME and .corner.
+/// Which annotations are written over the picture, and in which corner: view.annotation.NAME and .corner; and the ends
+/// of the colour bar: view.barEnds.fixed, .least and .largest.
 class AnnotationRows : public QWidget {
     Q_OBJECT
 public:
@@ -26,10 +30,18 @@ public:
 private:
     void show(const AnnotationState& state);
     void edit(std::size_t index);
+    QWidget* makeBarEnds();
+    void showBarEnds(const AnnotationState& state);
+    void setBarEnds(const std::optional<BarEnds>& ends);
+    /// One end moved; the other one, if it is in the way, keeps its distance.
+    void moveEnd(double BarEnds::*end, double value);
 
     Session& session_;
     std::array<QCheckBox*, annotationCount> shown_{};
     std::array<QComboBox*, annotationCount> corners_{};
+    QCheckBox* fixed_;
+    ValueBox* least_;
+    ValueBox* largest_;
 };
 
 } // namespace tetra

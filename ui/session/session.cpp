@@ -86,6 +86,8 @@ ViewValue corrected(ViewValue view, const ViewValue& before, const Model& model)
     for (std::size_t i = 0; edited & ViewPart::Isovalues && i < view.isovalues.size(); ++i)
         view.isovalues[i] = corrected(view.isovalues[i], i < before.isovalues.size() ? before.isovalues[i] : Isovalue(),
                                       model.description().range);
+    if (view.annotations.barEnds && !isUsable(*view.annotations.barEnds))
+        view.annotations.barEnds = before.annotations.barEnds;
     if (edited & ViewPart::Animation)
         view.animation = corrected(std::move(view.animation));
     if (edited & ViewPart::Camera)
@@ -187,6 +189,7 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
                    .appearance = std::move(appearance),
                    .isovalues = std::move(isovalues),
                    .annotations = view_.annotations};
+    view.annotations.barEnds.reset(); // those of other values
     view.camera.trackball = view_.camera.trackball;
     followsModel_ = true;
     start(std::move(model), std::move(view), false);
@@ -247,6 +250,7 @@ void Session::close()
     shown_.reset();
     fitted_.reset();
     view_ = {.annotations = view_.annotations, .camera = {.trackball = view_.camera.trackball}};
+    view_.annotations.barEnds.reset();
     emit modelChanged();
 }
 

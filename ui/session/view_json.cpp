@@ -304,6 +304,9 @@ QJsonObject toJson(const AnnotationState& annotations)
     for (std::size_t i = 0; i < annotationCount; ++i)
         object[annotationNames[i]] = QJsonObject{{"shown", annotations.places[i].shown},
                                                  {"corner", wordOf(cornerNames, annotations.places[i].corner)}};
+    if (annotations.barEnds)
+        object["barEnds"] =
+            QJsonObject{{"least", annotations.barEnds->least}, {"largest", annotations.barEnds->largest}};
     return object;
 }
 
@@ -314,6 +317,15 @@ void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
         place.read("shown", annotations.places[i].shown);
         readName(place, "corner", cornerNames, annotations.places[i].corner);
     }
+    annotations.barEnds.reset();
+    if (!fields.has("barEnds"))
+        return;
+    BarEnds ends;
+    const JsonFields written = fields.fields("barEnds");
+    written.read("least", ends.least);
+    written.read("largest", ends.largest);
+    if (isUsable(ends))
+        annotations.barEnds = ends;
 }
 
 QJsonObject toJson(const LensState& lens)

@@ -2,6 +2,7 @@
 #include "ui/session/view_value.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -33,6 +34,12 @@ constexpr ViewPart partNumbered(std::size_t number)
 }
 
 } // namespace
+
+bool isUsable(const BarEnds& ends)
+{
+    return std::isfinite(ends.least) && std::isfinite(ends.largest) && ends.least < ends.largest &&
+           std::isfinite(ends.largest - ends.least);
+}
 
 ViewParts differingParts(const ViewValue& one, const ViewValue& other)
 {

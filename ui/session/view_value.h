@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <variant>
 
 namespace tetra {
@@ -30,6 +31,16 @@ struct AnnotationPlace {
     bool operator==(const AnnotationPlace&) const = default;
 };
 
+/// Values at the ends of the colour bar.
+struct BarEnds {
+    double least = 0;
+    double largest = 1;
+    bool operator==(const BarEnds&) const = default;
+};
+
+/// Whether a bar can go from one to the other: two finite numbers, in their order.
+bool isUsable(const BarEnds& ends);
+
 /// Which annotations are shown, and in which corner of the picture: a value.
 struct AnnotationState {
     std::array<AnnotationPlace, annotationCount> places{{{true, Corner::TopRight},
@@ -37,6 +48,7 @@ struct AnnotationState {
                                                          {false, Corner::BottomRight},
                                                          {false, Corner::TopLeft},
                                                          {false, Corner::TopLeft}}};
+    std::optional<BarEnds> barEnds{}; ///< usable ones; none: those of the data's values
     bool operator==(const AnnotationState&) const = default;
 
     AnnotationPlace& operator[](AnnotationKind kind) { return places[static_cast<std::size_t>(kind)]; }

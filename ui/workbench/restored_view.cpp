@@ -179,6 +179,7 @@ void dropPlacesAndValues(SessionDocument& kept, const ViewValue& start)
     std::erase_if(view.appearance.settings,
                   [](const auto& setting) { return std::holds_alternative<TransferFunction>(setting.second); });
     view.isovalues = start.isovalues;
+    view.annotations.barEnds.reset();
     view.animation = {};
     view.camera = {.trackball = view.camera.trackball};
     kept.hasCamera = false;

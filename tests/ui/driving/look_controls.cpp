@@ -256,6 +256,36 @@ Drivers annotationControls()
     return drivers;
 }
 
+/// The colour bar's ends, fixed to those of the values.
+void fixBarEnds(DrivenWindow& window)
+{
+    const auto [least, largest] = rangeOf(window);
+    AnnotationState state = window.session().view().annotations;
+    state.barEnds = BarEnds{least, largest};
+    window.session().setAnnotations(state);
+    window.raise("dock.view");
+}
+
+Drivers barEndControls()
+{
+    const auto end = [](const QString& name, double BarEnds::*member) {
+        const QString box = "view.barEnds." + name;
+        const auto reach = [member](ViewValue& view) -> double& { return view.annotations.barEnds.value().*member; };
+        return edit(box, moves(reach, stepOfBox(box, hundredthOf(&rangeOf))), &fixBarEnds);
+    };
+    return {
+        edit(
+            "view.barEnds.fixed",
+            [](ViewValue& view, const DrivenWindow& window) {
+                const auto [least, largest] = rangeOf(window);
+                view.annotations.barEnds = BarEnds{least, largest};
+            },
+            inDock("dock.view")),
+        end("least", &BarEnds::least),
+        end("largest", &BarEnds::largest),
+    };
+}
+
 Drivers viewControls()
 {
     return {
@@ -313,7 +343,8 @@ Drivers isovalueControls()
 
 Drivers lookControls()
 {
-    return allOf({renderingControls(), cameraControls(), annotationControls(), viewControls(), isovalueControls()});
+    return allOf({renderingControls(), cameraControls(), annotationControls(), barEndControls(), viewControls(),
+                  isovalueControls()});
 }
 
 } // namespace tetra
