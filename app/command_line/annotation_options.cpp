@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/annotation_options.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 namespace tetra {
 namespace {
@@ -29,6 +33,29 @@ const std::vector<KindOption>& kindOptions()
     return all;
 }
 
+constexpr const char* barRange = "bar-range";
+
+Result<std::optional<BarEnds>> barEndsOf(const Arguments& arguments)
+{
+    const auto text = arguments.value(barRange);
+    if (!text)
+        return std::optional<BarEnds>();
+    if (!arguments.has("colour-bar"))
+        return Error{ErrorKind::WrongUsage,
+                     "'--bar-range' says from where to where the colour bar goes: it needs '--colour-bar'."};
+    const auto colon = text->find(':');
+    const std::string_view words = *text;
+    const auto least = parseNumber<double>(words.substr(0, colon));
+    const auto largest =
+        colon == std::string::npos ? std::optional<double>() : parseNumber<double>(words.substr(colon + 1));
+    const BarEnds ends{least.value_or(0), largest.value_or(0)};
+    if (!least || !largest || !isUsable(ends))
+        return Error{ErrorKind::WrongUsage, "'" + *text +
+                                                "' does not fit '--bar-range': it takes A:B, two values of the data, A "
+                                                "below B, like 20:95."};
+    return std::optional<BarEnds>(ends);
+}
+
 } // namespace
 
 std::vector<Option> annotationOptions()
@@ -36,6 +63,11 @@ std::vector<Option> annotationOptions()
     std::vector<Option> options;
     for (const KindOption& entry : kindOptions())
         options.push_back(entry.option);
+    options.insert(options.begin() + 1, {.name = barRange,
+                                         .placeholder = "A:B",
+                                         .explanation = "The values at the ends of the colour bar, so that several "
+                                                        "pictures have the same one.",
+                                         .byDefault = "the range of the data"});
     return options;
 }
 
@@ -55,9 +87,13 @@ bool askForAnnotations(std::span<const std::string> words)
     });
 }
 
-AnnotationContent annotationsOf(const Arguments& arguments)
+Result<AnnotationContent> annotationsOf(const Arguments& arguments)
 {
+    const auto ends = barEndsOf(arguments);
+    if (!ends)
+        return ends.error();
     AnnotationContent content;
+    content.state.barEnds = *ends;
     for (const auto& [kind, option] : kindOptions())
         content.state[kind].shown = arguments.has(option.name);
     content.title = QString::fromStdString(arguments.value("title").value_or(""));

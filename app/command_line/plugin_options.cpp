@@ -115,7 +115,7 @@ Option optionOf(const Parameter& parameter)
 /// The first of the file, completed as the window does it. Errors name the file, and the line and the column of what is
 /// wrong in it.
 Result<ParameterValue> readTransferFunction(const std::string& path, const TransferFunction& usual,
-                                            const std::optional<ValueRange>& range)
+                                            const std::optional<ValueRange>& range, std::vector<Message>* remarks)
 {
     constexpr std::size_t largestFile = 16 << 20;
     const auto text = wholeText(path, largestFile);
@@ -127,6 +127,10 @@ Result<ParameterValue> readTransferFunction(const std::string& path, const Trans
     auto functions = importTransferFunctions(*text, context);
     if (!functions)
         return Error{ErrorKind::BadInput, "'" + path + "': " + functions.error().text()};
+    if (functions->front().spread && remarks != nullptr)
+        remarks->push_back(
+            Message::say("'%1' goes from 0 to 1, and is stretched over the values of the data, %2 to %3.", path,
+                         formatNumber(range->minimum), formatNumber(range->maximum)));
     return ParameterValue(std::move(functions->front().function));
 }
 
@@ -148,12 +152,13 @@ Error ofOption(const Error& error, const Parameter& parameter, const std::string
 }
 
 Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name,
-                                   const std::optional<ValueRange>& range)
+                                   const std::optional<ValueRange>& range, std::vector<Message>* remarks)
 {
     if (isSwitch(parameter))
         return ParameterValue(!isOnByDefault(parameter));
     if (isTransferFunction(parameter))
-        return readTransferFunction(*arguments.value(name), std::get<TransferFunction>(parameter.defaultValue), range);
+        return readTransferFunction(*arguments.value(name), std::get<TransferFunction>(parameter.defaultValue), range,
+                                    remarks);
     const char separator = parameter.separator != 0 ? parameter.separator : ',';
     std::string text;
     for (const std::string& value : arguments.values(name)) {
@@ -203,14 +208,14 @@ void separatePluginOptions(Syntax& syntax)
 }
 
 Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters,
-                                     const std::optional<ValueRange>& range)
+                                     const std::optional<ValueRange>& range, std::vector<Message>* remarks)
 {
     ParameterValues values;
     for (const Parameter& parameter : parameters) {
         const std::string name = optionName(arguments, parameter);
         if (!arguments.has(name))
             continue;
-        const auto value = parseOption(arguments, parameter, name, range);
+        const auto value = parseOption(arguments, parameter, name, range, remarks);
         if (!value)
             return ofOption(value.error(), parameter, name);
         values[parameter.id] = *value;

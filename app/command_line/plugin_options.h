@@ -47,9 +47,11 @@ void separatePluginOptions(Syntax& syntax);
 
 /// The values that the arguments give to these parameters. A file with a transfer function is read as the window reads
 /// it: presets from 0 to 1 are stretched over `range`, that of the data, and what a preset lacks is that of the
-/// parameter's default. The error names the option and what it takes.
+/// parameter's default. `remarks`, if given, gets sentences on what became of files. The error names the option and
+/// what it takes.
 Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters,
-                                     const std::optional<ValueRange>& range = {});
+                                     const std::optional<ValueRange>& range = {},
+                                     std::vector<Message>* remarks = nullptr);
 
 /// The names that these arguments have for parameters, with the hyphens. The arguments outlive it.
 OptionOfParameter optionNames(const Arguments& arguments);

@@ -75,6 +75,7 @@ struct ModelView {
     LensState lens{};
     bool isOfSession = false;
     std::vector<SessionDifference> differences{}; ///< from the session
+    std::vector<Message> remarks{};               ///< on files that the options name
 };
 
 /// What is drawn, and what there is to tell of how it was made.
@@ -86,6 +87,7 @@ struct PreparedScene {
     SceneRequest request;
     BuiltScene built; ///< of the request
     LensState lens;
+    std::vector<Message> remarks;
 };
 
 double aspectRatioOf(const PictureOptions& picture)
@@ -239,7 +241,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         std::erase_if(parameters, [](const Parameter& one) { return one.id != transferId; });
         for (Parameter& parameter : parameters)
             parameter.defaultValue = start.appearance.transfer;
-        const auto completing = pluginValues(invocation.arguments, parameters, data.range);
+        const auto completing = pluginValues(invocation.arguments, parameters, data.range, &view.remarks);
         if (!completing)
             return completing.error();
         for (const auto& [id, value] : *completing)
@@ -253,7 +255,10 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         view.model, renderer.plugin, *query, std::move(shown), *camera, request.picture.width, request.picture.height};
     view.scene.faultyCells = faulty;
     view.lens = request.lens;
-    view.picture.annotations = annotationsOf(invocation.arguments);
+    const auto annotations = annotationsOf(invocation.arguments);
+    if (!annotations)
+        return annotations.error();
+    view.picture.annotations = *annotations;
     view.picture.annotations.camera = *camera;
     view.picture.annotations.background = request.picture.background;
     return view;
@@ -406,7 +411,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
         content.title = asked.title;
     asked = content;
     view.picture.scene = built->scene;
-    return PreparedScene{view.found, view.picture, figures, built->mesh.tetrahedra, view.scene, *built, view.lens};
+    return PreparedScene{view.found, view.picture, figures,   built->mesh.tetrahedra,
+                         view.scene, *built,       view.lens, view.remarks};
 }
 
 void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
@@ -516,6 +522,8 @@ Syntax renderSyntax(PluginHost& host)
              "A volume that is fine inside a ball and coarse outside, blended over a length of 10."},
             {"tan render engine.tan --mode volume --colour-bar --axes --title Engine -o engine.png",
              "With what the colours mean, the directions of the axes and a title."},
+            {"tan render step7.tan --mode volume --transfer heat.json --colour-bar --bar-range 20:95 -o step7.png",
+             "One of a series, with the colour bar of all: from 20 to 95."},
             {"tan render engine.tan --error 2 --isovalue 180:gold --lens 0.6,0.4,0.2,4,0.2 -o engine.png",
              "A part of it four times as large, of a mesh that is ten times as accurate."},
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."},
@@ -552,6 +560,8 @@ Result<Outcome> runRender(const Invocation& invocation)
                                                 renderer->plugin->parameters({}), "mode '" + renderer->id + "'");
         !known)
         return known.error();
+    if (const auto annotations = annotationsOf(arguments); !annotations)
+        return annotations.error();
     if (request->surfaces)
         if (const Status writable = checkWritable(invocation.host, WrittenContent::Surface, *request->surfaces);
             !writable)
@@ -614,6 +624,7 @@ Result<Outcome> runRender(const Invocation& invocation)
                         " faulty cells are outlined: the model does not have all corners of the others.\n";
     if (!isOfSession)
         tellEmptySurfaces(isovaluesIn(prepared->request.values), prepared->built.model->description().range, outcome);
+    addRemarks(prepared->remarks, outcome);
     addRemarks(*surfaces, outcome);
     tellPart(prepared->found, outcome);
     return outcome;

@@ -162,6 +162,12 @@ private slots:
         const QImage unit = drawn(bare + QStringList{"unit.json"}).first;
         const QImage stretched = drawn(bare + QStringList{"range.json"}).first;
         QVERIFY2(largestDifference(unit, stretched) <= 1, QByteArray::number(largestDifference(unit, stretched)));
+        const auto told = [&](const char* name) {
+            return QString(drawn(bare + QStringList{name}).second["remarks"].toArray().first().toString());
+        };
+        QVERIFY2(told("unit.json").contains("'unit.json' goes from 0 to 1, and is stretched"),
+                 qPrintable(told("unit.json")));
+        QVERIFY(told("range.json").isEmpty());
         int opaque = 0, seenThrough = 0; // nearly all is behind the last point of a function that is not stretched
         for (int y = 0; y < unit.height(); ++y)
             for (int x = 0; x < unit.width(); ++x) {
@@ -392,6 +398,38 @@ private slots:
         QVERIFY(drawn(red).first != drawn(red + QStringList{"--boundary-far-side"}).first);
     }
 
+    /// The colour of a value is that of the map, straight on and at an angle; light is a choice.
+    void coloursOfValuesAreNotLit()
+    {
+        QVERIFY(writeFile(path("half.json"), R"([{"RGBPoints": [-1e6, 0.5, 0.25, 0.75, 1e6, 0.5, 0.25, 0.75]}])"));
+        const QStringList values{"--transfer", "half.json", "--no-outline", "--boundary", "values"};
+        for (const char* camera : {"front", "corner"}) {
+            const auto middle = [&](const QStringList& options) {
+                const Run run =
+                    tan(QStringList{"render", "c60.tan", "--camera", camera, "--size", "60x60", "-o", "picture.png"} +
+                        values + options);
+                return run.exitCode == 0 ? QImage(path("picture.png")).pixelColor(30, 30) : QColor();
+            };
+            QVERIFY2(difference(middle({}), QColor(128, 64, 191)) <= 1, camera);
+            QVERIFY2(difference(middle({"--lit"}), QColor(128, 64, 191)) > 10, camera);
+        }
+    }
+
+    /// Ends of the bar change the bar alone.
+    void theBarsEndsCanBeFixed()
+    {
+        const auto picture = [this](const QStringList& options) {
+            const Run run = tan(QStringList{"render", "c60.tan", "--mode", "volume", "--size", "400x320", "-o",
+                                            "annotated.png", "--colour-bar"} +
+                                options);
+            return run.exitCode == 0 ? QImage(path("annotated.png")) : QImage();
+        };
+        const QImage usual = picture({}), fixed = picture({"--bar-range", "-50:1000"});
+        QCOMPARE(fixed.size(), usual.size());
+        QVERIFY(pixelsThatDiffer(usual.copy(260, 0, 140, 220), fixed.copy(260, 0, 140, 220)) > 100);
+        QCOMPARE(pixelsThatDiffer(usual.copy(0, 0, 260, 320), fixed.copy(0, 0, 260, 320)), 0);
+    }
+
     /// What is drawn, as 'tan isosurface' writes it.
     void surfacesAreWrittenToo()
     {
@@ -501,6 +539,12 @@ private slots:
         row("boundary of no opacity", {"--boundary-opacity", "0"}, 2, "0.01");
         row("opacity without a boundary", {"--boundary-opacity", "0.5"}, 2, "'--boundary-opacity' is of use only if");
         row("far side without a boundary", {"--boundary-far-side"}, 2, "'--boundary-far-side' is of use only if");
+        row("light without values", {"--lit"}, 2, "'--lit' is of use only if");
+        row("light on one colour", {"--boundary", "translucent", "--lit"}, 2, "'--lit' is of use only if");
+        row("ends without a bar", {"--bar-range", "1:2"}, 2, "'--colour-bar'");
+        row("a bar from more to less", {"--colour-bar", "--bar-range", "2:1"}, 2, "does not fit '--bar-range'");
+        row("a bar of one end", {"--colour-bar", "--bar-range", "2"}, 2, "does not fit '--bar-range'");
+        row("a bar of words", {"--colour-bar", "--bar-range", "low:high"}, 2, "does not fit '--bar-range'");
         row("missing function", {"--transfer", "gone.json"}, 3, "'gone.json'");
         row("no JSON", {"--transfer", "c60.nrrd"}, 3, "c60.nrrd': ");
         row("slip in a function", {"--transfer", "slip.json"}, 3, "slip.json': ");

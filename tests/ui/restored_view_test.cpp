@@ -304,6 +304,13 @@ void RestoredViewTest::theProgramSaysWhatDiffers()
     const Run directed = render({"before.tansession", "--model", "directed.tan"});
     QCOMPARE(differencesOf(directed), (QStringList{"camera", "window", "clip"}));
     QVERIFY2(directed.messages.contains("TAn up to version 0.1"), directed.messages);
+    // One of a series that has none of the values: no other surface takes the place of theirs.
+    build("faint.tan", 0.01F);
+    const Run faint = render({"before.tansession", "--model", "faint.tan"});
+    QVERIFY2(faint.exitCode == 0, faint.messages);
+    QVERIFY(differencesOf(faint).contains("isovalues"));
+    QVERIFY2(faint.messages.contains("so their surfaces are empty"), faint.messages);
+    QCOMPARE(faint.json()["triangles"].toInt(-1), 0);
 }
 
 void RestoredViewTest::theProgramIsStrict()

@@ -151,7 +151,7 @@ bool followsLogarithm(const TransferFunction& function, const TransferLimits& en
         // Straight between points, it leaves no chord of two neighbours.
         overValues += chordsNeeded(curve, [](double value) { return value; }).value_or(0);
     }
-    return 4 * overLogarithms <= 3 * overValues;
+    return 5 * overLogarithms <= 4 * overValues;
 }
 
 std::vector<double> barTicks(const BarAxis& axis, int most)

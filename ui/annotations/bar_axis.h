@@ -29,7 +29,7 @@ BarAxis barAxisOf(const AnnotationContent& content);
 
 /// Whether the colours between two values go with the logarithm of the value rather than with the value, as those of
 /// ParaView's maps over log(value), which are read as many short straight pieces: whether fewer chords between the
-/// function's own points are enough over the logarithms, by a quarter at least. What is straight over the values and
+/// function's own points are enough over the logarithms, by a fifth at least. What is straight over the values and
 /// spans a decade leaves its chord there, and so do colours that are only crowded at small values. Not if a value is
 /// zero or less. O(points).
 bool followsLogarithm(const TransferFunction& function, const TransferLimits& ends);

@@ -87,7 +87,7 @@ Message noneWithin(const ValueRange& range)
 }
 
 /// From another range.
-void fitIsovalues(ViewValue& view, const ViewValue& start, const ValueRange& range, Differences& differences)
+void fitIsovalues(ViewValue& view, const ValueRange& range, Differences& differences)
 {
     const auto isOutside = [&range](const Isovalue& isovalue) {
         return isovalue.value < range.minimum || isovalue.value > range.maximum;
@@ -98,8 +98,12 @@ void fitIsovalues(ViewValue& view, const ViewValue& start, const ValueRange& ran
     const bool isAll = outside == std::ssize(view.isovalues);
     const std::string from = formatNumber(range.minimum), to = formatNumber(range.maximum);
     if (isAll) {
-        differences.push_back({"isovalues", noneWithin(range)});
-        view.isovalues = start.isovalues;
+        // Another value's surface in its place would be taken for it.
+        differences.push_back(
+            {"isovalues", Message::say("None of the isovalues lies within the model's values, %1 to %2, so their "
+                                       "surfaces are empty.",
+                                       from, to)});
+        view.isovalues.clear();
     } else {
         differences.push_back({"isovalues", Message::say("%1 of %2 isovalues are left out: they are not within the "
                                                          "model's values, %3 to %4.",
@@ -144,7 +148,7 @@ void fitTransfer(Appearance& appearance, const ViewValue& start, const ValueRang
 
 void fitValues(ViewValue& view, const ViewValue& start, const ValueRange& range, Differences& differences)
 {
-    fitIsovalues(view, start, range, differences);
+    fitIsovalues(view, range, differences);
     fitOwnIsovalues(view.appearance, range, differences);
     fitTransfer(view.appearance, start, range, differences);
     const ValueFilter& values = view.query.values;

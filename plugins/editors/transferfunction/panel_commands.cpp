@@ -104,10 +104,19 @@ Status TransferPanel::load(const std::string& text)
     if (!imported)
         return imported.error();
     if (imported->size() == 1)
-        state_.setFunction(imported->front().function);
+        take(imported->front());
     else
         offerChoice(*std::move(imported));
     return {};
+}
+
+void TransferPanel::take(const ImportedTransfer& imported)
+{
+    state_.setFunction(imported.function);
+    const auto [least, largest] = state_.range();
+    if (imported.spread)
+        host_.tell(Message::say("The preset goes from 0 to 1, and is stretched over the values of the data, %1 to %2.",
+                                formatNumber(least), formatNumber(largest)));
 }
 
 /// Asks which of the presets that a file holds is meant, and lets the window work on.
@@ -126,7 +135,7 @@ void TransferPanel::offerChoice(std::vector<ImportedTransfer> imported)
     connect(choice, &QInputDialog::textValueSelected, this,
             [this, names, presets = std::move(imported)](const QString& name) {
                 if (const qsizetype index = names.indexOf(name); index >= 0)
-                    state_.setFunction(presets[static_cast<std::size_t>(index)].function);
+                    take(presets[static_cast<std::size_t>(index)]);
             });
     choice->open();
 }

@@ -44,6 +44,7 @@ private:
     void connectControls();
     void setStep(bool on);
     Status load(const std::string& text);
+    void take(const ImportedTransfer& imported);
     void offerChoice(std::vector<ImportedTransfer> imported);
     void save();
     void saveForParaview();

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The colour bar as a measure: values stand where they belong, on linear and logarithmic axes, neighbouring ticks have
+// different texts, and a value can be read back from its colour within a tick. Places are worked out here, by closed
+// forms; colours by the map's own straight pieces.
+#include "ui/annotations/annotation_layout.h"
+#include "ui/annotations/annotation_painter.h"
+#include "ui/annotations/axis_ticks.h"
+#include "ui/annotations/bar_axis.h"
+
+#include <QFontMetricsF>
+#include <QImage>
+#include <QLocale>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+const TextMeasure measure{[](const QString& text) { return 7.0 * static_cast<double>(text.size()); },
+                          [](const QString& text) { return 8.0 * static_cast<double>(text.size()); }, 15};
+
+AnnotationContent contentOver(double least, double largest, const TransferFunction& function)
+{
+    AnnotationContent content;
+    for (AnnotationPlace& place : content.state.places)
+        place.shown = false;
+    content.state[AnnotationKind::ColourBar].shown = true;
+    content.range = {least, largest};
+    content.transfer = function;
+    content.background = {1, 1, 1};
+    return content;
+}
+
+/// As ParaView writes a map whose colours go with the logarithm of the value.
+TransferFunction logarithmicMap(const ColourMap& map, double least, double largest)
+{
+    QString points;
+    for (const ColourMapNode& node : map.nodes) {
+        points += points.isEmpty() ? "" : ", ";
+        points += QString::number(least * std::pow(largest / least, node.share), 'g', 17);
+        for (const float channel : node.colour)
+            points += ", " + QString::number(channel, 'g', 9);
+    }
+    const QString file =
+        "[{\"Name\": \"map\", \"ColorSpace\": \"RGB\", \"UseLogScale\": 1, \"RGBPoints\": [" + points + "]}]";
+    auto imported = importTransferFunctions(file.toStdString(), {});
+    if (!imported)
+        qFatal("%s", imported.error().text().c_str());
+    return imported->front().function;
+}
+
+TransferFunction linearMap(const ColourMap& map, double least, double largest)
+{
+    return withColourMap({}, map, {least, largest});
+}
+
+ColourBarLayout barOf(const AnnotationContent& content, QSizeF picture = {800, 600})
+{
+    return layOutAnnotations(content, picture, measure).colourBar.value();
+}
+
+} // namespace
+
+class ColourBarTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void endsCanBeFixed()
+    {
+        const TransferFunction function = linearMap(colourMaps()[0], 0, 10);
+        AnnotationContent content = contentOver(0, 10, function);
+        content.isovalues = std::vector<Isovalue>{{.value = 5}, {.value = -1}, {.value = 25}};
+        content.state.barEnds = BarEnds{-20, 20};
+        const ColourBarLayout bar = barOf(content);
+        QCOMPARE(bar.ticks.front().label.text, QString("-20"));
+        QCOMPARE(bar.ticks.back().label.text, QString("20"));
+        QVERIFY(std::abs(bar.ticks.front().position - bar.bar.bottom()) < 1e-9);
+        QVERIFY(std::abs(bar.isovalues[0].position - (bar.bar.bottom() - bar.bar.height() * 25 / 40)) < 1e-9);
+        QVERIFY(!bar.isovalues[0].beyond && !bar.isovalues[1].beyond && bar.isovalues[2].beyond);
+        content.state.barEnds.reset();
+        QVERIFY(barOf(content).isovalues[1].beyond && !barOf(content).isovalues[0].beyond);
+        QVERIFY(!isUsable({1, 1}) && !isUsable({2, 1}) && !isUsable({0, std::numeric_limits<double>::infinity()}));
+    }
+
+    /// From two decades on, where a linear axis has no room for half of the colours.
+    void theAxisIsLogarithmicWhereTheMapIs()
+    {
+        for (const ColourMap& map : colourMaps())
+            for (const double least : {1e-7, 0.02, 3.0, 4e5})
+                for (const double decades : {2.0, 3.5, 6.0}) {
+                    const double largest = least * std::pow(10, decades);
+                    const QByteArray name = QByteArray::fromStdString(map.id) + " " + QByteArray::number(decades);
+                    const TransferFunction linear = linearMap(map, least, largest);
+                    QVERIFY2(!followsLogarithm(linear, {least, largest}), name);
+                    QVERIFY2(!followsLogarithm(logarithmicMap(map, least, largest), {-least, largest}), name);
+                    QVERIFY2(followsLogarithm(logarithmicMap(map, least, largest), {least, largest}), name);
+                    const ColourBarLayout bar = barOf(contentOver(least, largest, logarithmicMap(map, least, largest)));
+                    QVERIFY2(bar.ticks.size() > 1, name);
+                    for (const AxisMark& tick : bar.ticks) {
+                        if (tick.label.text.isEmpty())
+                            continue;
+                        const double value = QLocale::c().toDouble(tick.label.text);
+                        const double share = std::log10(value / least) / decades;
+                        const double position = bar.bar.bottom() - share * bar.bar.height();
+                        QVERIFY2(std::abs(tick.position - position) < 1e-6 * bar.bar.height(), name);
+                    }
+                }
+    }
+
+    /// What is crowded at small values, but straight between points that are far apart, follows no logarithm; nor does
+    /// what has one colour.
+    void otherMapsStayLinear()
+    {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<float> channel(0, 1);
+        for (int round = 0; round < 200; ++round) {
+            TransferFunction function;
+            for (int point = 0; point <= 8; ++point)
+                function.colours.push_back({1 + 9999 * std::pow(point / 8.0, 1 + round % 4),
+                                            {channel(random), channel(random), channel(random)}});
+            QVERIFY(!followsLogarithm(function, {1, 10000}));
+        }
+        QVERIFY(!followsLogarithm({}, {1, 10000}));
+        QVERIFY(!followsLogarithm({.colours = {{5, {1, 0, 0}}}}, {1, 10000}));
+        QVERIFY(!followsLogarithm(logarithmicMap(colourMaps()[0], 1, 100), {0, 100}));
+        QVERIFY(!followsLogarithm(logarithmicMap(colourMaps()[0], 1, 100), {7, 7}));
+    }
+
+    void neighbouringTicksDiffer()
+    {
+        std::mt19937 random(4);
+        std::uniform_real_distribution<double> power(-30, 30), decades(0.01, 40);
+        for (int round = 0; round < 2000; ++round) {
+            const double least = std::pow(10, power(random));
+            const BarAxis axis{{least, least * std::pow(10, decades(random))}, round % 4 != 0};
+            const int most = 2 + static_cast<int>(random() % 8);
+            const auto ticks = barTicks(axis, most);
+            const auto texts = barTickTexts(axis, ticks);
+            QVERIFY(std::ssize(ticks) <= most && texts.size() == ticks.size());
+            QVERIFY(std::ranges::is_sorted(ticks) &&
+                    std::ranges::all_of(ticks, [&](double tick) { return axis.contains(tick); }));
+            for (std::size_t i = 0; i < ticks.size(); ++i) {
+                QVERIFY2(i == 0 || texts[i] != texts[i - 1], qPrintable(texts[i]));
+                const double read = QLocale::c().toDouble(texts[i]);
+                const double apart = i > 0              ? ticks[i] - ticks[i - 1]
+                                     : ticks.size() > 1 ? ticks[1] - ticks[0]
+                                                        : ticks[i];
+                QVERIFY2(std::abs(read - ticks[i]) < 0.01 * apart, qPrintable(texts[i]));
+            }
+        }
+        QCOMPARE(barTicks({{1, 1000}, true}, 4), (std::vector<double>{1, 10, 100, 1000}));
+        QCOMPARE(barTicks({{0.5, 20}, true}, 9), (std::vector<double>{0.5, 1, 2, 5, 10, 20}));
+        QCOMPARE(barTickTexts({{1e-5, 1}, true}, {1e-5, 0.001, 0.1}), (std::vector<QString>{"1e-05", "0.001", "0.1"}));
+    }
+
+    /// The axis and its inverse, against each other and against a power.
+    void sharesAndValuesAreInverse()
+    {
+        for (const bool logarithmic : {false, true}) {
+            const BarAxis axis{{0.25, 4000}, logarithmic};
+            for (double share = 0; share <= 1; share += 0.03125) {
+                const double value = logarithmic ? 0.25 * std::pow(16000, share) : 0.25 + share * 3999.75;
+                QVERIFY(std::abs(axis.valueAt(share) - value) <= 1e-12 * value);
+                QVERIFY(std::abs(axis.shareOf(value) - share) < 1e-12);
+            }
+            QVERIFY(axis.shareOf(-1) < 0 && axis.shareOf(5000) > 1);
+        }
+    }
+
+    void valuesAreReadBackFromTheirColours_data()
+    {
+        QTest::addColumn<bool>("logarithmic");
+        QTest::newRow("linear") << false;
+        QTest::newRow("logarithmic") << true;
+    }
+    /// From the painted bar: the row that has the colour, and its value by the nearest ticks' places and texts.
+    void valuesAreReadBackFromTheirColours()
+    {
+        QFETCH(bool, logarithmic);
+        const double least = 2, largest = 20000;
+        const ColourMap& map = colourMaps()[0]; // of which no two places look alike
+        const AnnotationContent content = contentOver(
+            least, largest, logarithmic ? logarithmicMap(map, least, largest) : linearMap(map, least, largest));
+        QImage picture(500, 400, QImage::Format_ARGB32);
+        picture.fill(Qt::white);
+        paintAnnotations(picture, content, 1);
+        QFont font = content.font;
+        font.setPixelSize(12);
+        const QFontMetricsF metrics(font);
+        const auto width = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+        const ColourBarLayout bar =
+            layOutAnnotations(content, {500, 400}, {width, width, metrics.height()}).colourBar.value();
+        struct Tick {
+            double position, place; ///< the value, or its logarithm
+        };
+        std::vector<Tick> ticks;
+        for (const AxisMark& mark : bar.ticks)
+            if (!mark.label.text.isEmpty()) {
+                const double value = QLocale::c().toDouble(mark.label.text);
+                ticks.push_back({mark.position, logarithmic ? std::log(value) : value});
+            }
+        QVERIFY(ticks.size() > 2);
+        const double tickDistance = std::abs(ticks[1].place - ticks[0].place);
+        const double slope =
+            (ticks.back().place - ticks.front().place) / (ticks.back().position - ticks.front().position);
+        std::mt19937 random(8);
+        std::uniform_real_distribution<double> anyShare(0.02, 0.98);
+        for (int round = 0; round < 300; ++round) {
+            const double share = anyShare(random);
+            const auto [red, green, blue] = colourAt(map, share);
+            int nearest = 0;
+            double smallest = std::numeric_limits<double>::infinity();
+            for (int row = static_cast<int>(bar.bar.top()) + 2; row < static_cast<int>(bar.bar.bottom()) - 1; ++row) {
+                const QColor there = picture.pixelColor(static_cast<int>(bar.bar.left()) + 5, row);
+                const double apart =
+                    std::abs(there.redF() - red) + std::abs(there.greenF() - green) + std::abs(there.blueF() - blue);
+                if (apart < smallest) {
+                    smallest = apart;
+                    nearest = row;
+                }
+            }
+            QVERIFY2(smallest < 0.06, qPrintable(QString::number(smallest)));
+            const double read = ticks.front().place + slope * (nearest + 0.5 - ticks.front().position);
+            const double value =
+                logarithmic ? std::log(least) + share * std::log(largest / least) : least + share * (largest - least);
+            QVERIFY2(std::abs(read - value) < 0.25 * tickDistance,
+                     qPrintable(QString("%1 for %2").arg(read).arg(value)));
+        }
+    }
+};
+
+QTEST_MAIN(ColourBarTest)
+#include "colour_bar_test.moc"
