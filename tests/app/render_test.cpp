@@ -403,7 +403,7 @@ private slots:
     {
         QVERIFY(writeFile(path("half.json"), R"([{"RGBPoints": [-1e6, 0.5, 0.25, 0.75, 1e6, 0.5, 0.25, 0.75]}])"));
         const QStringList values{"--transfer", "half.json", "--no-outline", "--boundary", "values"};
-        for (const char* camera : {"front", "corner"}) {
+        for (const char* camera : {"front", "iso"}) {
             const auto middle = [&](const QStringList& options) {
                 const Run run =
                     tan(QStringList{"render", "c60.tan", "--camera", camera, "--size", "60x60", "-o", "picture.png"} +

@@ -158,6 +158,8 @@ void AnnotationsTest::tickTextsTellTicksApart()
 {
     QCOMPARE(tickTexts({0, 0.5, 1}), (std::vector<QString>{"0.0", "0.5", "1.0"}));
     QCOMPARE(tickTexts({0, 2e-7, 4e-7}), (std::vector<QString>{"0", "2e-07", "4e-07"}));
+    QCOMPARE(tickTexts({1.5}), (std::vector<QString>{"1.5"}));
+    QCOMPARE(tickTexts({1.5e7}), (std::vector<QString>{"1.5e+07"}));
     QCOMPARE(tickTexts({1e7, 1.5e7}), (std::vector<QString>{"1.0e+07", "1.5e+07"}));
     std::mt19937 random(2);
     std::uniform_real_distribution<double> any(-1, 1), power(-9, 9);

@@ -104,6 +104,8 @@ std::vector<QString> tickTexts(const std::vector<double>& values)
 {
     if (values.empty())
         return {};
+    if (values.size() == 1)
+        return {ownText(values.front())};
     const double largest = largestMagnitude(values);
     const double distance = smallestDistance(values);
     const double apart = distance > 0 ? distance : 1;

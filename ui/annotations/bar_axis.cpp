@@ -140,7 +140,8 @@ BarAxis barAxisOf(const AnnotationContent& content)
 
 bool followsLogarithm(const TransferFunction& function, const TransferLimits& ends)
 {
-    if (!(ends.least > 0 && ends.largest > ends.least && std::isfinite(ends.largest)))
+    constexpr double leastFactor = 10; // the axes of less differ little, and so do the counts
+    if (!(ends.least > 0 && ends.largest >= leastFactor * ends.least && std::isfinite(ends.largest)))
         return false;
     std::size_t overValues = 0, overLogarithms = 0;
     for (const Curve& curve : curvesOf(function, ends)) {
@@ -151,12 +152,13 @@ bool followsLogarithm(const TransferFunction& function, const TransferLimits& en
         // Straight between points, it leaves no chord of two neighbours.
         overValues += chordsNeeded(curve, [](double value) { return value; }).value_or(0);
     }
-    return 5 * overLogarithms <= 4 * overValues;
+    return overLogarithms < overValues;
 }
 
 std::vector<double> barTicks(const BarAxis& axis, int most)
 {
-    constexpr std::array all{1.0, 2.0, 5.0}, one{1.0};
+    constexpr std::array all{1.0, 2.0, 5.0};
+    constexpr std::array one{1.0};
     const double decades = axis.logarithmic ? std::log10(axis.ends.largest) - std::log10(axis.ends.least) : 0;
     if (decades > 1) {
         if (auto ticks = powersOfTen(axis.ends, 1, all); std::ssize(ticks) <= most)

@@ -29,9 +29,9 @@ BarAxis barAxisOf(const AnnotationContent& content);
 
 /// Whether the colours between two values go with the logarithm of the value rather than with the value, as those of
 /// ParaView's maps over log(value), which are read as many short straight pieces: whether fewer chords between the
-/// function's own points are enough over the logarithms, by a fifth at least. What is straight over the values and
-/// spans a decade leaves its chord there, and so do colours that are only crowded at small values. Not if a value is
-/// zero or less. O(points).
+/// function's own points are enough over the logarithms. What is straight over the values far enough leaves its chord
+/// there, and so do colours that are only crowded at small values. Not of less than a decade, nor if a value is zero or
+/// less. O(points).
 bool followsLogarithm(const TransferFunction& function, const TransferLimits& ends);
 
 /// Round numbers of the axis, rising, at most `most`: evenly spaced by values, or on a logarithmic axis of more than
