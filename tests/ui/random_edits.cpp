@@ -210,6 +210,9 @@ void RandomEdits::editAnnotations()
 {
     AnnotationState annotations = session_.view().annotations;
     annotations.places[below(annotationCount)] = {below(2) == 0, static_cast<Corner>(below(4))};
+    annotations.barEnds.reset();
+    if (below(3) == 0)
+        annotations.barEnds = BarEnds{number(-5, -1), number(1, 5)};
     session_.setAnnotations(annotations);
 }
 

@@ -81,6 +81,8 @@ SessionDocument randomDocument(std::mt19937& random)
                           unit(random)};
     for (AnnotationPlace& place : document.view.annotations.places)
         place = {random() % 2 == 0, static_cast<Corner>(random() % 4)};
+    if (random() % 2 == 0)
+        document.view.annotations.barEnds = BarEnds{-unit(random), 1 + unit(random)};
     document.view.animation.kind = static_cast<Animation::Kind>(random() % 2);
     document.view.animation.framesPerSecond = 1 + 100 * unit(random);
     document.view.animation.turntable = {static_cast<Turntable::Axis>(random() % 2), 360 * unit(random),
@@ -104,6 +106,7 @@ class SessionDocumentTest : public QObject {
     Q_OBJECT
 private slots:
     void aSessionComesBackTheSame();
+    void endsOfTheBarAreForgotten();
     void modelsInTheFolderMoveWithIt();
     void aModelIsFoundWhereItIs_data();
     void aModelIsFoundWhereItIs();
@@ -131,6 +134,23 @@ void SessionDocumentTest::aSessionComesBackTheSame()
         QVERIFY(after->view == before.view);
         QCOMPARE(after->hasCamera, before.hasCamera);
     }
+}
+
+/// A bar over all values stays that when the session is saved over one with chosen ends; what is no range is none.
+void SessionDocumentTest::endsOfTheBarAreForgotten()
+{
+    SessionDocument document;
+    document.model = "/place/one.tan";
+    document.view.annotations.barEnds = BarEnds{1, 2};
+    const std::string chosen = sessionToText(document, "/place");
+    SessionDocument read = sessionFromText(chosen, "/place").value();
+    QVERIFY(read.view.annotations.barEnds == (BarEnds{1, 2}));
+    read.view.annotations.barEnds.reset();
+    QVERIFY(!sessionFromText(sessionToText(read, "/place"), "/place")->view.annotations.barEnds);
+    QByteArray turned = QByteArray::fromStdString(chosen);
+    turned.replace("\"largest\": 2", "\"largest\": 0");
+    QVERIFY(turned.toStdString() != chosen);
+    QVERIFY(!sessionFromText(turned.toStdString(), "/place")->view.annotations.barEnds);
 }
 
 void SessionDocumentTest::modelsInTheFolderMoveWithIt()

@@ -150,11 +150,14 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     for (const char* path : {relativeKey, absoluteKey})
         foundModel.remove(path);
     found.insert("model", foundModel);
-    // Settings and functions are whole values: what was in the old ones must not come back.
+    // Settings, functions and ends are whole values: what was in the old ones must not come back.
     QJsonObject look = found.value("look").toObject();
     look.remove("transfer");
     look.remove("settings");
     found.insert("look", look);
+    QJsonObject annotations = found.value("annotations").toObject();
+    annotations.remove("barEnds");
+    found.insert("annotations", annotations);
     if (document.viewSize[0] > 0 && document.viewSize[1] > 0)
         ours["viewSize"] = QJsonArray{document.viewSize[0], document.viewSize[1]};
     if (!document.file.empty())
