@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/sort_unique.h"
+
 #include <tan/transfer.h>
 
 #include <algorithm>
@@ -152,7 +154,73 @@ std::vector<double> places(const std::vector<double>& weights, const std::vector
 
 } // namespace
 
-TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double unitDistance)
+namespace {
+
+constexpr double leastFade = 1.0 / 32;   ///< of the range, over which opacities rise beside the background
+constexpr double seenAtLeast = 1.0 / 8;  ///< of the range, whatever the error
+constexpr double errorMargin = 1.0 / 20; ///< of the error, for what rounding adds to it
+
+/// What is transparent, and the width over which opacities rise beside it.
+struct ClearedValues {
+    double least;
+    double largest;
+    double fade;
+
+    /// The factor of the extinction.
+    double at(double value) const
+    {
+        const double distance = std::max(least - value, value - largest);
+        return fade > 0 ? std::clamp(distance / fade, 0.0, 1.0) : distance > 0 ? 1 : 0;
+    }
+};
+
+/// What an error takes for the background. Less of the range than the error, between it and an end, is no better than
+/// the background.
+ClearedValues clearedValues(const BackgroundValues& background, const ValueHistogram& volumes, double error)
+{
+    const double extent = volumes.largest - volumes.least;
+    const double reach = error * (1 + errorMargin);
+    const double fade = std::max(reach, leastFade * extent);
+    ClearedValues cleared{background.least - reach, background.largest + reach, fade};
+    if (cleared.least - volumes.least <= fade)
+        cleared.least = volumes.least;
+    if (volumes.largest - cleared.largest <= fade)
+        cleared.largest = volumes.largest;
+    const bool isLow = background.commonest - volumes.least <= volumes.largest - background.commonest;
+    if (isLow)
+        cleared.largest = std::min(cleared.largest, volumes.largest - seenAtLeast * extent);
+    else
+        cleared.least = std::max(cleared.least, volumes.least + seenAtLeast * extent);
+    cleared.fade = std::min(fade, isLow ? volumes.largest - cleared.largest : cleared.least - volumes.least);
+    return cleared;
+}
+
+/// The function with nothing of these values, and no more of any other than before.
+TransferFunction cleared(const TransferFunction& function, const ClearedValues& values)
+{
+    std::vector<double> knots;
+    for (const OpacityPoint& point : function.opacities)
+        knots.push_back(point.value);
+    const double first = knots.front(), last = knots.back();
+    for (const double knot : {values.least - values.fade, values.least, values.largest, values.largest + values.fade})
+        if (knot > first && knot < last)
+            knots.push_back(knot);
+    sortUnique(knots);
+    TransferFunction result = function;
+    result.opacities.clear();
+    for (const double knot : knots) {
+        const bool isWithin = knot > values.least && knot < values.largest && knot > first && knot < last;
+        const double extinction = evaluate(function, knot).extinction * values.at(knot);
+        if (!isWithin)
+            result.opacities.push_back(
+                {knot, static_cast<float>(-std::expm1(-extinction * function.unitDistance)), {}});
+    }
+    return result;
+}
+
+} // namespace
+
+TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double unitDistance, double error)
 {
     if (volumes.highest() == 0 || !(volumes.least < volumes.largest))
         return sequentialTransferFunction(volumes.least, volumes.largest, unitDistance);
@@ -169,7 +237,9 @@ TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double un
             points[point].colour[channel] = static_cast<float>(std::clamp(look.colour[channel], 0.0, 1.0));
         points[point].opacity = static_cast<float>(-std::expm1(-extinctionAt(weights[point], scale)));
     }
-    return transferFunctionFromPoints(points, unitDistance);
+    const TransferFunction function = transferFunctionFromPoints(points, unitDistance);
+    const auto background = backgroundValues(volumes);
+    return background ? cleared(function, clearedValues(*background, volumes, error)) : function;
 }
 
 } // namespace tetra

@@ -22,6 +22,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -199,18 +200,76 @@ TAN_API TransferFunction sequentialTransferFunction(double smallest, double larg
 /// and vermilion of Okabe and Ito (2008).
 TAN_API TransferFunction divergingTransferFunction(double smallest, double largest, double unitDistance);
 
+/// The values of what fills most of a domain and is no part of what was measured: the air around a scanned part, the
+/// undisturbed flow around a body. They scatter about the commonest one, by noise.
+struct BackgroundValues {
+    double least = 0;
+    double commonest = 0;
+    double largest = 0;
+};
+
+/// The background, given how the values share the domain's volume (volumeHistogram(): vertices of an adaptive mesh are
+/// dense where there is something to see, and say nothing of that). Its values are the commonest ones and those beside
+/// them, as long as each has a tenth of the commonest's share, together an eighth of the range at most. None if the
+/// commonest values are not much more frequent than the others. O(parts).
+TAN_API std::optional<BackgroundValues> backgroundValues(const ValueHistogram& volumes);
+
 /// A transfer function to begin with, given how the values share the domain's volume. What fills most of it, as the air
 /// around a scanned part or the undisturbed flow around a body, is transparent, rare values are the more opaque, and
 /// the volume stays translucent as a whole; at equal shares, large values are more opaque than small ones. Colours are
 /// those of sequentialTransferFunction(), closer where more is seen. `unitDistance` is a fortieth of the domain's
 /// diagonal. Without a histogram it is sequentialTransferFunction(). O(parts).
-TAN_API TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double unitDistance);
+///
+/// `error` is how far the values of the mesh that is drawn may be off, in their own units: no value that is within it
+/// of the background is opaque at all, so that nothing is painted into the background that the error alone has made.
+/// From there the opacity rises over the width of another such error. An eighth of the range stays visible whatever the
+/// error.
+TAN_API TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double unitDistance, double error = 0);
 
 /// A closed range of values.
 struct TransferLimits {
     double least = 0;
     double largest = 1;
 };
+
+/// Something that is made visible though the error of the mesh alone may have made it.
+struct ErrorRemark {
+    enum class Kind {
+        IsovalueAtEnd,        ///< an isovalue within the error of the least or the largest value of the data
+        IsovalueAtBackground, ///< ... or of the background
+        OpacityAtBackground,  ///< opacities rise within the error of a background that is transparent itself
+        NarrowOpacity,        ///< the values that are visible are fewer than the error is wide
+    };
+    Kind kind = Kind::IsovalueAtEnd;
+    double value = 0;  ///< the isovalue; where the opacities begin; the middle of the narrow ones
+    double other = 0;  ///< the value that the error may take for it; of narrow opacities the same value
+    double error = 0;  ///< in units of the values, there
+    double enough = 0; ///< an error with which this is not so any more; 0 if none is small enough
+    bool operator==(const ErrorRemark&) const = default;
+};
+
+/// What the remarks are of.
+struct ErrorRemarkInput {
+    TransferLimits range{};                       ///< of the data's values
+    std::optional<BackgroundValues> background{}; ///< if it is known
+    std::span<const double> isovalues{};          ///< whose surfaces are shown
+    const TransferFunction* transfer = nullptr;   ///< of the volume that is shown; null: none is
+    /// The largest error that the mesh may have where the data have this value, in units of the values.
+    std::function<double(double value)> errorAt{};
+};
+
+/// Where what is shown lies within the error that is shown: in a picture it cannot be told from the data. Isovalues
+/// first, in their order. O(isovalues + points).
+TAN_API std::vector<ErrorRemark> errorRemarks(const ErrorRemarkInput& input);
+
+/// What a remark says, in a sentence.
+TAN_API Message errorRemarkText(const ErrorRemark& remark);
+
+/// The error that is small enough, in % of the range's extent, as a round number that is not larger; 0 if none is.
+TAN_API double enoughPercent(const ErrorRemark& remark, const TransferLimits& range);
+
+/// What helps, in a sentence.
+TAN_API Message errorCureText(const ErrorRemark& remark, const TransferLimits& range);
 
 /// A colour at a share of the range.
 struct ColourMapNode {
