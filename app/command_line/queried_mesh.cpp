@@ -4,8 +4,10 @@
 #include "app/command_line/error_statistics.h"
 #include "app/command_line/table.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <vector>
 
 namespace tetra {
@@ -18,6 +20,39 @@ void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& rang
             remarks.emplace_back("The surface of " + formatNumber(isovalue) + " is empty: the data lie between " +
                                  formatNumber(range.minimum) + " and " + formatNumber(range.maximum) + ".");
     addRemarks(remarks, outcome);
+}
+
+namespace {
+
+/// A field of errors that is small near the value that may be mistaken, and elsewhere as large as it is now. It grows
+/// by a quarter of what the values differ, so that nothing farther off comes as near.
+std::string curingField(const ErrorRemark& remark, const TransferLimits& limits)
+{
+    constexpr double steepness = 0.25;
+    const double outer = 100 * remark.error / (limits.largest - limits.least);
+    const double inner = enoughPercent(remark, limits);
+    const double falloff = std::max(outer - inner, 0.0) / 100 * (limits.largest - limits.least) / steepness;
+    return "isovalues(" + rounded(remark.other, 6) + "; " + formatNumber(inner) + ", " + rounded(outer, 3) + ", " +
+           rounded(falloff, 3) + ")";
+}
+
+} // namespace
+
+void warnOfErrors(std::span<const ErrorRemark> remarks, const ValueRange& range, std::ostream& messages,
+                  QJsonObject& figures)
+{
+    const TransferLimits limits{range.minimum, range.maximum};
+    QJsonArray all = figures["remarks"].toArray();
+    for (const ErrorRemark& remark : remarks) {
+        std::string text = errorRemarkText(remark).text() + " " + errorCureText(remark, limits).text();
+        if (const double percent = enoughPercent(remark, limits); percent > 0)
+            text += " Ask for it by '--error " + formatNumber(percent) + "', or by '--field \"" +
+                    curingField(remark, limits) + "\"'.";
+        all.append(QString::fromStdString(text));
+        messages << text << "\n" << std::flush;
+    }
+    if (!remarks.empty())
+        figures["remarks"] = all;
 }
 
 std::string reachedText(const QJsonObject& figures)

@@ -5,9 +5,12 @@
 #include "core/serve/mesh_facts.h"
 
 #include <tan/query.h>
+#include <tan/transfer.h>
 
 #include <QJsonObject>
 
+#include <ostream>
+#include <span>
 #include <string>
 
 namespace tetra {
@@ -31,5 +34,10 @@ QJsonObject figuresOf(const Model& model, const MeshQuery& query, const Extracte
 /// Says of which of these values the data have none, whose surfaces are empty: that is usual among the files of a
 /// series, and no mistake.
 void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& range, Outcome& outcome);
+
+/// Says what of a picture its mesh's error alone may have made, and by which options it would not: at once, and among
+/// the "remarks" of the figures.
+void warnOfErrors(std::span<const ErrorRemark> remarks, const ValueRange& range, std::ostream& messages,
+                  QJsonObject& figures);
 
 } // namespace tetra

@@ -18,6 +18,7 @@
 #include "plugins/host/parameter_values.h"
 #include "ui/session/session_document.h"
 #include "ui/session/session_model.h"
+#include "ui/session/shown_error.h"
 #include "ui/workbench/mesh_saving.h"
 #include "ui/workbench/restored_view.h"
 #include "ui/workbench/view_picture.h"
@@ -73,6 +74,7 @@ struct ModelView {
     SceneRequest scene{};
     ViewPicture picture{}; ///< all but the scene
     LensState lens{};
+    FieldExtent field{};
     bool isOfSession = false;
     std::vector<SessionDifference> differences{}; ///< from the session
     std::vector<Message> remarks{};               ///< on files that the options name
@@ -235,7 +237,15 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto field = extentOf(view.model);
     if (!field)
         return field.error();
-    const ViewValue start = startingView(renderingModes(invocation.host), *view.model, *field);
+    const auto modes = renderingModes(invocation.host);
+    ViewValue start = startingView(modes, *view.model, *field);
+    // How large the error is may depend on what is shown, and the opacities to begin with depend on the error.
+    const auto asked = queryOf(invocation.arguments,
+                               presentView(*camera, completed(*values, renderer.plugin->parameters(*field), start)));
+    if (!asked)
+        return asked.error();
+    view.field = seenWith(*field, *asked, *view.model);
+    start.appearance.transfer = startingAppearance(modes, view.field, data.domain).transfer;
     if (invocation.arguments.has(std::string(transferId))) {
         // A file of colours alone takes the opacities that the window shows at first; which they are, the mesh tells.
         std::erase_if(parameters, [](const Parameter& one) { return one.id != transferId; });
@@ -247,7 +257,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         for (const auto& [id, value] : *completing)
             (*values)[id] = value;
     }
-    ParameterValues shown = completed(*values, renderer.plugin->parameters(*field), start);
+    ParameterValues shown = completed(*values, renderer.plugin->parameters(view.field), start);
     const auto query = queryOf(invocation.arguments, presentView(*camera, shown));
     if (!query)
         return query.error();
@@ -363,7 +373,8 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     if (!camera)
         return camera.error();
     seen.camera = *camera;
-    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(*field), seen);
+    view.field = seenWith(*field, seen.query, *view.model);
+    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(view.field), seen);
     view.lens = seen.lens;
     view.scene.width = request.picture.width;
     view.scene.height = request.picture.height;
@@ -397,6 +408,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
             parts.append(QString::fromStdString(difference.part));
         figures["session_differs"] = parts;
     }
+    warnOfErrors(errorRemarksOf(view.field, built->mesh, view.scene.values, *built->scene),
+                 view.model->description().range, invocation.messages, figures);
     if (built->faultyCells)
         figures["faulty_cells_outlined"] = static_cast<qint64>(*built->faultyCells);
     if (built->mesh.isBlended)

@@ -35,7 +35,8 @@ int main(int count, char** arguments)
     const auto mesh = tetra::meshOf(*extracted);
 
     const auto values = tetra::volumeHistogram(*mesh, about.range.minimum, about.range.maximum, 256);
-    const auto function = tetra::fittedTransferFunction(values, about.bounds.diagonal().norm() / 40);
+    const double error = std::strtod(arguments[2], nullptr) / 100 * about.range.extent();
+    const auto function = tetra::fittedTransferFunction(values, about.bounds.diagonal().norm() / 40, error);
     const auto volume = tetra::VolumeCache(mesh).update(function, true);
     if (!volume)
         return failed(volume.error());

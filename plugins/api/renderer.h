@@ -25,6 +25,8 @@ struct FieldExtent {
     ValueHistogram volumes{};
     /// A value whose isosurface shows where the data have a surface, if a mesh is there already (surfaceValue()).
     std::optional<double> surface{};
+    /// How far the mesh that is seen may be off in the background (backgroundValues()), in units of the values.
+    double error = 0;
 };
 
 /// The mesh of a part of the domain in a resolution of its own (R24).

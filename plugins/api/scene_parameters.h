@@ -48,7 +48,7 @@ inline Parameter transferParameter(const FieldExtent& field)
     parameter.explanation = Message::marked("The colour and the opacity of each value.");
     parameter.defaultValue = field.volumes.counts.empty()
                                  ? sequentialTransferFunction(field.range.minimum, field.range.maximum, unitDistance)
-                                 : fittedTransferFunction(field.volumes, unitDistance);
+                                 : fittedTransferFunction(field.volumes, unitDistance, field.error);
     return parameter;
 }
 

@@ -113,12 +113,15 @@ std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice
 
 double startingError(const Model& model)
 {
-    constexpr std::uint64_t quick = 1'000'000; // tetrahedra
-    for (const double percent : {1.0, 2.0, 3.0, 4.0})
-        if (meshSizeAt(model, bothWithin(percent)).tetrahedra <= quick)
+    constexpr std::uint64_t quick = 1'000'000, workable = 3'000'000; // tetrahedra
+    const auto tetrahedraAt = [&](double percent) { return meshSizeAt(model, bothWithin(percent)).tetrahedra; };
+    if (tetrahedraAt(1) <= quick)
+        return 1;
+    for (const double percent : {2.0, 3.0, 4.0})
+        if (tetrahedraAt(percent) <= workable)
             return percent;
     double percent = 5;
-    while (percent < coarsestOnScale && meshSizeAt(model, bothWithin(percent)).tetrahedra > quick)
+    while (percent < coarsestOnScale && tetrahedraAt(percent) > workable)
         percent = steppedAccuracy(percent, -1);
     return percent;
 }

@@ -57,7 +57,8 @@ struct CurvePoint {
 /// batches).
 std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice& warping = {}, int points = 240);
 
-/// The most accurate preset from 1 % upwards whose mesh is still quick to extract and to draw.
+/// 1 % if its mesh is quick to extract and to draw. Else the most accurate round number from 2 % upwards whose mesh can
+/// still be worked with: what a coarser one shows is more often its error than the data.
 double startingError(const Model& model);
 
 } // namespace tetra

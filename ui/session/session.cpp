@@ -229,7 +229,7 @@ void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalu
     if (!edited(~ViewParts(ViewPart::Camera | ViewPart::Background)))
         fitting.query = startingQuery(*model_, startingError(*model_));
     if (!edited(ViewPart::Transfer))
-        fitting.appearance.transfer = appearance.transfer;
+        fitting.appearance.transfer = usualTransfer_ ? usualTransfer_(fitting.query) : appearance.transfer;
     if (isovalues.size() == view_.isovalues.size() && !edited(ViewPart::Isovalues))
         fitting.isovalues = isovalues;
     show(std::move(fitting));
@@ -279,8 +279,17 @@ void Session::endGesture()
     emit gestureChanged(false);
 }
 
+TransferFunction Session::followingTransfer(const ViewValue& next) const
+{
+    const TransferFunction& present = view_.appearance.transfer;
+    if (!usualTransfer_ || !model_ || next.query == view_.query || next.appearance.transfer != present)
+        return next.appearance.transfer;
+    return present == usualTransfer_(view_.query) ? usualTransfer_(next.query) : present;
+}
+
 void Session::show(ViewValue view)
 {
+    view.appearance.transfer = followingTransfer(view);
     const ViewParts parts = differingParts(view_, view);
     view_ = std::move(view);
     if (parts)

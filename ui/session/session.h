@@ -9,9 +9,11 @@
 
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace tetra {
 
@@ -43,6 +45,13 @@ public:
     /// Shows `model` as somebody has left it; what does not fit the model is brought into it. Without a camera it shows
     /// all of the model, from the view's direction.
     void restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera = true);
+    /// The transfer function that the present model has in the mesh of a query while nobody has chosen one.
+    using UsualTransfer = std::function<TransferFunction(const QueryState& query)>;
+    /// One that is as this says follows the query from now on, so that it goes with the error that is shown; any other
+    /// was chosen and stays. That is no edit of its own, and undone with that of the query.
+    void setUsualTransfer(UsualTransfer usual) { usualTransfer_ = std::move(usual); }
+    /// The transfer function when the view becomes `next`, which says another one, or the present one.
+    TransferFunction followingTransfer(const ViewValue& next) const;
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
     /// Unless the view was restored, the accuracy follows what is quick to draw until the first edit; isovalues and
     /// transfer function become these until they are edited.
@@ -136,6 +145,7 @@ private:
 
     std::shared_ptr<const Model> model_;
     ViewValue view_;
+    UsualTransfer usualTransfer_;
     std::optional<ShownMesh> shown_;
     QUndoStack undoStack_;
     bool followsModel_ = false; ///< what was not edited, as it was not chosen

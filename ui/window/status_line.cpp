@@ -3,6 +3,7 @@
 
 #include "core/base/memory.h"
 #include "plugins/widgets/number_text.h"
+#include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 
 #include <QLabel>
@@ -51,6 +52,8 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new Nam
                   tr("Picked value and its position, in data units. Click elsewhere to pick another; Esc clears "
                      "the mark."));
     errors_ = add("status.errors", {});
+    remarks_ = add("status.remarks", {});
+    remarks_->setText(tr("part may be error"));
     sites_ = add("status.sites", tr("Vertices of the mesh shown"));
     tetrahedra_ = add("status.tetrahedra", {});
     triangles_ = add("status.triangles", tr("Triangles of all surfaces shown"));
@@ -90,7 +93,7 @@ void StatusLine::setFile(const QString& name, const QString& path, bool isAtServ
 
 void StatusLine::clearScene()
 {
-    for (QLabel* label : {errors_, sites_, tetrahedra_, triangles_, extraction_, frame_})
+    for (QLabel* label : {errors_, remarks_, sites_, tetrahedra_, triangles_, extraction_, frame_})
         label->hide();
 }
 
@@ -115,6 +118,18 @@ void StatusLine::setErrors(const ShownMesh& mesh, const Model& model)
     errors_->setText(errorText(mesh));
     const QString promise = errorPromiseText(mesh.errorMeaning, mesh.errorInSpace.has_value());
     errors_->setToolTip(promise.isEmpty() ? meshText(mesh, model) : meshText(mesh, model) + '\n' + promise);
+}
+
+void StatusLine::setRemarks(std::span<const ErrorRemark> remarks, const ValueRange& range)
+{
+    QStringList texts;
+    for (const ErrorRemark& remark : remarks)
+        texts << translatedMessage(errorRemarkText(remark)) + ' ' +
+                     translatedMessage(errorCureText(remark, {range.minimum, range.maximum}));
+    const QString text = texts.join(QStringLiteral("\n\n"));
+    remarks_->setToolTip(text);
+    remarks_->setAccessibleDescription(text);
+    remarks_->setVisible(!texts.isEmpty());
 }
 
 void StatusLine::setFrame(const FrameReport& report)

@@ -6,6 +6,8 @@
 
 #include <QTimer>
 
+#include <span>
+
 class QLabel;
 class QProgressBar;
 class QStatusBar;
@@ -13,7 +15,7 @@ class QStatusBar;
 namespace tetra {
 
 /// Fills the status bar: the file, what is drawn and what it costs. Its labels are named status.file, .picked, .errors,
-/// .sites, .tetrahedra, .triangles, .frame, .extraction, .memory and .backend.
+/// .remarks, .sites, .tetrahedra, .triangles, .frame, .extraction, .memory and .backend.
 class StatusLine : public QObject {
     Q_OBJECT
 public:
@@ -21,6 +23,8 @@ public:
 
     /// An empty name: nothing is open.
     void setFile(const QString& name, const QString& path, bool isAtServer);
+    /// What of the scene its mesh's error alone may have made, of data in this range.
+    void setRemarks(std::span<const ErrorRemark> remarks, const ValueRange& range);
     /// Nothing is said of a scene any more: what is open is another one.
     void clearScene();
     void setScene(const BuiltScene& scene);
@@ -42,6 +46,7 @@ private:
     QProgressBar* busy_;
     QLabel* picked_;
     QLabel* errors_;
+    QLabel* remarks_;
     QLabel* sites_;
     QLabel* tetrahedra_;
     QLabel* triangles_;

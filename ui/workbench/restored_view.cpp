@@ -213,7 +213,8 @@ Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& m
 RestoredView restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
                           const FieldExtent& field)
 {
-    const ViewValue start = startingView(modes, model, field);
+    ViewValue start = startingView(modes, model, field);
+    start.appearance.transfer = usualTransfer(modes, model, field, corrected(kept.view.query, start.query, model));
     const ValueRange& range = model.description().range;
     RestoredView restored;
     if (!isOfSameDomain(kept, model))

@@ -2,6 +2,7 @@
 #include "ui/workbench/scene_service.h"
 
 #include "ui/session/message_text.h"
+#include "ui/session/shown_error.h"
 #include "ui/workbench/view_picture.h"
 
 #include <chrono>
@@ -16,6 +17,8 @@ constexpr std::chrono::milliseconds settlingTime(300);
 SceneService::SceneService(PluginHost& host, Session& session)
     : host_(host), session_(session), errors_(sceneBuilder_, session)
 {
+    session_.setUsualTransfer(
+        [this](const QueryState& query) { return usualTransfer(modes_, *session_.model(), field_, query); });
     connect(&session_, &Session::modelChanged, this, &SceneService::requestScene);
     connect(&session_, &Session::modelGrown, this, &SceneService::requestScene);
     session_.whenChanged(ViewPart::Scene, this, &SceneService::requestScene);
@@ -29,6 +32,11 @@ SceneService::SceneService(PluginHost& host, Session& session)
             [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &errors_, &ErrorMeasuring::look);
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &SceneService::requestDrafts);
+}
+
+SceneService::~SceneService()
+{
+    session_.setUsualTransfer({});
 }
 
 bool SceneService::prepare(const FieldExtent& field)
@@ -60,7 +68,9 @@ const Renderer* SceneService::renderer() const
 std::vector<Parameter> SceneService::renderingParameters() const
 {
     const Renderer* mode = renderer();
-    return mode != nullptr && session_.model() ? mode->parameters(field_) : std::vector<Parameter>{};
+    if (mode == nullptr || !session_.model())
+        return {};
+    return mode->parameters(seenWith(field_, session_.view().query, *session_.model()));
 }
 
 std::vector<Parameter> SceneService::matteringParameters() const
@@ -81,6 +91,11 @@ std::optional<EditedTransfer> SceneService::editedTransfer() const
 ViewValue SceneService::startingView(const Model& model) const
 {
     return tetra::startingView(modes_, model, field_, session_.shape());
+}
+
+std::vector<ErrorRemark> SceneService::errorRemarks(const BuiltScene& scene) const
+{
+    return errorRemarksOf(field_, scene.mesh, sceneRequest().values, *scene.scene);
 }
 
 AnnotationContent SceneService::annotations(const Camera& camera, const Colour& background) const

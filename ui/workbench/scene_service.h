@@ -30,6 +30,7 @@ class SceneService : public QObject {
 public:
     /// Both outlive it.
     SceneService(PluginHost& host, Session& session);
+    ~SceneService() override;
 
     /// Drops what is shown and finds the ways to show another model, of such an extent, which is opened next. False if
     /// there is none, which is told by failed(); then nothing changes.
@@ -64,6 +65,8 @@ public:
     SceneRequest sessionRequest() const;
     /// The scene of what is seen now: of the view that is previewed, if there is one.
     SceneRequest sceneRequest() const;
+    /// What of a scene of the session's view is within the error of its mesh.
+    std::vector<ErrorRemark> errorRemarks(const BuiltScene& scene) const;
     /// What the annotations of a picture of what is shown say, seen by `camera` before `background`.
     AnnotationContent annotations(const Camera& camera, const Colour& background) const;
     /// Shows another view, such as of a film, in place of the session's; nothing: that again. The camera is the

@@ -4,8 +4,10 @@
 #include "core/base/guarded.h"
 #include "core/base/text.h"
 #include "core/history/whole_elsewhere.h"
+#include "plugins/api/scene_parameters.h"
 #include "ui/annotations/annotation_painter.h"
 #include "ui/session/accuracy_scale.h"
+#include "ui/session/shown_error.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -74,11 +76,18 @@ FieldExtent knownExtentOf(const std::shared_ptr<const Model>& model, const Progr
     return field ? *field : roughExtentOf(*model);
 }
 
+TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, const Model& model,
+                               const FieldExtent& field, const QueryState& query)
+{
+    return startingAppearance(modes, seenWith(field, query, model), model.description().domain).transfer;
+}
+
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
                        double aspectRatio)
 {
-    return {.query = startingQuery(model, startingError(model)),
-            .appearance = startingAppearance(modes, field, model.description().domain),
+    const QueryState query = startingQuery(model, startingError(model));
+    return {.query = query,
+            .appearance = startingAppearance(modes, seenWith(field, query, model), model.description().domain),
             .isovalues = startingIsovalues(modes, field),
             .camera = fitted(Camera(), model.description().bounds, aspectRatio)};
 }
@@ -96,6 +105,21 @@ SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* 
                          rendererValues(parameters, view.appearance, view.isovalues), view.camera};
     request.faultyCells = showsFaultyCells(view.appearance);
     return request;
+}
+
+std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMesh& mesh, const ParameterValues& values,
+                                        const Scene& scene)
+{
+    std::vector<double> isovalues;
+    if (const auto found = values.find(isovaluesId); found != values.end())
+        if (const auto* all = std::get_if<std::vector<Isovalue>>(&found->second))
+            for (const Isovalue& isovalue : *all)
+                if (isovalue.visible)
+                    isovalues.push_back(isovalue.value);
+    const TransferFunction* transfer = nullptr;
+    if (const auto found = values.find(transferId); found != values.end() && hasVolume(scene))
+        transfer = std::get_if<TransferFunction>(&found->second);
+    return shownErrorRemarks(field, mesh.query, mesh.scale, isovalues, transfer);
 }
 
 Colour usualBackground(bool isDark)

@@ -26,6 +26,11 @@ Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Pr
 /// For who shows a model as well as it goes: without a mesh, its range and its box.
 FieldExtent knownExtentOf(const std::shared_ptr<const Model>& model, const Progress& progress = {});
 
+/// The transfer function that a model has in this query's mesh as long as nobody has chosen one: it paints nothing into
+/// the background that the error of the mesh has made. The same for window and command line.
+TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, const Model& model,
+                               const FieldExtent& field, const QueryState& query);
+
 /// How a model is seen that nobody has looked at yet, in a picture of this width / height.
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
                        double aspectRatio = 1);
@@ -36,6 +41,10 @@ const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const s
 /// The scene of a view. `parameters`: those of the renderer that fit the field.
 SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
                      const std::vector<Parameter>& parameters, const ViewValue& view);
+
+/// What of a picture is within the error of its mesh, of what the renderer was given and of what it has drawn.
+std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMesh& mesh, const ParameterValues& values,
+                                        const Scene& scene);
 
 /// The background of a view for which none was chosen.
 Colour usualBackground(bool isDark);
