@@ -174,25 +174,24 @@ struct ClearedValues {
     }
 };
 
-/// What an error takes for the background. Less of the range than the error, between it and an end, is no better than
-/// the background.
+/// What an error takes for the background. What little of the range is left between that and the nearer end is no
+/// better than the background; on the other side enough is left to see something.
 ClearedValues clearedValues(const BackgroundValues& background, const ValueHistogram& volumes, double error)
 {
     const double extent = volumes.largest - volumes.least;
     const double reach = error * (1 + errorMargin);
     const double fade = std::max(reach, leastFade * extent);
-    ClearedValues cleared{background.least - reach, background.largest + reach, fade};
-    if (cleared.least - volumes.least <= fade)
-        cleared.least = volumes.least;
-    if (volumes.largest - cleared.largest <= fade)
-        cleared.largest = volumes.largest;
-    const bool isLow = background.commonest - volumes.least <= volumes.largest - background.commonest;
-    if (isLow)
-        cleared.largest = std::min(cleared.largest, volumes.largest - seenAtLeast * extent);
-    else
-        cleared.least = std::max(cleared.least, volumes.least + seenAtLeast * extent);
-    cleared.fade = std::min(fade, isLow ? volumes.largest - cleared.largest : cleared.least - volumes.least);
-    return cleared;
+    const double seen = seenAtLeast * extent;
+    double least = background.least - reach;
+    double largest = background.largest + reach;
+    if (background.commonest - volumes.least <= volumes.largest - background.commonest) {
+        least = least - volumes.least <= fade ? volumes.least : least;
+        largest = std::min(largest, volumes.largest - seen);
+        return {least, largest, std::min(fade, volumes.largest - largest)};
+    }
+    largest = volumes.largest - largest <= fade ? volumes.largest : largest;
+    least = std::max(least, volumes.least + seen);
+    return {least, largest, std::min(fade, least - volumes.least)};
 }
 
 /// The function with nothing of these values, and no more of any other than before.

@@ -100,13 +100,15 @@ ViewValue corrected(ViewValue view, const ViewValue& before, const Model& model)
 
 } // namespace
 
-/// An edit: what it has changed, as it was and as it became.
+/// An edit: what it has changed, as it was and as it became. Not all of that has somebody chosen: what follows from the
+/// rest is changed and undone with it.
 class Session::ChangeView : public QUndoCommand {
     Q_DECLARE_TR_FUNCTIONS(ChangeView)
 public:
-    ChangeView(Session& session, const ViewValue& after, ViewParts parts, const QString& name, Gesture gesture)
-        : QUndoCommand(name.isEmpty() ? nameOf(session.view_, after, parts) : name), session_(session),
-          before_(session.view_, parts), after_(after, parts), gesture_(gesture)
+    ChangeView(Session& session, const ViewValue& after, ViewParts chosen, const QString& name, Gesture gesture)
+        : QUndoCommand(name.isEmpty() ? nameOf(session.view_, after, chosen) : name), session_(session),
+          chosen_(chosen), before_(session.view_, differingParts(session.view_, after)), after_(after, before_.parts()),
+          gesture_(gesture)
     {
     }
     int id() const override { return 1; } // there is no other command
@@ -121,15 +123,17 @@ public:
         later.complete(after_);
         after_ = std::move(later);
         before_.complete(other.before_);
+        chosen_ |= other.chosen_;
         setObsolete(after_ == before_);
         return true;
     }
-    ViewParts parts() const { return before_.parts(); }
+    ViewParts chosen() const { return chosen_; }
 
 private:
     static QString nameOf(const ViewValue& before, const ViewValue& after, ViewParts parts);
 
     Session& session_;
+    ViewParts chosen_;
     PartialView before_;
     PartialView after_;
     Gesture gesture_;
@@ -238,7 +242,7 @@ void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalu
 bool Session::edited(ViewParts parts) const
 {
     for (int index = 0; index < undoStack_.count(); ++index)
-        if (static_cast<const ChangeView*>(undoStack_.command(index))->parts() & parts)
+        if (static_cast<const ChangeView*>(undoStack_.command(index))->chosen() & parts)
             return true;
     return false;
 }
@@ -279,17 +283,17 @@ void Session::endGesture()
     emit gestureChanged(false);
 }
 
-TransferFunction Session::followingTransfer(const ViewValue& next) const
+ViewValue Session::following(const ViewValue& before, ViewValue next) const
 {
-    const TransferFunction& present = view_.appearance.transfer;
-    if (!usualTransfer_ || !model_ || next.query == view_.query || next.appearance.transfer != present)
-        return next.appearance.transfer;
-    return present == usualTransfer_(view_.query) ? usualTransfer_(next.query) : present;
+    const TransferFunction& transfer = before.appearance.transfer;
+    if (usualTransfer_ && model_ && next.query != before.query && next.appearance.transfer == transfer &&
+        transfer == usualTransfer_(before.query))
+        next.appearance.transfer = usualTransfer_(next.query);
+    return next;
 }
 
 void Session::show(ViewValue view)
 {
-    view.appearance.transfer = followingTransfer(view);
     const ViewParts parts = differingParts(view_, view);
     view_ = std::move(view);
     if (parts)
@@ -301,8 +305,10 @@ void Session::setView(ViewValue view, const QString& name, Gesture gesture)
     if (!model_)
         return;
     view = corrected(std::move(view), view_, *model_);
-    if (const ViewParts parts = differingParts(view_, view))
-        undoStack_.push(new ChangeView(*this, view, parts, name, gesture != 0 ? gesture : gesture_));
+    const ViewParts chosen = differingParts(view_, view);
+    if (chosen)
+        undoStack_.push(
+            new ChangeView(*this, following(view_, std::move(view)), chosen, name, gesture != 0 ? gesture : gesture_));
 }
 
 template <class Change> void Session::edit(Change change)

@@ -47,11 +47,11 @@ public:
     void restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera = true);
     /// The transfer function that the present model has in the mesh of a query while nobody has chosen one.
     using UsualTransfer = std::function<TransferFunction(const QueryState& query)>;
-    /// One that is as this says follows the query from now on, so that it goes with the error that is shown; any other
-    /// was chosen and stays. That is no edit of its own, and undone with that of the query.
+    /// One that is as this says follows every edit of the query from now on, so that it goes with the error that is
+    /// shown; any other was chosen and stays.
     void setUsualTransfer(UsualTransfer usual) { usualTransfer_ = std::move(usual); }
-    /// The transfer function when the view becomes `next`, which says another one, or the present one.
-    TransferFunction followingTransfer(const ViewValue& next) const;
+    /// `next` with that transfer function, if it has the usual one of `before` and another query.
+    ViewValue following(const ViewValue& before, ViewValue next) const;
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
     /// Unless the view was restored, the accuracy follows what is quick to draw until the first edit; isovalues and
     /// transfer function become these until they are edited.

@@ -74,6 +74,61 @@ private slots:
             }
     }
 
+    /// Exactly nothing within the error of the background, and nothing less of what lies farther off than twice that.
+    void whatTheErrorMakesOfTheBackgroundIsTransparent_data()
+    {
+        QTest::addColumn<double>("place");
+        QTest::addColumn<double>("error");
+        for (const double place : {0.0, 0.4, 1.0})
+            for (const double error : {0.0, 0.02, 0.1, 0.3})
+                QTest::addRow("%g, error %g", place, error) << place << error;
+    }
+    void whatTheErrorMakesOfTheBackgroundIsTransparent()
+    {
+        QFETCH(double, place);
+        QFETCH(double, error);
+        ValueHistogram histogram{-10, 30, std::vector<std::uint64_t>(parts, 5)};
+        histogram.counts[static_cast<std::size_t>(place * (parts - 1))] = 90'000;
+        const auto background = backgroundValues(histogram);
+        QVERIFY(background.has_value());
+        const double reach = 40 * error;
+        const TransferFunction function = fittedTransferFunction(histogram, 2, reach);
+        QVERIFY(checkTransferFunction(function).ok());
+        const TransferFunction exact = fittedTransferFunction(histogram, 2);
+        bool isSeen = false;
+        for (double value = -10; value <= 30; value += 0.01) {
+            const double distance = std::max(background->least - value, value - background->largest);
+            const double extinction = evaluate(function, value).extinction;
+            if (distance <= reach)
+                QCOMPARE(extinction, 0.0);
+            else if (distance > 2 * 1.06 * reach + 40.0 / 16 && place != 0.4)
+                QVERIFY(extinction >= evaluate(exact, value).extinction * (1 - 1e-5));
+            isSeen = isSeen || extinction > extinctionOf(0.02, 2);
+        }
+        QVERIFY(isSeen);
+        ErrorRemarkInput input{.range = {-10, 30},
+                               .background = background,
+                               .transfer = &function,
+                               .errorAt = [&](double) { return reach; }};
+        QVERIFY(errorRemarks(input).empty());
+    }
+
+    void everyErrorGivesAFunction()
+    {
+        std::mt19937 random(5);
+        for (int turn = 0; turn < 100; ++turn) {
+            const ValueHistogram histogram = randomHistogram(random);
+            for (const double error : {0.01, 0.5, 3.0, 8.0, 1e9}) {
+                const TransferFunction function = fittedTransferFunction(histogram, 1, error);
+                QVERIFY(checkTransferFunction(function).ok());
+                QCOMPARE(function.opacities.front().value, histogram.least);
+                QCOMPARE(function.opacities.back().value, histogram.largest);
+                if (histogram.counts.size() > 32)
+                    QVERIFY(meanDepth(histogram, function, 20) < 8);
+            }
+        }
+    }
+
     void equallyFrequentValuesRise()
     {
         const TransferFunction function = fittedTransferFunction({0, 1, std::vector<std::uint64_t>(parts, 9)}, 1);

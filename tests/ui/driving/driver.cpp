@@ -51,7 +51,7 @@ ViewValue expectedBy(const Driver& driver, const DrivenWindow& window)
     ViewValue view = window.before();
     if (driver.changes)
         driver.changes(view, window);
-    return view;
+    return window.session().following(window.before(), view);
 }
 
 QStringList linesOf(const ViewValue& view)
