@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -100,6 +101,42 @@ private slots:
         QVERIFY(writeFile(path("nothing.json"), redFrom100("0")));
         QVERIFY(writeFile(path("slip.json"), redFrom100("0.5,")));
         QVERIFY(writeFile(path("steep.json"), redFrom100("1.5")));
+    }
+
+    /// With what helps: options with which nothing is told any more.
+    void whatMayBeErrorAloneIsTold()
+    {
+        const QJsonArray range = tan({"info", "c60.nrrd", "--json"}).json()["range"].toArray();
+        const double least = range[0].toDouble(), largest = range[1].toDouble();
+        const QString isovalue = QString::number(least + 0.01 * (largest - least));
+        const auto run = [&](const QStringList& accuracy) {
+            return tan(QStringList{"render", "c60.tan", "--isovalue", isovalue, "--size", "20x20", "-o", "picture.png",
+                                   "--json"} +
+                       accuracy);
+        };
+        const Run told = run({"--error", "4"});
+        QCOMPARE(told.exitCode, 0);
+        QVERIFY2(told.messages.contains("is within the error that is shown"), told.messages.constData());
+        QCOMPARE(told.json()["remarks"].toArray().size(), 1);
+        const QString remark = told.json()["remarks"][0].toString();
+        for (const char* option : {"--error", "--field"}) {
+            const QString quote = QString(option) == "--field" ? "\"" : "";
+            const QRegularExpression words(QString(option) + " " + quote + "([^\"']+)" + quote + "'");
+            const QRegularExpressionMatch found = words.match(remark);
+            QVERIFY2(found.hasMatch(), qPrintable(remark));
+            const Run cured = run({option, found.captured(1)});
+            QCOMPARE(cured.exitCode, 0);
+            QVERIFY2(cured.messages.isEmpty(), cured.messages.constData());
+            QVERIFY(!cured.json().contains("remarks"));
+        }
+    }
+
+    /// The same with any error: a function to begin with shows nothing of the background that its error has made.
+    void aVolumeToBeginWithNeedsNoRemark()
+    {
+        for (const char* error : {"0", "1", "4", "15"})
+            QVERIFY2(!drawn({"--error", error}).second.contains("remarks"), error);
+        QVERIFY(!drawn({"--budget", "2000"}).second.contains("remarks"));
     }
 
     void aVolumeIsDrawn()

@@ -21,6 +21,8 @@ private slots:
     void stepsNeverLeaveTheScale();
     void keys();
     void theCurveIsThatOfTheModel();
+    void theFirstErrorIsOneThatCanBeWorkedWith_data();
+    void theFirstErrorIsOneThatCanBeWorkedWith();
 };
 
 void AccuracyScaleTest::positionsAndErrorsAreEachOthersInverse()
@@ -105,6 +107,28 @@ void AccuracyScaleTest::theCurveIsThatOfTheModel()
         QCOMPARE(curve[i].tetrahedra, meshSizeAt(**model, {curve[i].error}).tetrahedra);
         QVERIFY(i == 0 || curve[i].sites >= curve[i - 1].sites);
     }
+}
+
+/// 2 % as long as 3 million tetrahedra hold it: first pictures of coarser meshes show their errors.
+void AccuracyScaleTest::theFirstErrorIsOneThatCanBeWorkedWith_data()
+{
+    QTest::addColumn<double>("atOnePercent"); ///< tetrahedra, of which there are fewer in proportion at larger errors
+    QTest::addColumn<double>("error");
+    QTest::newRow("small") << 999'000.0 << 1.0;
+    QTest::newRow("half as many at 2 %") << 1'001'000.0 << 2.0;
+    QTest::newRow("just held") << 5'999'000.0 << 2.0;
+    QTest::newRow("just not") << 6'001'000.0 << 3.0;
+    QTest::newRow("at 4 %") << 11'900'000.0 << 4.0;
+    QTest::newRow("coarser than 5 %") << 20e6 << 8.0;
+    QTest::newRow("never") << 1e12 << coarsestOnScale;
+}
+
+void AccuracyScaleTest::theFirstErrorIsOneThatCanBeWorkedWith()
+{
+    QFETCH(double, atOnePercent);
+    QFETCH(double, error);
+    const auto tetrahedraAt = [=](double percent) { return static_cast<std::uint64_t>(atOnePercent / percent); };
+    QCOMPARE(startingError(tetrahedraAt), error);
 }
 
 QTEST_GUILESS_MAIN(AccuracyScaleTest)

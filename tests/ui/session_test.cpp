@@ -32,6 +32,7 @@ private slots:
     void newIsovaluesFillTheWidestGapInFreeColours();
     void openingAnotherModelForgetsTheEdits();
     void withoutAModelNothingCanBeEdited();
+    void aFunctionThatNobodyChoseFollowsTheAccuracy();
 
 private:
     QTemporaryDir folder_;
@@ -317,6 +318,41 @@ void SessionTest::withoutAModelNothingCanBeEdited()
     session_->addIsovalue();
     QCOMPARE(session_->undoStack().count(), 0);
     QCOMPARE(session_->meshSize().sites, 0U);
+}
+
+void SessionTest::aFunctionThatNobodyChoseFollowsTheAccuracy()
+{
+    const auto usual = [](const QueryState& query) {
+        return transferFunctionFromPoints({{query.error, {1, 1, 1}, 0}, {query.error + 10, {1, 0, 0}, 0.5F}});
+    };
+    const auto transfer = [this] { return session_->view().appearance.transfer; };
+    session_->setUsualTransfer(usual);
+    const QueryState first = session_->view().query;
+    session_->setTransfer(usual(first));
+    session_->undoStack().clear();
+
+    session_->setError(3);
+    session_->setError(4);
+    QCOMPARE(session_->undoStack().count(), 2);
+    QVERIFY(transfer() == usual(session_->view().query));
+    session_->undoStack().undo();
+    QCOMPARE(session_->view().query.error, 3.0);
+    QVERIFY(transfer() == usual(session_->view().query));
+
+    TransferFunction chosen = transfer();
+    chosen.opacities.back().opacity = 0.7F;
+    session_->setTransfer(chosen);
+    session_->setError(2);
+    QVERIFY(transfer() == chosen);
+    while (session_->undoStack().canUndo())
+        session_->undoStack().undo();
+    QVERIFY(session_->view().query == first && transfer() == usual(first));
+
+    // A model that grows has one of its own, of the accuracy that somebody has chosen.
+    session_->setError(5);
+    session_->grow(model_, session_->view().isovalues, {"isosurface", chosen, {}});
+    QCOMPARE(session_->view().query.error, 5.0);
+    QVERIFY(transfer() == usual(session_->view().query));
 }
 
 QTEST_GUILESS_MAIN(SessionTest)

@@ -113,8 +113,12 @@ std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice
 
 double startingError(const Model& model)
 {
-    constexpr std::uint64_t quick = 1'000'000, workable = 3'000'000; // tetrahedra
-    const auto tetrahedraAt = [&](double percent) { return meshSizeAt(model, bothWithin(percent)).tetrahedra; };
+    return startingError([&](double percent) { return meshSizeAt(model, bothWithin(percent)).tetrahedra; });
+}
+
+double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt)
+{
+    constexpr std::uint64_t quick = 1'000'000, workable = 3'000'000;
     if (tetrahedraAt(1) <= quick)
         return 1;
     for (const double percent : {2.0, 3.0, 4.0})

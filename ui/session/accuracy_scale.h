@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -60,5 +61,7 @@ std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice
 /// 1 % if its mesh is quick to extract and to draw. Else the most accurate round number from 2 % upwards whose mesh can
 /// still be worked with: what a coarser one shows is more often its error than the data.
 double startingError(const Model& model);
+/// The same, given the number of tetrahedra at an error in %.
+double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt);
 
 } // namespace tetra
