@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/paper_pictures.h"
 
+#include "ui/session/appearance.h"
+#include "ui/session/shown_error.h"
 #include "ui/workbench/view_picture.h"
 
 #include <algorithm>
@@ -23,7 +25,10 @@ Result<DrawnPicture> drawPicture(PluginHost& host, const std::shared_ptr<const M
     const auto field = extentOf(model);
     if (!field)
         return field.error();
-    ViewValue view = startingView(renderingModes(host), *model, *field);
+    const auto modes = renderingModes(host);
+    const FieldExtent seen = seenWith(*field, picture.query, *model);
+    ViewValue view = startingView(modes, *model, *field);
+    view.appearance.transfer = startingAppearance(modes, seen, model->description().domain).transfer;
     view.appearance.settings.clear();
     if (picture.drawsSurfacesWithCells)
         view.appearance.settings["order"] = std::string("with-cell");
@@ -31,7 +36,7 @@ Result<DrawnPicture> drawPicture(PluginHost& host, const std::shared_ptr<const M
     const auto renderer = host.renderer(picture.mode);
     if (!renderer)
         return renderer.error();
-    SceneRequest request = sceneOf(model, renderer->plugin, renderer->plugin->parameters(*field), view);
+    SceneRequest request = sceneOf(model, renderer->plugin, renderer->plugin->parameters(seen), view);
     request.query = picture.query;
     request.width = request.height = paperPictureSide;
     ScenePipeline pipeline;

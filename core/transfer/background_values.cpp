@@ -38,8 +38,11 @@ std::optional<BackgroundValues> backgroundValues(const ValueHistogram& volumes)
         above >= below ? ++end : --begin;
     }
     const auto valueAt = [&](double part) { return std::lerp(volumes.least, volumes.largest, part / parts); };
-    return BackgroundValues{valueAt(static_cast<double>(begin)), valueAt(static_cast<double>(commonest) + 0.5),
-                            valueAt(static_cast<double>(end))};
+    // At an end of the range, where instruments cut off, it is that: of many magnitudes a part holds most.
+    const double middle = commonest == 0                   ? 0
+                          : commonest == counts.size() - 1 ? parts
+                                                           : static_cast<double>(commonest) + 0.5;
+    return BackgroundValues{valueAt(static_cast<double>(begin)), valueAt(middle), valueAt(static_cast<double>(end))};
 }
 
 } // namespace tetra
