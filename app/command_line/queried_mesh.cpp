@@ -24,6 +24,8 @@ void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& rang
 
 namespace {
 
+constexpr double manyTimes = 1000; ///< the least value is the largest one, where values go over powers of ten
+
 /// A field of errors that is small near the value that may be mistaken, and elsewhere as large as it is now. It grows
 /// by a quarter of what the values differ, so that nothing farther off comes as near.
 std::string curingField(const ErrorRemark& remark, const TransferLimits& limits)
@@ -48,6 +50,8 @@ void warnOfErrors(std::span<const ErrorRemark> remarks, const ValueRange& range,
         if (const double percent = enoughPercent(remark, limits); percent > 0)
             text += " Ask for it by '--error " + formatNumber(percent) + "', or by '--field \"" +
                     curingField(remark, limits) + "\"'.";
+        if (range.minimum > 0 && range.maximum >= manyTimes * range.minimum)
+            text += " Of values over powers of ten a model of their logarithms tells more: 'tan build --scale log'.";
         all.append(QString::fromStdString(text));
         messages << text << "\n" << std::flush;
     }
