@@ -9,6 +9,7 @@
 #include <tan/render.h>
 
 #include <QFileDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -29,6 +30,8 @@ private slots:
     void theIsovalueOfRealData();
     void coloursFollowTheFinishedModel();
     void whatWasChosenWhileItGrewStays();
+    void opacitiesBeginAboveTheErrorThatIsShown();
+    void whatMayBeErrorAloneIsTold();
     void fitFillsTheFrame_data();
     void fitFillsTheFrame();
     void theFirstPictureFillsTheFrameOfAnyWindow();
@@ -179,6 +182,50 @@ void FirstLookTest::coloursFollowTheFinishedModel()
     QVERIFY(built.transfer == fresh.workbench.scenes().startingView().appearance.transfer);
     QVERIFY(isovalues == fresh.workbench.scenes().startingView().isovalues);
     QCOMPARE(built.mode, std::string("volume"));
+}
+
+/// Of values from 0 to 4000, most of which are 0: until somebody edits the function.
+void FirstLookTest::opacitiesBeginAboveTheErrorThatIsShown()
+{
+    open(ballWithSpeck(33), 0);
+    trigger("action.mode.volume");
+    const auto extinctionAt = [this](double value) {
+        return evaluate(session().view().appearance.transfer, value).extinction;
+    };
+    session().setError(1);
+    QCOMPARE(extinctionAt(40), 0.0);
+    QVERIFY(extinctionAt(120) > 0);
+    session().setError(4);
+    QCOMPARE(extinctionAt(160), 0.0);
+    QVERIFY(extinctionAt(400) > 0);
+    QTRY_VERIFY(window_->settled());
+    QVERIFY(!window_->find<QLabel>("status.remarks").isVisible());
+    session().undoStack().undo();
+    QVERIFY(extinctionAt(120) > 0);
+
+    TransferFunction chosen = session().view().appearance.transfer;
+    chosen.opacities.back().opacity = 0.7F;
+    session().setTransfer(chosen);
+    session().setError(4);
+    QVERIFY(session().view().appearance.transfer == chosen);
+    QTRY_VERIFY(window_->settled() && window_->find<QLabel>("status.remarks").isVisible());
+}
+
+void FirstLookTest::whatMayBeErrorAloneIsTold()
+{
+    open(ballWithSpeck(33), 0);
+    session().setError(1);
+    const auto& remarks = window_->find<QLabel>("status.remarks");
+    QTRY_VERIFY(window_->settled());
+    QVERIFY(!remarks.isVisible());
+    Isovalue isovalue = session().view().isovalues.front();
+    isovalue.value = 20;
+    session().setIsovalue(0, isovalue);
+    QTRY_VERIFY(remarks.isVisible());
+    QVERIFY2(remarks.toolTip().contains("The isovalue 20 is within the error that is shown, 40,"),
+             qPrintable(remarks.toolTip()));
+    session().setError(0.1);
+    QTRY_VERIFY(!remarks.isVisible());
 }
 
 void FirstLookTest::whatWasChosenWhileItGrewStays()
