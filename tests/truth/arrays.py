@@ -19,13 +19,15 @@ def raw(folder, dtype="<f4", skip=0, placed=True, ending=".raw"):
     return of_grid(folder / f"volume{ending}", whole, options)
 
 
-def npy(folder, dtype="<f4", fortran=False, version=None, placed=True):
-    """The axis that runs fastest is x: the last one, or of arrays in Fortran's order the first."""
+def npy(folder, dtype="<f4", order="C", version=None, placed=True, axes=None):
+    """array[i, j, k] is the sample at (i, j, k), in either order of storage; with the axes z, y, x it is that at (k, j, i)."""
     whole = grid("offset" if placed else "identity", dtype)
-    array = numpy.asfortranarray(whole.values) if fortran else numpy.ascontiguousarray(whole.fastest_first())
+    array = numpy.array(whole.values.transpose(2, 1, 0) if axes == "zyx" else whole.values, order=order)
     with open(folder / "volume.npy", "wb") as file:
         numpy.lib.format.write_array(file, array, version=version)
-    return of_grid(folder / "volume.npy", whole, GIVEN if placed else ())
+    options = (*(GIVEN if placed else ()), *(("--axes", axes) if axes else ()))
+    return of_grid(folder / "volume.npy", whole, options, taken={"places": "dimensions are " + ("z, y, x" if axes == "zyx" else "x, y, z")},
+                   guessed=() if axes else ("places",))
 
 
 BOV = {"u1": "BYTE", "i2": "SHORT", "i4": "INT", "f4": "FLOAT", "f8": "DOUBLE"}
@@ -67,10 +69,12 @@ for dtype in ("u1", "i1", "<u2", "<i2", "<u4", "<i4", "<i8", "<u8", "<f4", "<f8"
     add("NumPy (.npy)", "numbers", dtype, npy, dtype=dtype)
 for dtype in (">u2", ">i4", ">f4", ">f8"):
     add("NumPy (.npy)", "storage", f"big endian {dtype}", npy, dtype=dtype)
-add("NumPy (.npy)", "storage", "Fortran's order", npy, fortran=True)
+add("NumPy (.npy)", "storage", "Fortran's order", npy, order="F")
 add("NumPy (.npy)", "storage", "version 2", npy, version=(2, 0))
 add("NumPy (.npy)", "storage", "version 3", npy, version=(3, 0))
 add("NumPy (.npy)", "places", "none given", npy, placed=False)
+for order in "CF":
+    add("NumPy (.npy)", "places", f"axes z, y, x in {order}'s order", npy, order=order, axes="zyx")
 for dtype in ("u1", "<i2", "<i4", "<f8"):
     add("BOV", "numbers", dtype, bov, dtype=dtype)
 add("BOV", "storage", "big endian", bov, dtype=">f4")

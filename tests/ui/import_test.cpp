@@ -120,6 +120,13 @@ private slots:
         const ImportForm pictures = importForm(
             parametersOf("vtk"), {.domain = DomainClass::RegularLattice, .untold = {"spacing", "unit"}}, {}, false);
         QVERIFY(asks(pictures, "spacing") && !asks(pictures, "origin") && asks(pictures, "unit"));
+        // Only NumPy's arrays may be indexed either way; raw files, too, are described by size along x, y and z.
+        const auto ofLattices = parametersOf("lattice");
+        const auto asksForAxes = [&](const FileContents& contents) {
+            return asks(importForm(ofLattices, contents, {}, true), "axes");
+        };
+        QVERIFY(asksForAxes({.domain = DomainClass::RegularLattice, .untold = {"spacing", "axes"}}));
+        QVERIFY(!asksForAxes({.domain = DomainClass::RegularLattice, .untold = {"spacing"}}) && !asksForAxes({}));
     }
 
     /// D3: a line each, and a guess is called one.

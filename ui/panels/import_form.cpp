@@ -19,6 +19,8 @@ class ImportForms {
 
 constexpr std::array<std::string_view, 4> layoutIds = {"size", "type", "byte-order", "skip"};
 constexpr std::array<std::string_view, 3> placeIds = {"spacing", "origin", "unit"};
+/// What only files of one kind leave to the user: beside others it would be a riddle.
+constexpr std::array<std::string_view, 1> rareIds = {"axes"};
 constexpr std::array<std::string_view, 2> cellIds = {"faulty", "polyhedra"};
 constexpr std::array<std::string_view, 3> blockIds = {"part", "block", "grid"};
 
@@ -177,9 +179,9 @@ ImportForm importForm(const std::vector<Parameter>& parameters, const FileConten
     ImportForm form;
     for (const Parameter& parameter : parameters) {
         const bool isLayout = needsLayout(parameters, {}) && isOneOf(layoutIds, parameter.id);
-        const bool isTold = isOneOf(placeIds, parameter.id) &&
-                            std::ranges::find(contents.untold, parameter.id) == contents.untold.end();
-        if ((isLayout || isTold) && !withLayout)
+        const bool isUntold = std::ranges::find(contents.untold, parameter.id) != contents.untold.end();
+        const bool isTold = isOneOf(placeIds, parameter.id) && !isUntold;
+        if (((isLayout || isTold) && !withLayout) || (isOneOf(rareIds, parameter.id) && !isUntold))
             continue;
         const auto choices = isKnown ? choicesOf(parameter, contents, values) : std::vector<ParameterChoice>();
         if (choices.size() == 1)

@@ -21,8 +21,8 @@ bool needsLayout(const std::vector<Parameter>& parameters, const FileContents& c
 
 /// The arrays of the file are the choices of the parameter "array", their components those of "component", time steps
 /// those of "time", blocks those of "part", "block" or "grid"; what has nothing to choose from is left out, as are the
-/// layout and the place of a file that tells them. `values`: what is chosen so far. A file of which nothing is known
-/// has all parameters.
+/// layout, the place and the axes of a file that tells them. `values`: what is chosen so far. A file of which nothing
+/// is known has all parameters.
 ImportForm importForm(const std::vector<Parameter>& parameters, const FileContents& contents,
                       const ParameterValues& values, bool withLayout);
 

@@ -4,6 +4,7 @@
 #include "plugins/readers/lattice/lattice_reader.h"
 
 #include "plugins/api/placement_parameters.h"
+#include "plugins/readers/lattice/arrays/npy_file.h"
 #include "plugins/readers/lattice/raw/raw_guess.h"
 #include "plugins/readers/lattice/raw/raw_volume.h"
 #include "plugins/readers/lattice/stored/stored_reading.h"
@@ -68,7 +69,10 @@ Status checkChoices(const fs::path& path, const FormatRequest& file)
             std::ranges::find(file.format->choices, id) != file.format->choices.end())
             continue;
         return Error{ErrorKind::WrongUsage,
-                     hasParameter(volumeChoices(), id)
+                     id == npyAxesId
+                         ? Message::say("'--%1' says how a NumPy array is indexed, and '%2' is none. Leave it out.", id,
+                                        path.string())
+                     : hasParameter(volumeChoices(), id)
                          ? Message::say("'--%1' chooses among several volumes or components, and '%2' has one number "
                                         "for each point. Leave it out.",
                                         id, path.string())
@@ -127,6 +131,7 @@ std::vector<Parameter> LatticeReader::parameters() const
 {
     std::vector<Parameter> parameters = rawParameters();
     std::ranges::move(volumeChoices(), std::back_inserter(parameters));
+    parameters.push_back(npyAxesParameter());
     return parameters;
 }
 

@@ -96,7 +96,7 @@ constexpr std::array<VolumeFormat, 9> formats{{
      niftiCompanions,
      niftiHeaderBeside},
     {Message::marked("MRC and CCP4 maps (*.mrc *.ccp4 *.map)"), mrcScore, {"component", "time"}, mrcVolume},
-    {Message::marked("NumPy array (*.npy)"), npyScore, {"array", "component"}, describeNpy},
+    {Message::marked("NumPy array (*.npy)"), npyScore, {"array", "component", npyAxesId}, describeNpy},
     {Message::marked("Gaussian cube (*.cube *.cub)"), cubeScore, {"array", "component"}, describeCube},
     {Message::marked("OpenDX (*.dx)"), dxScore, {"array", "component"}, describeDx, companionsOfDx},
     {Message::marked("Brick of values (*.bov)"), bovScore, {"array", "component"}, describeBov, companionsOfBov},

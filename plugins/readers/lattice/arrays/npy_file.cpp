@@ -15,6 +15,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr const char *firstDimensionIsX = "xyz", *lastDimensionIsX = "zyx";
+
 constexpr std::string_view npyMagic = "\x93NUMPY"sv;
 
 Error npyDamaged(const Message& what)
@@ -226,7 +228,7 @@ std::string shapeText(const std::vector<std::uint64_t>& shape)
     return text + (shape.size() > mostSizes ? " ..." : "");
 }
 
-/// The three dimensions of the volume, the one that runs fastest first.
+/// The three dimensions of the array, its first one first.
 Result<std::array<std::uint64_t, 3>> npySize(const NpyHeader& header)
 {
     std::vector<std::uint64_t> shape = header.shape;
@@ -238,12 +240,48 @@ Result<std::array<std::uint64_t, 3>> npySize(const NpyHeader& header)
             Message::say("its array has the shape (%1), and a volume needs three dimensions of more than one element. "
                          "Save a part that has them, such as array[0] or array[..., 0].",
                          shapeText(header.shape))};
-    if (!header.firstFastest)
-        std::ranges::reverse(shape);
     return std::array{shape[0], shape[1], shape[2]};
 }
 
+/// Sets the size and the strides: the dimensions are x, y and z as they are indexed, or the other way round. Which of
+/// them runs fastest in the file says nothing of that.
+Status setNpyAxes(const NpyHeader& header, const ParameterValues& values, StoredVolume& volume)
+{
+    auto size = npySize(header);
+    if (!size)
+        return size.error();
+    const bool lastIsX = parameterValue<std::string>({npyAxesParameter()}, values, npyAxesId) == lastDimensionIsX;
+    if (lastIsX)
+        std::ranges::reverse(*size);
+    if (const Status set = setStoredSize(volume, *size, 1); !set)
+        return set;
+    const bool firstIsX = !lastIsX;
+    setStrides(volume, volume.components, header.firstFastest != firstIsX);
+    const bool isSaid = values.contains(npyAxesId);
+    volume.taken.push_back(
+        {TakenPart::Places,
+         lastIsX  ? Message::say("the array's dimensions are z, y, x")
+         : isSaid ? Message::say("the array's dimensions are x, y, z")
+                  : Message::say("the array's dimensions are x, y, z; give '--axes zyx' if they are z, y, x, as those "
+                                 "of stacks of images are"),
+         !isSaid});
+    return {};
+}
+
 } // namespace
+
+Parameter npyAxesParameter()
+{
+    Parameter axes;
+    axes.id = npyAxesId;
+    axes.label = Message::marked("Axes");
+    axes.explanation =
+        Message::marked("NumPy arrays: whether they are indexed as array[x, y, z], or as array[z, y, x], as stacks of "
+                        "images by scikit-image, imageio and tifffile are.");
+    axes.defaultValue = std::string(firstDimensionIsX);
+    axes.choices = {firstDimensionIsX, lastDimensionIsX};
+    return axes;
+}
 
 bool looksLikeNpy(std::string_view beginning)
 {
@@ -259,23 +297,17 @@ Result<StoredVolume> describeNpy(const VolumeRequest& request)
     const auto type = npyType(*header, volume.order);
     if (!type)
         return type.error();
-    const auto size = npySize(*header);
-    if (!size)
-        return size.error();
     volume.type = type->type;
     volume.components = type->components;
     volume.arrays = {{.name = "", .components = static_cast<int>(type->components)}};
-    if (const Status set = setStoredSize(volume, *size, 1); !set)
+    if (const Status set = setNpyAxes(*header, request.values, volume); !set)
         return set.error();
     if (const auto array = takeArray(volume, request.values); !array)
         return array.error();
     if (const Status taken = takeComponent(volume, request.values); !taken)
         return taken.error();
-    volume.taken.push_back({TakenPart::Places,
-                            header->firstFastest ? Message::say("axes x, y, z: the first one runs fastest")
-                                                 : Message::say("axes z, y, x: the last one runs fastest"),
-                            true});
     volume.untold = untoldPlacement(false, false, false);
+    volume.untold.emplace_back(npyAxesId);
     volume.files = {{request.path}};
     volume.offset = header->bytes;
     return volume;

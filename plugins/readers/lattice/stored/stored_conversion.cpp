@@ -41,21 +41,36 @@ template <class Function> decltype(auto) visitStoredType(StoredType type, Functi
     }
 }
 
-/// Calls `use(point, number)` for every point, in the order of the lattice, with the number that is its first one among
-/// those of the range. False when cancelled.
+/// Calls `use(point, number)` for every point, with the number that is its first one among those of the range. False
+/// when cancelled. Points go along x first, or where their numbers lie far apart along x, through bricks that have few
+/// points along x and along the axis of the nearest numbers: so the caches keep both what is read and what is written.
 template <class Use> bool forEachPoint(const StoredVolume& volume, const Progress& progress, const Use& use)
 {
     const auto& size = volume.lattice.size;
     const auto& strides = volume.strides;
-    std::uint64_t point = 0;
-    for (std::uint64_t k = 0; k < size[2]; ++k) {
-        progress.report(static_cast<double>(k) / size[2], Message::marked("Reading"));
-        for (std::uint64_t j = 0; j < size[1]; ++j) {
-            if (progress.cancelled())
-                return false;
-            std::uint64_t number = k * strides[2] + j * strides[1];
-            for (std::uint64_t i = 0; i < size[0]; ++i, number += strides[0])
+    constexpr std::uint64_t brick = 16; // numbers of 4 bytes in a line of the caches
+    const std::size_t near = strides[2] < strides[1] ? 2 : 1, far = 3 - near;
+    const std::uint64_t columns = strides[0] <= strides[near] ? size[0] : brick;
+    const std::array<std::uint64_t, 3> points{1, size[0], std::uint64_t(size[0]) * size[1]};
+    const auto goThrough = [&](std::uint64_t firstX, std::uint64_t endX, std::uint64_t a, std::uint64_t firstB) {
+        for (std::uint64_t b = firstB; b < std::min<std::uint64_t>(firstB + brick, size[near]); ++b) {
+            std::uint64_t point = firstX + b * points[near] + a * points[far];
+            std::uint64_t number = firstX * strides[0] + b * strides[near] + a * strides[far];
+            for (std::uint64_t i = firstX; i < endX; ++i, number += strides[0])
                 use(point++, number);
+        }
+    };
+    for (std::uint64_t x = 0; x < size[0]; x += columns) {
+        const std::uint64_t endX = std::min<std::uint64_t>(x + columns, size[0]);
+        for (std::uint64_t a = 0; a < size[far]; ++a) {
+            const double slabs = static_cast<double>(a) / size[far]; // of those with so many columns
+            const double done = static_cast<double>(x) + static_cast<double>(endX - x) * slabs;
+            progress.report(done / size[0], Message::marked("Reading"));
+            for (std::uint64_t b = 0; b < size[near]; b += brick) {
+                if (progress.cancelled())
+                    return false;
+                goThrough(x, endX, a, b);
+            }
         }
     }
     return true;

@@ -62,7 +62,7 @@ void RawReaderTest::describesItsParameters()
         QVERIFY(!parameter.label.empty() && parameter.explanation.ends_with('.'));
     }
     QCOMPARE(ids, QStringList({"size", "type", "byte-order", "skip", "spacing", "origin", "unit", "array", "component",
-                               "time"}));
+                               "time", "axes"}));
 }
 
 void RawReaderTest::readsEveryTypeAndOrder_data()
