@@ -22,6 +22,8 @@ inline constexpr std::array meshioTexts = {
     Message::marked("it has %1 time steps, and no step %2."),
     Message::marked("its values '%1' name a node or an element %2, which it does not have."),
     Message::marked("Of '%1' it has %2 steps; the last one is read."),
+    Message::marked("Its values '%1' at the corners of elements are not read: elements that share a node may have "
+                    "different ones there."),
     Message::marked("meshio, which reads such files, is not installed. Install it by 'apt install python3-meshio' "
                     "(other systems: 'pip install meshio'), or write the mesh as .vtu."),
     Message::marked("meshio needs the Python module '%1' for it. Install it by 'apt install python3-%1', or write the "

@@ -5,6 +5,7 @@ plugins/process/exchange.h says. It may break down: the plugin bears that. `pyth
 
 Sentences are those of meshio_texts.h, which are translated."""
 import ctypes
+import mmap
 import os
 import re
 import resource
@@ -160,111 +161,179 @@ def check_includes(path):
                     check_named(name, waiting[-1], folder)
 
 
-class GmshNumbers:
-    """What meshio drops of a .msh: the numbers of nodes and elements, by which each value says whose it is. Its readers of the
-    versions 2.2 and 4.1 keep them here, and leave the values to values_of(); of 4.0 meshio takes the values as they come."""
+class GmshFile:
+    """A .msh in text or binary. meshio drops the numbers of nodes and elements, by which each view says whose its values are, and
+    takes some views for damaged that are not; so of the versions 2.2 and 4.1 it is given a copy without views, and these and the
+    numbers are read here. Of 4.0 it takes the values as they come."""
+    VIEWS = ("NodeData", "ElementData", "ElementNodeData")
 
-    def __init__(self, numpy):
-        from meshio.gmsh import _gmsh22, _gmsh41, common
-        self.numpy, self.common = numpy, common
-        self.nodes, self.elements, self.sections = None, [], []
-        for module in (_gmsh22, _gmsh41):
-            module._read_data = self.read_section
-        self.keep_nodes(_gmsh22, 0)
-        self.keep_nodes(_gmsh41, 1)
-        self.keep_elements(_gmsh22, "_read_cells_ascii", lambda f, cells, tags, count: [
-            int(f.readline().split(None, 1)[0]) for _ in range(count)])
-        self.keep_elements(_gmsh22, "_read_cells_binary", lambda f, cells, tags, count: self.elements_of_22(_gmsh22, f, count))
-        self.keep_elements(_gmsh41, "_read_elements", lambda f, points, physical, bounds, is_text, size, names: (
-            self.elements_of_41(_gmsh41, f, is_text, size)))
+    def __init__(self, path, numpy):
+        self.numpy, self.file = numpy, open(path, "rb")
+        self.bytes = mmap.mmap(self.file.fileno(), 0, access=mmap.ACCESS_READ)
+        self.sections = list(self.sections_in_file())
+        version, kind, size = (self.line_of("MeshFormat").split() + [b"", b"", b""])[:3]
+        self.is_text, self.whole = kind != b"1", "u4" if size == b"4" else "u8"
+        self.is_of_2 = version.split(b".")[0] == b"2"
+        is_known = self.is_of_2 or (version.split(b".")[0] == b"4" and version != b"4.0")
+        self.views = [section for section in self.sections if is_known and section[0] in self.VIEWS]
 
-    def keep_nodes(self, module, below):
-        """`below`: meshio has already taken so much from their numbers."""
-        meshios = module._read_nodes
+    def sections_in_file(self):
+        """Of each its name, where its first line begins, where what is in it begins, where its last line begins, and what follows."""
+        place = 0
+        while place < len(self.bytes):
+            begin, place = place, self.next_line(place)
+            line = self.bytes[begin:place].strip()
+            if line and not line.startswith(b"$"):
+                return  # meshio says what is wrong
+            if line:
+                inside = place
+                last, place = self.end_of(line[1:].strip(), inside)
+                yield line[1:].strip().decode("utf-8", "replace"), begin, inside, last, place
 
-        def read_nodes(*arguments):
-            result = meshios(*arguments)
-            self.nodes = self.numpy.asarray(result[1]).astype(self.numpy.int64) + below
-            return result
+    def next_line(self, place):
+        return self.bytes.find(b"\n", place) + 1 or len(self.bytes)
 
-        module._read_nodes = read_nodes
+    def end_of(self, name, inside):
+        """Where the line that ends a section begins, and the next one; a section without such a line goes to the end of the file."""
+        mark = b"$End" + name
+        place = self.bytes.find(mark, inside)
+        while place >= 0:
+            begin = self.bytes.rfind(b"\n", inside - 1, place) + 1
+            if self.bytes[begin:self.next_line(place)].strip() == mark:
+                return begin, self.next_line(place)
+            place = self.bytes.find(mark, place + 1)
+        return len(self.bytes), len(self.bytes)
 
-    def keep_elements(self, module, name, numbers):
-        """Reads the section twice: once as meshio does, once for the numbers of its elements."""
-        meshios = getattr(module, name)
+    def enter(self, name):
+        """From now on the last section of that name is read."""
+        self.file.seek(max((inside for section, _, inside, _, _ in self.sections if section == name), default=len(self.bytes)))
 
-        def read_elements(f, *arguments):
-            begin = f.tell()
-            result = meshios(f, *arguments)
-            end = f.tell()
-            f.seek(begin)
-            self.elements = self.numpy.asarray(numbers(f, *arguments), dtype=self.numpy.int64)
-            f.seek(end)
-            return result
+    def line_of(self, name):
+        """The first line of a section; what follows is read next."""
+        self.enter(name)
+        return self.file.readline()
 
-        setattr(module, name, read_elements)
+    def copy_without_views(self, most):
+        """A file in memory, which has no name in any folder and ends with this process or when it is closed."""
+        begins = [0] + [follows for *_, follows in self.views]
+        ends = [begin for _, begin, *_ in self.views] + [len(self.bytes)]
+        if sum(ends) - sum(begins) > most:
+            raise MemoryError
+        copy, piece = open(os.memfd_create("mesh"), "wb"), 1 << 24
+        for begin, end in zip(begins, ends):
+            for place in range(begin, end, piece):
+                copy.write(self.bytes[place:min(place + piece, end)])
+        copy.flush()
+        return copy
 
-    def elements_of_22(self, module, f, count):
-        numbers = [self.numpy.zeros(0, self.numpy.int64)]
-        while sum(map(len, numbers)) < count:
-            kind, elements, tags = self.numpy.fromfile(f, count=3, dtype=module.c_int)
-            row = 1 + int(tags) + module.num_nodes_per_cell[module._gmsh_to_meshio_type[kind]]
-            numbers.append(self.numpy.fromfile(f, count=int(elements) * row, dtype=module.c_int).reshape(-1, row)[:, 0])
-        return self.numpy.concatenate(numbers)
+    def numbers(self, kind, count):
+        return self.numpy.fromfile(self.file, kind, int(count), sep=" " if self.is_text else "")
 
-    def elements_of_41(self, module, f, is_text, size):
-        def fromfile(kind, count):
-            return self.numpy.fromfile(f, kind, int(count), sep=" " if is_text else "")
+    def node_numbers(self):
+        if self.is_of_2:
+            count = int(self.line_of("Nodes"))
+            if self.is_text:
+                return self.numbers("f8", 4 * count).reshape(count, 4)[:, 0]
+            return self.numbers([("number", "i4"), ("place", "f8", (3,))], count)["number"]
+        return self.numbers_in_blocks("Nodes", lambda block, count: self.numbers(self.whole, count),
+                                      lambda count: self.numbers("f8", 3 * count))
 
-        whole = module._size_type(size)
-        numbers = [self.numpy.zeros(0, self.numpy.int64)]
-        for _ in range(int(fromfile(whole, 4)[0])):
-            kind = fromfile(module.c_int, 3)[2]
-            row = 1 + module.num_nodes_per_cell[module._gmsh_to_meshio_type[kind]]
-            numbers.append(fromfile(whole, int(fromfile(whole, 1)[0]) * row).reshape(-1, row)[:, 0])
-        return self.numpy.concatenate([part.astype(self.numpy.int64) for part in numbers])
+    def element_numbers(self, mesh):
+        if not self.is_of_2:
+            def of_block(block, count):
+                row = 1 + mesh.cells[block].data.shape[1]
+                return self.numbers(self.whole, count * row).reshape(-1, row)[:, 0]
 
-    def read_section(self, f, section, _, __, is_text):
-        """A view: its name and others, its time and others, its step, components and count; then a number and values a row."""
-        words = [f.readline().decode().strip().replace('"', "") for _ in range(int(f.readline()))]
-        for _ in range(int(f.readline())):
-            f.readline()
-        _, components, count = [int(f.readline()) for _ in range(int(f.readline()))][:3]
-        if is_text:
-            table = self.numpy.fromfile(f, count=count * (1 + components), sep=" ").reshape(count, 1 + components)
-            numbers, values = table[:, 0].astype(self.numpy.int64), table[:, 1:]
-        else:
-            table = self.numpy.fromfile(f, [("number", "i4"), ("values", "f8", (components,))], count)
-            numbers, values = table["number"].astype(self.numpy.int64), table["values"]
-        if len(numbers) != count:
+            return self.numbers_in_blocks("Elements", of_block, lambda count: None)
+        count = int(self.line_of("Elements"))
+        if self.is_text:
+            return self.numpy.array([int(self.file.readline().split(None, 1)[0]) for _ in range(count)], self.numpy.int64)
+        return self.element_numbers_in_binary(mesh, count)
+
+    def element_numbers_in_binary(self, mesh, count):
+        """Of 2.2: meshio joins neighbouring blocks of one kind of elements, whose rows are equally long."""
+        ends, parts, done = self.numpy.cumsum([len(block.data) for block in mesh.cells]), [], 0
+        while done < count:
+            _, elements, tags = self.numbers("i4", 3)
+            nodes = mesh.cells[int(self.numpy.searchsorted(ends, done, side="right"))].data.shape[1]
+            row = 1 + int(tags) + nodes
+            parts.append(self.numbers("i4", int(elements) * row).reshape(-1, row)[:, 0])
+            done += len(parts[-1])
+        return self.numpy.concatenate(parts or [self.numpy.zeros(0)])
+
+    def numbers_in_blocks(self, section, read, pass_over):
+        """Of 4.1: the number of blocks and three others; of each block three numbers, how much is in it, and that."""
+        self.enter(section)
+        parts = [self.numpy.zeros(0, self.numpy.int64)]
+        for block in range(int(self.numbers(self.whole, 4)[0])):
+            self.numbers("i4", 3)
+            count = int(self.numbers(self.whole, 1)[0])
+            parts.append(read(block, count).astype(self.numpy.int64))
+            pass_over(count)
+        return self.numpy.concatenate(parts)
+
+    def read_view(self, inside):
+        """Its name and others, its time and others, its step, components and count; then a number and values a row."""
+        self.file.seek(inside)
+        words = [self.file.readline().decode().strip().replace('"', "") for _ in range(int(self.file.readline()))]
+        for _ in range(int(self.file.readline())):
+            self.file.readline()
+        _, components, count = [int(self.file.readline()) for _ in range(int(self.file.readline()))][:3]
+        if self.is_text:
+            table = self.numbers("f8", count * (1 + components)).reshape(count, 1 + components)
+            return words[0], table[:, 0].astype(self.numpy.int64), table[:, 1:]
+        table = self.numbers([("number", "i4"), ("values", "f8", (components,))], count)
+        if len(table) != count:
             raise ValueError("a view ends before its last value")
-        self.common._fast_forward_to_end_block(f, section)
-        self.sections.append((section == "NodeData", words[0], numbers, values))
+        return words[0], table["number"].astype(self.numpy.int64), table["values"]
 
-    def values_of(self, mesh):
+    def give_values(self, mesh):
         """Gives the mesh the values, NaN where the file tells none; what of the file is left out."""
-        views, of_points, of_cells = {}, {}, {}
-        for is_of_nodes, name, numbers, values in self.sections:
-            own = self.nodes if is_of_nodes else self.elements
-            order = self.numpy.argsort(own, kind="stable")
-            places = order[self.numpy.minimum(self.numpy.searchsorted(own, numbers, sorter=order), len(own) - 1)]
-            if (own[places] != numbers).any():
-                raise Refusal("its values '%1' name a node or an element %2, which it does not have.", name,
-                              int(numbers[own[places] != numbers][0]))
-            whole = self.numpy.full((len(own), values.shape[1]), self.numpy.nan)
-            whole[places] = values
-            if values.shape[1] == 1:
-                whole = whole[:, 0]
-            ends = self.numpy.cumsum([len(block.data) for block in mesh.cells])[:-1]
-            if is_of_nodes:
-                of_points[name] = whole
-            else:
-                of_cells[name] = self.numpy.split(whole, ends)
-            views[is_of_nodes, name] = views.get((is_of_nodes, name), 0) + 1
+        numbers = {"NodeData": self.node_numbers().astype(self.numpy.int64), "ElementData": self.element_numbers(mesh).astype(self.numpy.int64)}
+        ends = self.numpy.cumsum([len(block.data) for block in mesh.cells])
+        if len(numbers["NodeData"]) != len(mesh.points) or len(numbers["ElementData"]) != (ends[-1] if len(ends) else 0):
+            raise ValueError("its nodes or elements are not as many as it says")
+        steps, of_points, of_cells, left_out = {}, {}, {}, []
+        for section, _, inside, _, _ in self.views:
+            name, owners, values = self.read_view(inside) if section in numbers else (self.name_of_view(inside), None, None)
+            steps[section, name] = steps.get((section, name), 0) + 1
+            if section == "NodeData":
+                of_points[name] = self.placed(name, numbers[section], owners, values)
+            elif section == "ElementData":
+                of_cells[name] = self.numpy.split(self.placed(name, numbers[section], owners, values), ends[:-1])
+            elif steps[section, name] == 1:
+                left_out.append(message("Its values '%1' at the corners of elements are not read: elements that share a node may have "
+                                        "different ones there.", name))
         mesh.point_data = {**of_points, **mesh.point_data}  # the views first, as by meshio itself
         mesh.cell_data = {**of_cells, **mesh.cell_data}
-        return [message("Of '%1' it has %2 steps; the last one is read.", name, count)
-                for (_, name), count in views.items() if count > 1]
+        return left_out + [message("Of '%1' it has %2 steps; the last one is read.", name, count)
+                           for (section, name), count in steps.items() if count > 1 and section in numbers]
+
+    def name_of_view(self, inside):
+        self.file.seek(inside)
+        return self.file.readline().decode().strip().replace('"', "") if int(self.file.readline()) > 0 else ""
+
+    def placed(self, name, own, owners, values):
+        """One row for each of `own`, those of `owners` being `values`."""
+        order = self.numpy.argsort(own, kind="stable")
+        places = order[self.numpy.minimum(self.numpy.searchsorted(own, owners, sorter=order), len(own) - 1)]
+        if (own[places] != owners).any():
+            raise Refusal("its values '%1' name a node or an element %2, which it does not have.", name,
+                          int(owners[own[places] != owners][0]))
+        whole = self.numpy.full((len(own), values.shape[1]), self.numpy.nan)
+        whole[places] = values
+        return whole[:, 0] if values.shape[1] == 1 else whole
+
+
+def read_gmsh(request, meshio):
+    """The mesh with its values, and what of the file is left out."""
+    import numpy
+    gmsh = GmshFile(request.path, numpy)
+    if not gmsh.views:
+        return meshio.read(request.path, file_format="gmsh"), []
+    with gmsh.copy_without_views(request.memory) as copy:
+        mesh = meshio.read("/proc/self/fd/%d" % copy.fileno(), file_format="gmsh")
+    return mesh, gmsh.give_values(mesh)
 
 
 class Series:
@@ -284,13 +353,10 @@ class Series:
         if request.format == "abaqus":
             check_includes(request.path)
             os.chdir(os.path.dirname(request.path) or "/")
-        gmsh = None
         if request.format == "gmsh":
-            import numpy
-            gmsh = GmshNumbers(numpy)
-        mesh = meshio.read(request.path, file_format=request.format)
-        if gmsh is not None and gmsh.sections:
-            self.left_out = gmsh.values_of(mesh)
+            mesh, self.left_out = read_gmsh(request, meshio)
+        else:
+            mesh = meshio.read(request.path, file_format=request.format)
         self.mesh_of = lambda step: mesh
 
     def of_xdmf(self, request, meshio):

@@ -4,14 +4,18 @@
 #include "plugins/readers/meshio/meshio_texts.h"
 #include "tests/lacks.h"
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <sys/stat.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace tetra;
 
@@ -55,6 +59,11 @@ QByteArray xdmfSeries()
     return xdmfOf(QByteArray("<Grid Name=\"TimeSeries_meshio\" GridType=\"Collection\" CollectionType=\"Temporal\">") +
                   step("0.0", "0 1 2 3 6") + step("2.5", "10 11 12 13 16") +
                   "</Grid><Grid Name=\"mesh\" GridType=\"Uniform\">" + xdmfMesh + "</Grid>");
+}
+
+template <class Number> QByteArray bytesOf(const std::vector<Number>& numbers)
+{
+    return {reinterpret_cast<const char*>(numbers.data()), qsizetype(numbers.size() * sizeof(Number))};
 }
 
 double heatAt(const Eigen::Vector3d& place)
@@ -106,7 +115,16 @@ private slots:
             QVERIFY2(text.contains(QByteArray(sentence.text)), sentence.text);
             ++raised;
         }
-        QCOMPARE(text.count("raise Refusal(") + 3, raised); // and three sentences that are no refusals
+        QCOMPARE(text.count("raise Refusal(") + 4, raised); // and four sentences that are no refusals
+    }
+
+    /// A later meshio may have other parts inside.
+    void itTakesNoPrivatePartOfMeshio()
+    {
+        QFile script(scriptPath);
+        QVERIFY(script.open(QIODevice::ReadOnly));
+        const QByteArray text = script.readAll();
+        QVERIFY(!QRegularExpression("meshio(\\.\\w+)*\\._|import _").match(text).hasMatch());
     }
 
     void aGmshMeshIsRead()
@@ -178,6 +196,59 @@ private slots:
                 reader_.read(write("astray.msh", mesh + QByteArray(views).replace("\n9 3", "\n5 3")), {}, {});
             QVERIFY(!astray.ok() && astray.error().text().find("a node or an element 5") != std::string::npos);
         }
+    }
+
+    /// Numbers of elements of any kind, and views that name not all and in any order.
+    void gmshInBinaryHasItsValues_data()
+    {
+        QTest::addColumn<QByteArray>("mesh");
+        const std::vector<double> places = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+        QByteArray nodes;
+        for (int node = 0; node < 5; ++node)
+            nodes += bytesOf<std::int32_t>({node + 1}) +
+                     bytesOf<double>({places[3 * node], places[3 * node + 1], places[3 * node + 2]});
+        QTest::newRow("2.2") << "$MeshFormat\n2.2 1 8\n" + bytesOf<std::int32_t>({1}) +
+                                    "\n$EndMeshFormat\n$Nodes\n5\n" + nodes + "\n$EndNodes\n$Elements\n3\n" +
+                                    bytesOf<std::int32_t>({2, 1, 2, 7, 7, 7, 1, 2, 3, 4, 1, 2, 8, 9, 9, 1, 2, 3, 4}) +
+                                    bytesOf<std::int32_t>({4, 1, 2, 9, 9, 9, 2, 3, 4, 5}) + "\n$EndElements\n";
+        QTest::newRow("4.1") << "$MeshFormat\n4.1 1 8\n" + bytesOf<std::int32_t>({1}) + "\n$EndMeshFormat\n$Nodes\n" +
+                                    bytesOf<std::uint64_t>({1, 5, 1, 5}) + bytesOf<std::int32_t>({3, 1, 0}) +
+                                    bytesOf<std::uint64_t>({5, 1, 2, 3, 4, 5}) + bytesOf(places) +
+                                    "\n$EndNodes\n$Elements\n" + bytesOf<std::uint64_t>({2, 3, 7, 9}) +
+                                    bytesOf<std::int32_t>({3, 1, 2}) + bytesOf<std::uint64_t>({1, 7, 1, 2, 3}) +
+                                    bytesOf<std::int32_t>({3, 1, 4}) +
+                                    bytesOf<std::uint64_t>({2, 8, 1, 2, 3, 4, 9, 2, 3, 4, 5}) + "\n$EndElements\n";
+    }
+    void gmshInBinaryHasItsValues()
+    {
+        if (!hasMeshio())
+            QSKIP_WITHOUT("meshio");
+        QFETCH(QByteArray, mesh);
+        const auto view = [](const char* section, const char* name, const std::vector<std::pair<int, double>>& rows) {
+            QByteArray all = QByteArray("$") + section + "\n1\n\"" + name + "\"\n1\n0.0\n3\n0\n1\n" +
+                             QByteArray::number(int(rows.size())) + "\n";
+            for (const auto& [number, value] : rows)
+                all += bytesOf<std::int32_t>({number}) + bytesOf<double>({value});
+            return all + "\n$End" + section + "\n";
+        };
+        const QByteArray views = view("NodeData", "heat", {{5, 6}, {2, 1}, {4, 3}, {1, 0}, {3, 2}}) +
+                                 view("ElementData", "load", {{9, 3}, {8, 1}}) +
+                                 "$ElementNodeData\n1\n\"corner\"\n0\n3\n0\n1\n0\n\n$EndElementNodeData\n";
+        const auto path = write("binary.msh", mesh + views);
+        const QStringList before = QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden);
+        const auto heat = reader_.read(path, {{"array", std::string("heat")}}, {});
+        QVERIFY2(heat.ok(), heat.ok() ? "" : heat.error().text().c_str());
+        for (std::uint64_t point = 0; point < heat->pointCount(); ++point)
+            QCOMPARE(heat->values.at(point), heatAt(heat->position(point)));
+        QCOMPARE(heat->source.leftOut.size(), std::size_t(1));
+        QVERIFY(heat->source.leftOut[0].text().starts_with("Its values 'corner' at the corners of elements"));
+        const auto load = reader_.read(path, {{"array", std::string("load")}}, {});
+        QVERIFY2(load.ok(), load.ok() ? "" : load.error().text().c_str());
+        for (std::uint64_t point = 0; point < load->pointCount(); ++point) {
+            const double sum = load->position(point).sum();
+            QCOMPARE(load->values.at(point), sum < 0.5 ? 1. : sum > 2 ? 3. : 2.);
+        }
+        QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
     }
 
     void aStepOfAnXdmfIsRead()
