@@ -209,7 +209,9 @@ Syntax buildSyntax(PluginHost& host)
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
                      {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",
-                      "A part of the data, more coarsely."}}};
+                      "A part of the data, more coarsely."},
+                     {"tan build flow.vtu --array nut --scale log:1e-9 -o nut.tan",
+                      "Values over many powers of ten: errors are factors."}}};
     addPluginOptions(syntax, allParameters(host.builders()));
     addImportOptions(syntax, host);
     return syntax;
@@ -236,6 +238,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
     auto imported = importOptions(invocation, input);
     if (!imported)
         return imported.error();
+    const bool logarithmic = imported->scale.logarithmic; // what was imported goes with the build
     const auto dataset = openDataset(invocation.host, input, *imported, invocation.progress.part(0, 0.05));
     if (!dataset)
         return dataset.error();
@@ -284,6 +287,8 @@ Result<Outcome> runBuild(const Invocation& invocation)
             return packed.error();
     tellThreads(arguments, *threads, *builder, *dataset, *values, outcome);
     addRemarks(*dataset, outcome);
+    if (logarithmic)
+        outcome.text += logarithmText(dataset->source.valueName, dataset->values.range());
     return outcome;
 }
 

@@ -88,8 +88,9 @@ Result<Provided<Reader>> readerOf(const Invocation& invocation, const std::files
     return chooseReader(invocation.host, path);
 }
 
-Status takePartOptions(const Arguments& arguments, DatasetPart& part)
+Status takePartOptions(const Arguments& arguments, ImportOptions& options)
 {
+    DatasetPart& part = options.part;
     if (const auto text = arguments.value("region")) {
         const auto region = parseRegion(*text);
         if (!region)
@@ -101,6 +102,12 @@ Status takePartOptions(const Arguments& arguments, DatasetPart& part)
         if (!stride)
             return stride.error();
         part.stride = *stride;
+    }
+    if (const auto text = arguments.value("scale")) {
+        const auto scale = parseScale(*text);
+        if (!scale)
+            return scale.error();
+        options.scale = *scale;
     }
     return {};
 }
@@ -124,6 +131,13 @@ void addImportOptions(Syntax& syntax, PluginHost& host)
                               .placeholder = "N[,N,N]",
                               .explanation = "Of grids: takes every Nth point along each axis.",
                               .byDefault = "1"});
+    syntax.options.push_back(
+        {.name = "scale",
+         .placeholder = "linear|log|log:SMALLEST",
+         .explanation = "With log the logarithms to base 10 of the values are taken, for values over many powers of "
+                        "ten: errors are factors then. All values have to be positive, unless SMALLEST says what "
+                        "smaller ones are taken as.",
+         .byDefault = "linear"});
     addPluginOptions(syntax, allParameters(host.readers()));
 }
 
@@ -150,7 +164,7 @@ Result<ImportOptions> importOptions(const Invocation& invocation, const std::fil
     values->merge(options->values); // those of the model
     options->values = *std::move(values);
     options->reader = reader->id;
-    if (const Status known = takePartOptions(arguments, options->part); !known)
+    if (const Status known = takePartOptions(arguments, *options); !known)
         return known.error();
     return options;
 }

@@ -16,7 +16,7 @@
 
 namespace tetra {
 
-/// Adds --reader, --region, --stride and the parameters of all readers.
+/// Adds --reader, --region, --stride, --scale and the parameters of all readers.
 void addImportOptions(Syntax& syntax, PluginHost& host);
 
 /// What these options say of how to open `path`; options of other readers are refused. With `model`, what they do not

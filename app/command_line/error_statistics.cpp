@@ -2,8 +2,12 @@
 #include "app/command_line/error_statistics.h"
 
 #include "app/command_line/table.h"
+#include "core/base/text.h"
+#include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
+
+#include <cmath>
 
 namespace tetra {
 
@@ -61,6 +65,19 @@ void addErrorInSpace(QJsonObject& figures, const ErrorInSpace& measured)
     QJsonObject inSpace = toJson(measured);
     inSpace["outside"] = static_cast<qint64>(measured.outside);
     figures["error_in_space"] = inSpace;
+}
+
+std::string logarithmText(const std::string& valueName, const ValueRange& range)
+{
+    return "\nThe values are logarithms to base 10: " + visibleText(nameOfLogarithms(valueName)) + " goes from " +
+           rounded(std::pow(10.0, range.minimum)) + " to " + rounded(std::pow(10.0, range.maximum)) +
+           ", and an error of 1 % of the logarithms' range is a factor of " + factorText(factorOf(1, range)) + ".\n";
+}
+
+std::string logarithmText(const ModelDescription& description)
+{
+    return holdsLogarithms(description.parameters) ? logarithmText(description.valueName, description.range)
+                                                   : std::string();
 }
 
 void addStatistics(QJsonObject& figures, const ErrorStatistics& measured, DomainClass domain)

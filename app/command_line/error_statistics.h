@@ -37,4 +37,9 @@ std::string guaranteeText(const QJsonObject& figures);
 /// "errors in the grid of up to 1.68 %", and in space, as far as the figures of a mesh tell.
 std::string errorsUpTo(double percent, const QJsonObject& figures);
 
+/// What an error is where the values are logarithms, in a paragraph of its own; of other models nothing.
+std::string logarithmText(const ModelDescription& description);
+/// The same of logarithms of this name and range.
+std::string logarithmText(const std::string& valueName, const ValueRange& range);
+
 } // namespace tetra

@@ -146,8 +146,9 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
         inSpace = *known;
     }
     const std::optional<double> largestInSpace = inSpace ? std::optional(inSpace->largest) : std::nullopt;
-    const auto written = saveMesh(task.host, contentOf(task.model, query, found, largestInSpace), task.output,
-                                  task.values, task.progress.part(measuringEnd, 1));
+    const ExtractedContent file = contentOf(task.model, query, found, largestInSpace);
+    const auto written =
+        saveMesh(task.host, file.content, task.output, task.values, task.progress.part(measuringEnd, 1));
     if (!written)
         return written.error();
     Outcome outcome = outcomeOf(task.output, found.mesh);
@@ -187,7 +188,8 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     MeshContent content;
     content.positions = found.mesh.positions;
     content.tetrahedra = found.mesh.tetrahedra;
-    content.pointArrays = {{valueArrayName(mesh->fact("array")), std::span<const float>(found.mesh.values)}};
+    ValueArrays arrays = valueArrays(mesh->fact("array"), mesh->fact(scaleFact) == logarithmFact, found.mesh.values);
+    content.pointArrays = std::move(arrays.arrays);
     if (query.range)
         content.cellArrays = {{"birth_error", std::span<const float>(found.birthErrors)},
                               {"death_error", std::span<const float>(found.deathErrors)}};

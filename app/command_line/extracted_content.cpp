@@ -3,20 +3,24 @@
 
 #include <tan/query.h>
 
+#include <utility>
+
 namespace tetra {
 
-MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
-                      const std::optional<double>& errorInSpace)
+ExtractedContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                           const std::optional<double>& errorInSpace)
 {
+    const ModelDescription& description = model.description();
+    ValueArrays values = valueArrays(description.valueName, holdsLogarithms(description.parameters), mesh.mesh.values);
     MeshContent content;
     content.positions = mesh.mesh.positions;
     content.tetrahedra = mesh.mesh.tetrahedra;
-    content.pointArrays = {{valueArrayName(model.description().valueName), std::span<const float>(mesh.mesh.values)}};
+    content.pointArrays = std::move(values.arrays);
     if (query.range)
         content.cellArrays = {{"birth_error", std::span<const float>(mesh.birthErrors)},
                               {"death_error", std::span<const float>(mesh.deathErrors)}};
     content.facts = meshFacts(model, query, mesh, errorInSpace);
-    return content;
+    return {std::move(content), std::move(values.kept)};
 }
 
 } // namespace tetra

@@ -3,6 +3,7 @@
 
 #include "core/serve/mesh_facts.h"
 #include "plugins/api/written_content.h"
+#include "plugins/host/value_arrays.h"
 
 #include <tan/query.h>
 
@@ -10,9 +11,15 @@
 
 namespace tetra {
 
-/// A mesh for a file: the array of its vertices' values; of a range of accuracies also "birth_error" and "death_error"
-/// of the tetrahedra; and meshFacts(). Points into `mesh`.
-MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
-                      const std::optional<double>& errorInSpace = {});
+/// A mesh for a file, and what it points into beside that mesh.
+struct ExtractedContent {
+    MeshContent content;
+    std::shared_ptr<const Buffer<float>> kept{};
+};
+
+/// The valueArrays() of the vertices; of a range of accuracies also "birth_error" and "death_error" of the tetrahedra;
+/// and meshFacts(). Points into `mesh`.
+ExtractedContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                           const std::optional<double>& errorInSpace = {});
 
 } // namespace tetra

@@ -8,6 +8,7 @@
 #include "app/command_line/table.h"
 #include "core/base/file_writer.h"
 #include "core/base/text.h"
+#include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
 #include "core/verify/curvilinear_cells.h"
@@ -51,6 +52,8 @@ QJsonObject provenanceFigures(const ModelDescription& description)
                         {"parameters", parameters},
                         {"source", toQString(description.sourceName)}};
     addArrayName(description.valueName, figures);
+    if (holdsLogarithms(description.parameters))
+        figures["scale"] = "log10";
     return figures;
 }
 
@@ -88,6 +91,7 @@ std::string errorHead(const ModelDescription& description)
 Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& levels)
 {
     const bool warps = model.description().warpingWeight > 0;
+    const bool logarithms = holdsLogarithms(model.description().parameters);
     std::vector<std::uint32_t> sites;
     for (const Accuracy& level : levels)
         sites.push_back(meshSizeAt(model, level).sites);
@@ -102,6 +106,8 @@ Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& l
         result.rows[0].insert(result.rows[0].begin() + 1, "warping %");
         result.rows[0].emplace_back("warping reached %");
     }
+    if (logarithms)
+        result.rows[0].emplace_back("factor");
     if (result.anyInverted)
         result.rows[0].emplace_back("inverted");
     for (std::size_t number = 0; number < levels.size(); ++number) {
@@ -115,6 +121,9 @@ Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& l
                             {"reached_warping", size.warping}};
         if (model.description().domain == DomainClass::Curvilinear)
             figures["inverted"] = static_cast<qint64>(inverted[number]);
+        const double factor = factorOf(size.error, model.description().range);
+        if (logarithms)
+            figures["reached_factor"] = factor;
         result.list.append(figures);
         std::vector<std::string> row = {warps ? limitText(level.error) : rounded(level.error),
                                         std::to_string(size.sites), std::to_string(size.tetrahedra),
@@ -123,6 +132,8 @@ Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& l
             row.insert(row.begin() + 1, limitText(level.warping));
             row.push_back(rounded(size.warping));
         }
+        if (logarithms)
+            row.push_back(factorText(factor));
         if (result.anyInverted)
             row.push_back(std::to_string(inverted[number]));
         result.rows.push_back(std::move(row));
@@ -207,7 +218,7 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
     outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning(description));
     outcome.text += std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
                     " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows) +
-                    guaranteeText(description, invocation.arguments.has("against"));
+                    guaranteeText(description, invocation.arguments.has("against")) + logarithmText(description);
     if (found->anyInverted)
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
     if (const Status listed = addFaultyCells(model, outcome); !listed)
@@ -230,6 +241,7 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     if (const Status fits = checkWarpingOption(invocation.arguments, description, shownInput(path)); !fits)
         return fits.error();
     const bool warps = description.warpingWeight > 0;
+    const bool logarithms = holdsLogarithms(description.parameters);
     const bool isPacked = facts->form == ModelForm::Packed;
     const DatasetSummary summary = summaryOf(description);
     QJsonArray list;
@@ -238,24 +250,32 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
         rows[0].insert(rows[0].begin() + 1, "warping %");
         rows[0].emplace_back("warping reached %");
     }
+    if (logarithms)
+        rows[0].emplace_back("factor");
     for (const Accuracy& level : asked) {
         const auto keeps = [&](const LevelInFile& one) {
             return one.error <= level.error && one.warping <= level.warping;
         };
         const auto found = std::ranges::find_if(facts->levels, keeps);
         const LevelInFile& reached = found != facts->levels.end() ? *found : facts->levels.back();
-        list.append(QJsonObject{{"error", level.error},
-                                {"warping", warps ? level.warping : 0},
-                                {"sites", static_cast<qint64>(reached.sites)},
-                                {"bytes", static_cast<qint64>(reached.bytes)},
-                                {"reached", reached.error},
-                                {"reached_warping", reached.warping}});
+        QJsonObject figures{{"error", level.error},
+                            {"warping", warps ? level.warping : 0},
+                            {"sites", static_cast<qint64>(reached.sites)},
+                            {"bytes", static_cast<qint64>(reached.bytes)},
+                            {"reached", reached.error},
+                            {"reached_warping", reached.warping}};
+        const double factor = factorOf(reached.error, description.range);
+        if (logarithms)
+            figures["reached_factor"] = factor;
+        list.append(figures);
         std::vector<std::string> row = {warps ? limitText(level.error) : rounded(level.error),
                                         std::to_string(reached.sites), byteText(reached.bytes), rounded(reached.error)};
         if (warps) {
             row.insert(row.begin() + 1, limitText(level.warping));
             row.push_back(rounded(reached.warping));
         }
+        if (logarithms)
+            row.push_back(factorText(factor));
         rows.push_back(std::move(row));
     }
     Outcome outcome{.figures = datasetFigures(summary), .text = {}};
@@ -271,7 +291,7 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     outcome.text += std::to_string(facts->sites) + " sites, " + std::to_string(facts->tetrahedra) +
                     " tetrahedra in the history, " + byteText(facts->fileBytes) +
                     (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows) +
-                    guaranteeText(description, false);
+                    guaranteeText(description, false) + logarithmText(description);
     return outcome;
 }
 
@@ -363,7 +383,8 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     const auto bytes = std::filesystem::file_size(path, problem);
     const auto contents = probeDataset(invocation.host, path, *options, invocation.progress.part(0, 0.2));
     const bool isKnown = contents && contents->domain && (contents->points > 0 || isOnLattice(*contents->domain));
-    if (!problem && bytes > readAtOnce && isKnown && options->part.isWhole() && !invocation.arguments.has("ranges")) {
+    if (!problem && bytes > readAtOnce && isKnown && options->part.isWhole() && !options->scale.logarithmic &&
+        !invocation.arguments.has("ranges")) {
         Outcome outcome;
         if (const Status described = describeHeaders(invocation, path, *contents, outcome); !described)
             return described.error();
@@ -384,6 +405,10 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     if (const Status estimated = addEstimates(invocation, buildSizeOf(*dataset), &*dataset, outcome); !estimated)
         return estimated.error();
     addRemarks(*dataset, outcome);
+    if (options->scale.logarithmic) {
+        outcome.figures["scale"] = "log10";
+        outcome.text += logarithmText(dataset->source.valueName, dataset->values.range());
+    }
     return outcome;
 }
 
@@ -458,7 +483,7 @@ Result<Outcome> runInfo(const Invocation& invocation)
         if (invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage,
                          "The model '" + path + "' has no option '--" + option + "': it is of datasets."};
-    for (const char* option : {"reader", "region", "stride"})
+    for (const char* option : {"reader", "region", "stride", "scale"})
         if (!against && invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage,
                          "The model '" + path + "' has no option '--" + option + "': it is of datasets."};

@@ -8,6 +8,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/text.h"
+#include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
 #include "core/verify/verify_mesh.h"
@@ -31,7 +32,7 @@ QJsonArray toJson(const std::vector<std::string>& texts)
     return list;
 }
 
-QJsonObject levelFigures(const LevelReport& level, bool warps, DomainClass domain)
+QJsonObject levelFigures(const LevelReport& level, bool warps, const ModelDescription& description)
 {
     QJsonObject figures = {{"error", level.asked.error},
                            {"warping", warps ? level.asked.warping : 0},
@@ -46,7 +47,9 @@ QJsonObject levelFigures(const LevelReport& level, bool warps, DomainClass domai
                            {"sites", static_cast<qint64>(level.sites)},
                            {"tetrahedra", static_cast<qint64>(level.tetrahedra)},
                            {"failures", toJson(level.failures)}};
-    addStatistics(figures, level.measured, domain);
+    if (holdsLogarithms(description.parameters))
+        figures["largest_factor"] = factorOf(level.measured.error.largest, description.range);
+    addStatistics(figures, level.measured, description.domain);
     if (level.twoSidedWarping) {
         figures["two_sided_warping"] = *level.twoSidedWarping;
         figures["two_sided_bound"] = level.twoSidedBound;
@@ -123,10 +126,15 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
         std::ranges::any_of(verdict.levels, [](const auto& level) { return level.twoSidedWarping.has_value(); });
     if (twoSided)
         rows[0].emplace_back("from both sides %");
+    const bool logarithms = holdsLogarithms(description.parameters);
+    if (logarithms)
+        rows[0].emplace_back("largest factor");
     std::vector<NamedStatistics> measured;
     for (const LevelReport& level : verdict.levels) {
-        levels.append(levelFigures(level, warps, description.domain));
+        levels.append(levelFigures(level, warps, description));
         rows.push_back(levelRow(level, warps, twoSided));
+        if (logarithms)
+            rows.back().push_back(factorText(factorOf(level.measured.error.largest, description.range)));
         measured.push_back({rounded(level.asked.error) + " %", level.measured});
     }
     // Of another dataset's model there is nothing to show.
@@ -142,7 +150,7 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
     outcome.text = shownInput(path) + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
     if (!isUnchecked)
         outcome.text += "\n" + table(rows) + "\n" + statisticsText(measured, description.domain) +
-                        guaranteeText(description, true) + remarkOn(verdict);
+                        guaranteeText(description, true) + logarithmText(description) + remarkOn(verdict);
     outcome.text += failureText(verdict, warps);
     return outcome;
 }

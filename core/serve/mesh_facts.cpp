@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/serve/mesh_facts.h"
 
+#include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
 #include "core/serve/json_text.h"
@@ -69,6 +70,8 @@ Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh&
     Facts facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
     if (!model.description().valueName.empty())
         facts.emplace_back("array", model.description().valueName);
+    if (holdsLogarithms(model.description().parameters))
+        facts.emplace_back("value_scale", "log10");
     if (!model.description().lengthUnit.empty())
         facts.emplace_back("unit", model.description().lengthUnit);
     if (query.range) {
@@ -106,8 +109,11 @@ std::string meshFigures(const Model& model, const MeshQuery& query, const Extrac
     }
     const Accuracy kept = keptEverywhere(query, mesh.scale);
     const bool warps = model.description().warpingWeight > 0;
-    if (mesh.reached)
+    if (mesh.reached) {
         figures.add("reached_error", mesh.reached->error).add("reached_warping", warps ? mesh.reached->warping : 0.0);
+        if (holdsLogarithms(model.description().parameters))
+            figures.add("reached_factor", factorOf(mesh.reached->error, model.description().range));
+    }
     return figures.add("error", kept.error)
         .add("warping", warps ? kept.warping : 0.0)
         .add("scale", mesh.scale)

@@ -357,7 +357,7 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
     if (!file)
         return file.error();
     const double readBegin = file->unpacked ? unpackEnd : 0;
-    constexpr double readEnd = 0.7, partEnd = 0.8;
+    constexpr double readEnd = 0.7, partEnd = 0.8, holesEnd = 0.9;
     const Progress reading = progress.part(readBegin, readEnd);
     auto whole = options.part.region
                      ? reader->plugin->readAround(*options.part.region, file->path, file->values, reading)
@@ -369,12 +369,14 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
     const auto part = takePart(*whole, options.part, progress.part(readEnd, partEnd));
     if (!part)
         return part.error();
-    auto dataset = withHoles(*part, progress.part(partEnd, 1));
+    auto dataset = withHoles(*part, progress.part(partEnd, holesEnd));
     if (!dataset && dataset.error().kind != ErrorKind::Cancelled)
         return Error{dataset.error().kind, Message::say("Cannot read '%1': %2", path.string(), dataset.error().message),
                      path};
     if (dataset && dataset->domain == DomainClass::Curvilinear) // cells were looked at when they became a mesh
         dataset->convex = hasConvexDomain(*dataset);
+    if (dataset) // what has no value has no logarithm either: it is a hole by now
+        dataset = scaled(*dataset, options.scale, progress.part(holesEnd, 1));
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }

@@ -24,7 +24,7 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
 
 /// Reads a dataset, or a part of it. Files packed by gzip ("map.ccp4.gz") are unpacked for as long as they are read, if
 /// the reader does not do so by itself. The values are the reader's parameters and no others (WrongUsage). Every sample
-/// is finite. Errors: the reader's, and those of takePart(). Call from a worker thread; safe from any.
+/// is finite. Errors: the reader's, and those of takePart() and scaled(). Call from a worker thread; safe from any.
 Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options = {},
                             const Progress& progress = {});
 

@@ -34,6 +34,7 @@ std::vector<std::pair<std::string, std::string>> importTexts(const ImportOptions
     add("reader", options.reader.value_or(""));
     add("region", regionText(options.part));
     add("stride", strideText(options.part));
+    add("scale", scaleText(options.scale));
     for (const auto& [id, value] : options.values)
         add(std::string(valuePrefix) + id, parameterText(value));
     return texts;
@@ -48,7 +49,11 @@ Result<ImportOptions> importOf(const ModelDescription& description, const std::v
     const auto stride = parseStride(textOf(description, key("stride")).value_or(""));
     if (!stride)
         return stride.error();
+    const auto scale = parseScale(textOf(description, key("scale")).value_or(""));
+    if (!scale)
+        return scale.error();
     options.part = {.region = *region, .stride = *stride};
+    options.scale = *scale;
     for (const Parameter& parameter : parameters)
         if (const auto text = textOf(description, key(std::string(valuePrefix) + parameter.id))) {
             const auto value = parseParameter(parameter, *text);

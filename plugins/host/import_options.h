@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/data/dataset_part.h"
+#include "core/data/value_scale.h"
 #include "plugins/api/parameter.h"
 
 #include <tan/base.h>
@@ -20,10 +21,11 @@ struct ImportOptions {
     std::optional<std::string> reader{}; ///< id; else the one that suits the file best
     ParameterValues values{};            ///< of the reader's parameters
     DatasetPart part{};                  ///< of what the reader gives
+    ValueScale scale{};                  ///< of the values of that part
 };
 
 /// The names under which a model keeps, among its parameters, how its dataset was opened (core/history/FORMAT.md):
-/// importPrefix and "reader", "region", "stride", or "value." and a parameter's id.
+/// importPrefix and "reader", "region", "stride", "scale", or "value." and a parameter's id.
 inline constexpr std::string_view importPrefix = "import.";
 
 /// What a model keeps of them: nothing that is as it would be anyway.

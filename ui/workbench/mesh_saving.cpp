@@ -5,6 +5,7 @@
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
 #include "core/verify/verify_mesh.h"
+#include "plugins/host/value_arrays.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -47,6 +48,8 @@ MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale,
     MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
     if (!model.description().valueName.empty())
         facts.emplace_back("array", model.description().valueName);
+    if (holdsLogarithms(model.description().parameters))
+        facts.emplace_back(std::string(scaleFact), std::string(logarithmFact));
     if (!model.description().lengthUnit.empty())
         facts.emplace_back("unit", model.description().lengthUnit);
     if (query.range) {
@@ -125,9 +128,10 @@ Result<FileRemarks> writeMesh(PluginHost& host, const MeshOrder& order, const Pr
         return writeMesh(host, {order.model, *made, order.query, order.target}, progress.part(0.5, 1));
     }
     const ExtractedMesh& extracted = *order.mesh;
-    MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
-    content.pointArrays.push_back(
-        {valueArrayName(order.model->description().valueName), std::span<const float>(extracted.mesh.values)});
+    const ModelDescription& description = order.model->description();
+    ValueArrays values =
+        valueArrays(description.valueName, holdsLogarithms(description.parameters), extracted.mesh.values);
+    MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, std::move(values.arrays), {}, {}};
     if (order.model->elsewhere() == nullptr) // a server does not tell them
         content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
     if (!extracted.birthErrors.empty())
