@@ -6,6 +6,8 @@
 #include <tan/render.h>
 #include <tan/transfer.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <iterator>
 
@@ -36,12 +38,24 @@ inline Parameter isovaluesParameter(const FieldExtent& field)
     return parameter;
 }
 
+/// The thickness of a layer that opacities are for by default: a fortieth of the diagonal, but of data that are flat or
+/// thin so much less that the shortest side holds six of them. A picture of a slab has no more to look through than
+/// that, however far its other sides reach.
+inline double usualUnitDistance(const Eigen::AlignedBox3d& bounds)
+{
+    constexpr double inDiagonal = 40, inShortestSide = 6;
+    if (bounds.isEmpty())
+        return 1;
+    const double ofDiagonal = bounds.diagonal().norm() / inDiagonal;
+    const double ofShortest = bounds.sizes().minCoeff() / inShortestSide;
+    const double distance = ofShortest > 0 ? std::min(ofDiagonal, ofShortest) : ofDiagonal;
+    return distance > 0 ? distance : 1;
+}
+
 /// TransferFunction; by default one that fits the field, the better the more is known of it.
 inline Parameter transferParameter(const FieldExtent& field)
 {
-    constexpr double unitsInDiagonal = 40;
-    const double diagonal = field.bounds.isEmpty() ? 0 : field.bounds.diagonal().norm();
-    const double unitDistance = diagonal > 0 ? diagonal / unitsInDiagonal : 1;
+    const double unitDistance = usualUnitDistance(field.bounds);
     Parameter parameter;
     parameter.id = transferId;
     parameter.label = Message::marked("Transfer function");

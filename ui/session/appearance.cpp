@@ -2,6 +2,7 @@
 #include "ui/session/appearance.h"
 
 #include "plugins/api/boundary_parameters.h"
+#include "plugins/api/scene_parameters.h"
 
 #include <tan/render.h>
 #include <tan/transfer.h>
@@ -16,7 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 4> firstModes{"isosurface", "volume", "hybrid", "focus"};
 /// Opacities below this cannot be seen, and a surface that cannot be seen is hidden, not transparent.
 constexpr float leastOpacity = 0.01F;
-constexpr double unitDistances = 40; ///< in the diagonal, where no renderer says otherwise
 
 auto rank(const Provided<Renderer>& mode)
 {
@@ -99,11 +99,10 @@ Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, cons
 {
     const auto parameters = parametersOf(modes, field);
     const auto* transfer = firstDefault<TransferFunction>(parameters, transferId);
-    const double diagonal = field.bounds.isEmpty() ? unitDistances : field.bounds.diagonal().norm();
     Appearance appearance{modes.empty() ? std::string() : modes.front().id,
                           transfer != nullptr ? *transfer
                                               : sequentialTransferFunction(field.range.minimum, field.range.maximum,
-                                                                           diagonal / unitDistances)};
+                                                                           usualUnitDistance(field.bounds))};
     if (domain == DomainClass::Irregular)
         appearance.settings[boundaryId] = std::string(boundaryTranslucent);
     return appearance;

@@ -35,6 +35,32 @@ private slots:
         QCOMPARE(parameterValue<std::string>(parameters, {}, "clip"), std::string());
     }
 
+    /// However flat the data are, what is seen through their thinnest side is as opaque as that of a slab of 5:5:1: the
+    /// share of light that the largest value lets through there does not go to 1.
+    void flatDataAreSeen_data()
+    {
+        QTest::addColumn<Eigen::Vector3d>("size");
+        QTest::addColumn<double>("unit");
+        QTest::newRow("a cube") << Eigen::Vector3d(31, 31, 31) << 31 * std::sqrt(3.0) / 40;
+        QTest::newRow("4:4:1") << Eigen::Vector3d(4, 4, 1) << std::sqrt(33.0) / 40;
+        for (const double thickness : {1.0, 0.1, 1e-3, 1e-6})
+            QTest::addRow("a slab, %g thick", thickness) << Eigen::Vector3d(31, 31, thickness) << thickness / 6;
+        QTest::newRow("a rod") << Eigen::Vector3d(2, 400, 2) << 2.0 / 6;
+        QTest::newRow("without thickness") << Eigen::Vector3d(3, 4, 0) << 5.0 / 40;
+    }
+    void flatDataAreSeen()
+    {
+        QFETCH(Eigen::Vector3d, size);
+        QFETCH(double, unit);
+        const Eigen::Vector3d corner(100, -3, 5);
+        const auto parameters = rendererNamed("volume").parameters({{0, 1}, {corner, corner + size}});
+        const auto function = parameterValue<TransferFunction>(parameters, {}, "transfer");
+        QVERIFY2(std::abs(function.unitDistance / unit - 1) < 1e-6, qPrintable(QString::number(function.unitDistance)));
+        const double least = size.minCoeff();
+        const double opacity = -std::expm1(-evaluate(function, 1).extinction * least);
+        QVERIFY2(least == 0 || opacity > 0.5, qPrintable(QString::number(opacity)));
+    }
+
     /// As for --help, before there is a model.
     void defaultsOfNothingAreUsable()
     {
