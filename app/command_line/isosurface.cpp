@@ -11,6 +11,7 @@
 #include "app/command_line/table.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/file_saving.h"
@@ -26,7 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <limits>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -38,11 +39,18 @@ Result<std::vector<double>> isovaluesOf(const Arguments& arguments)
 {
     std::vector<double> isovalues;
     for (const std::string& list : arguments.values("value")) {
-        constexpr double most = std::numeric_limits<double>::max();
-        const auto some = parseNumbers("value", list, -most, most);
-        if (!some)
-            return some.error();
-        isovalues.insert(isovalues.end(), some->begin(), some->end());
+        std::string_view rest = list;
+        for (std::size_t end = 0; end != std::string_view::npos;) {
+            end = rest.find(',');
+            const std::string_view given = rest.substr(0, end);
+            const auto value = parseFieldValue(given);
+            if (!value)
+                return Error{ErrorKind::WrongUsage, "'" + std::string(given) +
+                                                        "' does not fit '--value': it takes finite numbers, separated "
+                                                        "by commas, and for a model of logarithms log10(V)."};
+            isovalues.push_back(*value);
+            rest.remove_prefix(std::min(rest.size(), end == std::string_view::npos ? end : end + 1));
+        }
     }
     return isovalues;
 }
@@ -242,7 +250,8 @@ Syntax isosurfaceSyntax(PluginHost& host)
                   .positionals = {{"MODEL", modelExplanation()}},
                   .options = {{.name = "value",
                                .placeholder = "V[,V2...]",
-                               .explanation = "The isovalues, in units of the data.",
+                               .explanation = "The isovalues, in units of the data; of a model of logarithms "
+                                              "(--scale log) the logarithms, or log10(V) with the values.",
                                .repeatable = true,
                                .required = true}},
                   .examples = {{"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply",
@@ -329,6 +338,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     std::vector<double> empty;
     QJsonArray each;
     std::string shapes;
+    const bool logarithms = holdsLogarithms(model->description().parameters);
     for (const MadeSurface& surface : surfaces->all) {
         vertices += surface.mesh.positions.size();
         triangles += surface.mesh.triangles.size();
@@ -336,7 +346,14 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
             empty.push_back(surface.value);
         else
             shapes += shapeText(surface, model->description().lengthUnit).text() + "\n";
-        each.append(figuresOf(surface));
+        QJsonObject ofSurface = figuresOf(surface);
+        if (logarithms) {
+            const double inData = std::pow(10.0, surface.value);
+            ofSurface["value_in_data"] = inData;
+            shapes += formatNumber(surface.value) + " is " + rounded(inData) + " in " +
+                      visibleText(nameOfLogarithms(model->description().valueName)) + "\n";
+        }
+        each.append(ofSurface);
     }
     QJsonObject figures = figuresOf(*model, *query, mesh);
     if (*inSpace)

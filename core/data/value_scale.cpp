@@ -88,6 +88,16 @@ Buffer<float> valuesOfLogarithms(std::span<const float> logarithms)
     return values;
 }
 
+std::optional<double> parseFieldValue(std::string_view text)
+{
+    const std::string inside = nameOfLogarithms(text);
+    const bool isLogarithm = inside.size() < text.size();
+    const auto number = parseNumber<double>(inside);
+    if (!number || !std::isfinite(*number) || (isLogarithm && !(*number > 0)))
+        return std::nullopt;
+    return isLogarithm ? portableLogarithm(*number) : *number;
+}
+
 double factorOf(double percent, const ValueRange& range)
 {
     return std::pow(10.0, percent / 100 * range.extent());

@@ -46,6 +46,10 @@ TAN_INTERNAL bool holdsLogarithms(std::span<const std::pair<std::string, std::st
 /// 10^x of each, in floats: the values whose logarithms these are.
 TAN_INTERNAL Buffer<float> valuesOfLogarithms(std::span<const float> logarithms);
 
+/// A value of a field as it is typed: a number or, for a field of logarithms, "log10(3e-5)", the logarithm of a
+/// positive value of the data. Nothing if it is neither, or not finite.
+TAN_INTERNAL std::optional<double> parseFieldValue(std::string_view text);
+
 /// The factor that an error of so many percent of the range is, where the values are logarithms: 10^(percent/100 *
 /// range).
 TAN_INTERNAL double factorOf(double percent, const ValueRange& range);

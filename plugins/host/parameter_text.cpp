@@ -2,6 +2,7 @@
 #include "plugins/host/parameter_text.h"
 
 #include "core/base/text.h"
+#include "core/data/value_scale.h"
 #include "plugins/host/colour_text.h"
 
 #include <tan/transfer.h>
@@ -136,8 +137,8 @@ Result<Isovalue> parseIsovalue(std::string_view text)
                       Message::say("'%1' is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity "
                                    "above 0 and at most 1: 128:#ff8000:0.5",
                                    text)};
-    const auto value = parseNumber<double>(parts[0]);
-    if (!value || !std::isfinite(*value) || parts.size() > 3)
+    const auto value = parseFieldValue(parts[0]);
+    if (!value || parts.size() > 3)
         return wrong;
     Isovalue isovalue{.value = *value};
     if (parts.size() > 1) {
