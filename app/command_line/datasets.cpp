@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
+#include "plugins/host/time_choice.h"
 
 #include <QJsonArray>
 
@@ -88,6 +89,15 @@ Result<Provided<Reader>> readerOf(const Invocation& invocation, const std::files
     return chooseReader(invocation.host, path);
 }
 
+constexpr const char* timeId = "time";
+
+/// Without the one whose value is found in the file.
+std::vector<Parameter> withoutTime(std::vector<Parameter> parameters)
+{
+    std::erase_if(parameters, [](const Parameter& parameter) { return parameter.id == timeId; });
+    return parameters;
+}
+
 Status takePartOptions(const Arguments& arguments, ImportOptions& options)
 {
     DatasetPart& part = options.part;
@@ -139,6 +149,11 @@ void addImportOptions(Syntax& syntax, PluginHost& host)
                         "smaller ones are taken as.",
          .byDefault = "linear"});
     addPluginOptions(syntax, allParameters(host.readers()));
+    for (Option& option : syntax.options)
+        if (option.ofPlugin && option.name == timeId) {
+            option.placeholder = "NUMBER|first|last|t=TIME";
+            option.explanation += " Of any file: the first or the last one, or that of a time, as in t=0.25.";
+        }
 }
 
 Result<ImportOptions> importOptions(const Invocation& invocation, const std::filesystem::path& path,
@@ -153,7 +168,9 @@ Result<ImportOptions> importOptions(const Invocation& invocation, const std::fil
                                                 "reader '" + reader->id + "' of '" + path.string() + "'");
         !known)
         return known.error();
-    auto values = pluginValues(arguments, parameters);
+    const auto timeInWords = arguments.value(timeId).value_or("");
+    const bool hasTimeInWords = arguments.has(timeId) && isTimeInWords(timeInWords);
+    auto values = pluginValues(arguments, hasTimeInWords ? withoutTime(parameters) : parameters);
     if (!values)
         return values.error();
     const bool isSameReader = model != nullptr && importReaderOf(*model).value_or(reader->id) == reader->id;
@@ -166,6 +183,12 @@ Result<ImportOptions> importOptions(const Invocation& invocation, const std::fil
     options->reader = reader->id;
     if (const Status known = takePartOptions(arguments, *options); !known)
         return known.error();
+    if (hasTimeInWords) {
+        const auto step = timeStepOf(invocation.host, path, *options, timeInWords, invocation.progress.part(0, 0));
+        if (!step)
+            return step.error();
+        options->values[timeId] = *step;
+    }
     return options;
 }
 

@@ -46,6 +46,28 @@ private slots:
         QVERIFY(!QFileInfo::exists(path("no.tan")));
     }
 
+    /// The model knows its number, whatever it was called.
+    void aTimeStepIsNamedByPlaceOrTime()
+    {
+        QFile file(path("steps.nrrd"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("NRRD0004\ntype: uint8\ndimension: 4\nsizes: 2 2 2 3\nkinds: domain domain domain time\n"
+                   "spacings: 1 1 1 0.25\naxis mins: 0 0 0 1.5\nencoding: text\n\n"
+                   "0 0 0 0 0 0 0 1\n1 1 1 1 1 1 1 2\n2 2 2 2 2 2 2 3\n");
+        file.close();
+        for (const char* const time : {"last", "t=2", "3"}) {
+            const Run build = tan({"build", "steps.nrrd", "--time", time, "-o", "step.tan"});
+            QVERIFY2(build.exitCode == 0, build.messages);
+            const QJsonObject info = tan({"info", "step.tan", "--json"}).json();
+            QCOMPARE(info["range"].toArray(), (QJsonArray{2, 3}));
+            QCOMPARE(info["parameters"].toObject()["import.value.time"].toString(), QString("3"));
+        }
+        const Run none = tan({"info", "steps.nrrd", "--time", "t=1.9"});
+        QCOMPARE(none.exitCode, 2);
+        QVERIFY2(none.messages.contains("The nearest one is number 3, at 2."), none.messages);
+        QVERIFY(tan({"info", "--help"}).output.contains("first|last|t=TIME"));
+    }
+
     /// Where it lies in the world, of the data and of their model (D1).
     void aFrameIsTold()
     {

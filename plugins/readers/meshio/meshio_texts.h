@@ -19,7 +19,8 @@ inline constexpr std::array meshioTexts = {
     Message::marked("its points lie in a plane. A mesh of three dimensions is wanted."),
     Message::marked("%1 of %2, time %3"),
     Message::marked("%1 cells of the kind '%2' were left out: TAn knows none like them."),
-    Message::marked("it has %1 time steps, and no step %2."),
+    Message::marked("it has one time step, and number %1 was asked for. Leave '--time' out."),
+    Message::marked("it has %1 time steps, and number %2 was asked for. Give one from 1 to %1."),
     Message::marked("its values '%1' name a node or an element %2, which it does not have."),
     Message::marked("Of '%1' it has %2 steps; the last one is read."),
     Message::marked("Its values '%1' at the corners of elements are not read: elements that share a node may have "

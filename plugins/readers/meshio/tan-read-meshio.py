@@ -492,8 +492,10 @@ def array_of_bytes(values):
 
 def step_of(series, request):
     steps = max(1, len(series.times))
+    if request.step > steps == 1:
+        raise Refusal("it has one time step, and number %1 was asked for. Leave '--time' out.", request.step, kind=WRONG_USAGE)
     if request.step > steps:
-        raise Refusal("it has %1 time steps, and no step %2.", steps, request.step, kind=WRONG_USAGE)
+        raise Refusal("it has %1 time steps, and number %2 was asked for. Give one from 1 to %1.", steps, request.step, kind=WRONG_USAGE)
     return series.mesh_of(request.step - 1)
 
 

@@ -4,6 +4,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/model_building.h"
+#include "plugins/host/time_choice.h"
 #include "plugins/samples/samples.h"
 
 #include <tan/verify.h>
@@ -44,6 +45,31 @@ private slots:
         host_ = PluginHost::standard();
         QVERIFY(saveDataset(*host_, sample("c60", 12), path("c60.nrrd")).ok());
         QVERIFY(saveDataset(*host_, sample("scattered", 8), path("points.csv")).ok());
+    }
+
+    /// As of every reader: by its place, or by the time that the file says.
+    void aTimeStepIsNamedByPlaceOrTime()
+    {
+        std::ofstream(path("steps.nrrd")) << "NRRD0004\ntype: uint8\ndimension: 4\nsizes: 2 2 2 4\n"
+                                             "kinds: domain domain domain time\nspacings: 1 1 1 0.25\n"
+                                             "axis mins: 0 0 0 1.5\nencoding: text\n\n"
+                                             "0 0 0 0 0 0 0 1\n1 1 1 1 1 1 1 2\n2 2 2 2 2 2 2 3\n3 3 3 3 3 3 3 4\n";
+        const auto numberOf = [&](const char* file, const char* text) {
+            const auto number = timeStepOf(*host_, path(file), {.values = {{"time", std::int64_t(99)}}}, text);
+            return number ? std::to_string(*number) : number.error().text();
+        };
+        QCOMPARE(numberOf("steps.nrrd", "first"), std::string("1"));
+        QCOMPARE(numberOf("steps.nrrd", "last"), std::string("4"));
+        QCOMPARE(numberOf("steps.nrrd", "t=2"), std::string("3"));
+        QCOMPARE(numberOf("steps.nrrd", "t=1.5"), std::string("1"));
+        QCOMPARE(numberOf("c60.nrrd", "last"), std::string("1"));
+        QVERIFY(numberOf("steps.nrrd", "t=1.9").ends_with("no time step at 1.9. The nearest one is number 3, at 2."));
+        QVERIFY(numberOf("c60.nrrd", "t=1").ends_with("it has one time step, and tells no time. Leave '--time' out."));
+        for (const char* const text : {"later", "0.5", "t=", "t=nan", "t=1x", ""}) {
+            QVERIFY(numberOf("steps.nrrd", text).starts_with("'" + std::string(text) + "' for '--time'"));
+            QVERIFY(isTimeInWords(text));
+        }
+        QVERIFY(!isTimeInWords("3") && !isTimeInWords("-1"));
     }
 
     void aModelIsVerifiedAgainstThePartThatItKeeps_data()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/hdf5/helper/array_axes.h"
 
+#include "plugins/api/time_steps.h"
 #include "plugins/process/further_dimensions.h"
 #include "plugins/readers/hdf5/helper/attributes.h"
 
@@ -272,7 +273,7 @@ Status takeTime(const Hdf5Array& array, const ArrayAxes& axes, const Hdf5Request
 {
     const std::uint64_t steps = axes.time ? array.size[*axes.time] : 1;
     if (request.timeStep < 1 || std::uint64_t(request.timeStep) > steps)
-        return noSuchNumber(Message::say("time steps"), steps, std::to_string(request.timeStep), "time");
+        return noSuchTimeStep(steps, request.timeStep);
     if (!axes.time)
         return {};
     const auto step = static_cast<std::uint64_t>(request.timeStep);

@@ -2,6 +2,7 @@
 #include "plugins/readers/images/dicom/dicom_source.h"
 
 #include "plugins/api/placement_parameters.h"
+#include "plugins/api/time_steps.h"
 #include "plugins/process/process_limits.h"
 #include "plugins/readers/images/dicom/dicom_series.h"
 #include "plugins/readers/images/dicom/dicom_volumes.h"
@@ -160,14 +161,8 @@ void tellOfSeries(const DicomFolder& folder, std::size_t series, const DicomVolu
 Status chooseVolume(DicomVolumes& volumes, std::int64_t wanted, DicomChoice& choice)
 {
     const auto count = static_cast<std::int64_t>(volumes.volumes.size());
-    if (wanted > count && count == 1)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", wanted)};
     if (wanted > count)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
-                         count, wanted, count)};
+        return noSuchTimeStep(volumes.volumes.size(), wanted);
     const std::size_t number = wanted == 0 ? volumes.opened : static_cast<std::size_t>(wanted - 1);
     choice.volume = volumes.volumes[number];
     if (count == 1)
@@ -178,7 +173,7 @@ Status chooseVolume(DicomVolumes& volumes, std::int64_t wanted, DicomChoice& cho
                             wanted == 0 || choice.volume.isGuessed});
     choice.leftOut.push_back(wanted == 0
                                  ? Message::say("The series holds %1 volumes; the others are not read. Choose one with "
-                                                "'time'.",
+                                                "'--time'.",
                                                 count)
                                  : Message::say("The series holds %1 volumes; the others are not read.", count));
     return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/images/tiff/tiff_planes.h"
 
+#include "plugins/api/time_steps.h"
 #include "plugins/readers/images/slice_names.h"
 
 #include <algorithm>
@@ -88,19 +89,13 @@ void tellTime(std::uint64_t time, std::uint64_t count, ChosenBy by, TiffPlanes& 
     planes.leftOut.push_back(
         by == ChosenBy::User
             ? Message::say("It has %1 time steps; the others are not read.", count)
-            : Message::say("It has %1 time steps; the others are not read. Choose one with 'time'.", count));
+            : Message::say("It has %1 time steps; the others are not read. Choose one with '--time'.", count));
 }
 
 Result<std::uint64_t> chosenTime(std::int64_t wanted, std::uint64_t count)
 {
-    if (wanted > 1 && count == 1)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", wanted)};
     if (wanted > 0 && static_cast<std::uint64_t>(wanted) > count)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
-                         count, wanted, count)};
+        return noSuchTimeStep(count, wanted);
     return wanted > 0 ? static_cast<std::uint64_t>(wanted - 1) : 0;
 }
 

@@ -2,6 +2,7 @@
 #include "plugins/readers/lattice/stored/stored_volume.h"
 
 #include "plugins/api/placement_parameters.h"
+#include "plugins/api/time_steps.h"
 #include "plugins/readers/lattice/headers/header_text.h"
 
 #include <algorithm>
@@ -174,12 +175,7 @@ Status takeTimeStep(StoredVolume& volume, const ParameterValues& values, std::ui
 {
     const auto wanted = parameterValue<std::int64_t>(volumeChoices(), values, "time");
     if (wanted < 1 || static_cast<std::uint64_t>(wanted) > steps)
-        return Error{
-            ErrorKind::WrongUsage,
-            steps == 1 ? Message::say("it has one time step, and number %1 was asked for. Leave '--time' out.", wanted)
-                       : Message::say("it has %1 time steps, and number %2 was asked for. Give one from 1 to "
-                                      "%1.",
-                                      steps, wanted)};
+        return noSuchTimeStep(steps, wanted);
     if (steps == 1)
         return {};
     const auto step = static_cast<std::uint64_t>(wanted) - 1;

@@ -2,6 +2,7 @@
 #include "plugins/readers/netcdf/helper/exodus_findings.h"
 
 #include "plugins/api/placement_parameters.h"
+#include "plugins/api/time_steps.h"
 #include "plugins/readers/netcdf/helper/exodus_cells.h"
 #include "plugins/readers/netcdf/helper/stored_values.h"
 
@@ -259,15 +260,8 @@ Result<Wanted> readWanted(const ExodusFile& exodus, const ChosenBlocks& blocks, 
 Result<std::size_t> stepOf(const ExodusFile& exodus, const NetCdfRequest& request)
 {
     const auto steps = static_cast<std::int64_t>(std::max<std::size_t>(1, exodus.times.size()));
-    if (request.timeStep > steps && steps == 1)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", request.timeStep)};
     if (request.timeStep < 1 || request.timeStep > steps)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
-                         steps, request.timeStep, steps)};
+        return noSuchTimeStep(static_cast<std::uint64_t>(steps), request.timeStep);
     return static_cast<std::size_t>(request.timeStep - 1);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/netcdf/helper/fields.h"
 
+#include "plugins/api/time_steps.h"
 #include "plugins/process/further_dimensions.h"
 #include "plugins/readers/netcdf/helper/axes.h"
 #include "plugins/readers/netcdf/helper/stored_values.h"
@@ -209,15 +210,8 @@ Result<FieldPart> partOf(const NetCdfFile& file, const NetCdfField& field, const
         return Error{ErrorKind::BadInput,
                      Message::say("it has no time step: nothing was written along its dimension '%1'.",
                                   printable(file.dimensions()[field.variable->dimensions[*field.time]].name))};
-    if (request.timeStep > steps && steps == 1)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", request.timeStep)};
     if (request.timeStep < 1 || request.timeStep > steps)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
-                         steps, request.timeStep, steps)};
+        return noSuchTimeStep(static_cast<std::uint64_t>(steps), request.timeStep);
     found.timeIndex = static_cast<std::size_t>(request.timeStep - 1);
     if (field.time)
         found.part.first[*field.time] = found.timeIndex;

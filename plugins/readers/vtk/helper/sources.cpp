@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/sources.h"
 
+#include "plugins/api/time_steps.h"
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 #include "plugins/readers/vtk/helper/series_source.h"
 #include "plugins/readers/vtk/helper/xml_sources.h"
@@ -34,12 +35,7 @@ Result<std::size_t> stepAsked(const VtkRequest& request, std::size_t steps)
     const auto number = static_cast<std::size_t>(std::max<std::int64_t>(1, request.timeStep));
     if (number <= std::max<std::size_t>(1, steps))
         return number - 1;
-    if (steps < 2)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("it has one time step, and number %1 is asked for. Leave 'time' out.", number)};
-    return Error{ErrorKind::WrongUsage,
-                 Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
-                              steps, number, steps)};
+    return noSuchTimeStep(steps, request.timeStep);
 }
 
 Result<VtkSource> makeSource(const VtkRequest& request)

@@ -2,6 +2,7 @@
 #include "plugins/readers/zarr/helper/zarr_choice.h"
 
 #include "plugins/api/placement_parameters.h"
+#include "plugins/api/time_steps.h"
 #include "plugins/readers/zarr/helper/ome_image.h"
 #include "plugins/readers/zarr/helper/zarr_tree.h"
 #include "plugins/readers/zarr/zarr_parameters.h"
@@ -15,7 +16,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t mostListed = 1000;
+constexpr std::size_t mostListed = 1000, mostTimes = 1'000'000;
 
 Error wrongChoice(const Message& what)
 {
@@ -208,9 +209,7 @@ Status chooseTime(std::optional<std::size_t> axis, const ZarrTarget& target, con
 {
     const std::uint64_t count = axis ? choice.array.shape[*axis] : 1;
     if (wanted > 0 && static_cast<std::uint64_t>(wanted) > count)
-        return wrongChoice(
-            Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
-                         count, wanted, count));
+        return noSuchTimeStep(count, wanted);
     if (count < 2)
         return {};
     if (const Status chosen = chooseAlong(*axis, static_cast<std::uint64_t>(wanted), "time", choice); !chosen)
@@ -218,7 +217,7 @@ Status chooseTime(std::optional<std::size_t> axis, const ZarrTarget& target, con
     const bool hasTimes = target.image && !target.image->levels[target.level].scale.empty();
     const double step = hasTimes ? target.image->levels[target.level].scale[*axis] : 1;
     const double start = hasTimes ? target.image->levels[target.level].translation[*axis] : 1;
-    for (std::uint64_t number = 0; number < std::min<std::uint64_t>(count, mostListed); ++number)
+    for (std::uint64_t number = 0; number < (count <= mostTimes ? count : 0); ++number)
         choice.timeSteps.push_back(start + step * static_cast<double>(number));
     const std::uint64_t number = choice.selection.numbers[*axis];
     const Message which = Message::say("%1 of %2", number + 1, count);
@@ -228,7 +227,7 @@ Status chooseTime(std::optional<std::size_t> axis, const ZarrTarget& target, con
          description.unit.empty() ? which : Message::say("%1, time %2 %3", which, time, printable(description.unit)),
          wanted == 0});
     choice.leftOut.push_back(
-        Message::say("It has %1 time steps; the others are not read. Choose one with 'time'.", count));
+        Message::say("It has %1 time steps; the others are not read. Choose one with '--time'.", count));
     return {};
 }
 

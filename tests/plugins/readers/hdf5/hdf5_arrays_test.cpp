@@ -219,7 +219,7 @@ private slots:
         const Dataset dataset = expect(second, steps<double>(60, 60, 1), TakenPart::TimeStep, time.toStdString());
         QCOMPARE(takenOf(dataset.source.taken, TakenPart::Channel), channel.toStdString());
         expect({}, steps<double>(60, 0, 1), TakenPart::Array, "");
-        refuse({{"time", std::int64_t(3)}}, "and number 3 is asked for with 'time'");
+        refuse({{"time", std::int64_t(3)}}, "and number 3 was asked for.");
     }
 
     void fewEntriesAtTheEndAreComponents()

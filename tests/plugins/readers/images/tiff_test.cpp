@@ -122,7 +122,7 @@ private slots:
         QVERIFY(last.ok() && distance(*last, 6000) == 0);
         QCOMPARE(takenOf(last->source.taken, TakenPart::TimeStep), std::string("time step: 2 of 2, 30 s"));
         // Who has chosen is not told to choose.
-        QVERIFY(allText(first->source.leftOut).find("Choose one with 'time'") != std::string::npos);
+        QVERIFY(allText(first->source.leftOut).find("Choose one with '--time'") != std::string::npos);
         QVERIFY(allText(last->source.leftOut).find("2 channels; the others are not read.") != std::string::npos);
         QVERIFY(allText(last->source.leftOut).find("Choose") == std::string::npos);
         QVERIFY(!readFile(path, {{"channel", std::string("3")}}).ok());
