@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/openfoam_source.h"
 
+#include "plugins/readers/vtk/foam_dimensions.h"
 #include "plugins/readers/vtk/foam_points.h"
 #include "plugins/readers/vtk/helper/exact_places.h"
 #include "plugins/readers/vtk/helper/leaves.h"
@@ -169,6 +170,26 @@ void refinePlaces(vtkDataObject& data, std::span<const fs::path> folders)
     }
 }
 
+/// The unit of the field that is taken, which its file tells at any time and in any region.
+void tellUnit(const fs::path& folder, Provenance& provenance)
+{
+    const auto array = std::ranges::find(provenance.taken, TakenPart::Array, &Taken::part);
+    if (array == provenance.taken.end())
+        return;
+    const std::string field = array->what.text();
+    std::error_code ignored;
+    for (const fs::path& time : pathsIn(folder, ignored)) {
+        if (!parseNumber<double>(time.filename().string()))
+            continue;
+        for (const fs::path& region : regionsOf(folder))
+            for (const char* const packing : {"", ".gz"})
+                if (const std::string unit = foamUnitOfFile(time / region / (field + packing)); !unit.empty()) {
+                    addTaken({TakenPart::Unit, printable(unit), false}, provenance);
+                    return;
+                }
+    }
+}
+
 Error lacksMesh(const FoamCase& found, const fs::path& folder)
 {
     if (found.isCollated)
@@ -216,8 +237,8 @@ Result<VtkSource> makeOpenFoamSource(const std::string& path)
     source.refine = [folders = isDecomposed ? found.processors : std::vector{folder}](vtkDataObject& data) {
         refinePlaces(data, folders);
     };
-    source.tell = [reader, folder, isDecomposed, hasMesh = found.hasMesh,
-                   processors = found.processors.size()](Provenance& provenance) {
+    source.tell = [reader, folder, fields = isDecomposed ? found.processors.front() : folder, isDecomposed,
+                   hasMesh = found.hasMesh, processors = found.processors.size()](Provenance& provenance) {
         if (isDecomposed)
             addTaken({TakenPart::Block, Message::say("the folders of %1 processors", processors), false}, provenance);
         if (isDecomposed && hasMesh)
@@ -226,6 +247,7 @@ Result<VtkSource> makeOpenFoamSource(const std::string& path)
         else if (processors > 0 && !isDecomposed)
             provenance.leftOut.push_back(
                 Message::say("The folders of its %1 processors are not read: the case as a whole is.", processors));
+        tellUnit(fields, provenance);
         tellLeftOut(*reader, folder, provenance.leftOut);
     };
     return source;
