@@ -24,7 +24,8 @@ void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& rang
 
 namespace {
 
-constexpr double manyTimes = 1000; ///< the least value is the largest one, where values go over powers of ten
+/// Values go over powers of ten where the largest is at least so many times the least.
+constexpr double manyTimes = 1000;
 
 /// A field of errors that is small near the value that may be mistaken, and elsewhere as large as it is now. It grows
 /// by a quarter of what the values differ, so that nothing farther off comes as near.
@@ -34,7 +35,7 @@ std::string curingField(const ErrorRemark& remark, const TransferLimits& limits)
     const double outer = 100 * remark.error / (limits.largest - limits.least);
     const double inner = enoughPercent(remark, limits);
     const double falloff = std::max(outer - inner, 0.0) / 100 * (limits.largest - limits.least) / steepness;
-    return "isovalues(" + rounded(remark.other, 6) + "; " + formatNumber(inner) + ", " + rounded(outer, 3) + ", " +
+    return "isovalues(" + formatNumber(remark.other) + "; " + formatNumber(inner) + ", " + rounded(outer, 3) + ", " +
            rounded(falloff, 3) + ")";
 }
 
