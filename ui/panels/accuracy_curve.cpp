@@ -82,7 +82,7 @@ void AccuracyCurve::setCurve(std::vector<CurvePoint> points)
 void AccuracyCurve::setMarked(const CurvePoint& chosen)
 {
     marked_ = chosen;
-    setAccessibleDescription(tr("%1 tetrahedra at an %2 of %3", "error")
+    setAccessibleDescription(tr("%1 tetrahedra at an %2 of %3")
                                  .arg(countText(chosen.tetrahedra), translatedText(textFor(errorNames, errorMeaning_)),
                                       percentText(chosen.error)));
     update();
@@ -239,7 +239,7 @@ void AccuracyCurve::paintAxes(QPainter& painter) const
     painter.setPen(text);
     painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft, tr("Tetrahedra"));
     painter.drawText(QRectF(area.left(), area.bottom() + line + 5, area.width(), line), Qt::AlignHCenter,
-                     tr("%1, % of the value range", "error").arg(translatedText(textFor(errorLabels, errorMeaning_))));
+                     tr("%1, % of the value range").arg(translatedText(textFor(errorLabels, errorMeaning_))));
 }
 
 void AccuracyCurve::paintCurve(QPainter& painter) const

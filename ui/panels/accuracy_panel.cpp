@@ -210,7 +210,7 @@ void AccuracyPanel::showModel()
     showCurve();
     const double end = model ? 100 * model->finalKey() / session_.range().extent() : 0;
     limit_->setText(
-        end > 0 ? tr("This model was built down to an %1 of %2; it contains nothing finer.", "error")
+        end > 0 ? tr("This model was built down to an %1 of %2; it contains nothing finer.")
                       .arg(translatedText(textFor(errorNames, errorMeaning(model->description()))), percentText(end))
                 : QString());
     limit_->setVisible(end > 0);
@@ -296,8 +296,7 @@ void AccuracyPanel::showErrorPlace()
     const std::optional<double> inSpace = isSeen ? session_.shown()->errorInSpace : std::nullopt;
     QString text = errorPlaceText(meaning, inSpace);
     if (inSpace)
-        text =
-            tr("%1, ± %2", "errors").arg(text, QLocale().toString(*inSpace / 100 * session_.range().extent(), 'g', 3));
+        text = tr("%1, ± %2").arg(text, QLocale().toString(*inSpace / 100 * session_.range().extent(), 'g', 3));
     errorPlace_->setText(text);
     errorPlace_->setToolTip(errorPromiseText(meaning, inSpace.has_value()));
     errorPlace_->setVisible(!text.isEmpty());

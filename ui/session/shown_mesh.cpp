@@ -47,19 +47,19 @@ QString partText(const ShownMesh& mesh)
 QString keptErrors(const ShownMesh& mesh)
 {
     if (mesh.query.range)
-        return MeshText::tr("%1 from %2 to %3", "errors")
+        return MeshText::tr("%1 from %2 to %3")
             .arg(translatedText(textFor(errorsNames, mesh.errorMeaning)),
                  percentText(std::min(mesh.query.range->one.error, mesh.query.range->other.error)),
                  percentText(std::max(mesh.query.range->one.error, mesh.query.range->other.error)));
     const QString name = translatedText(textFor(errorNames, mesh.errorMeaning));
     if (const SpaceRamp* ramp = mesh.query.error.asSpaceRamp())
-        return MeshText::tr("%1 %2 in the focus, %3 outside", "error")
+        return MeshText::tr("%1 %2 in the focus, %3 outside")
             .arg(name, keptText(ramp->inner, mesh.scale), keptText(ramp->outer, mesh.scale));
     if (!mesh.query.error.isConstant())
-        return MeshText::tr("%1 %2 to %3", "error")
+        return MeshText::tr("%1 %2 to %3")
             .arg(name, keptText(mesh.query.error.bounds().minimum, mesh.scale),
                  keptText(mesh.query.error.bounds().maximum, mesh.scale));
-    return MeshText::tr("%1 %2", "error").arg(name, keptText(mesh.query.error.bounds().maximum, mesh.scale));
+    return MeshText::tr("%1 %2").arg(name, keptText(mesh.query.error.bounds().maximum, mesh.scale));
 }
 
 } // namespace
