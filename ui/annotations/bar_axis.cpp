@@ -15,7 +15,7 @@ namespace tetra {
 namespace {
 
 /// What a chord may be off: maps that are read as straight pieces are right within 1/255.
-constexpr double tolerance = 1.5 / 255;
+constexpr double chordTolerance = 1.5 / 255;
 /// Between two neighbouring points, where a chord over the logarithms is compared.
 constexpr int placesBetween = 8;
 
@@ -83,8 +83,8 @@ template <class Coordinate> std::optional<std::size_t> chordsNeeded(const Curve&
             for (std::size_t channel = 0; channel < 3 && isOpen; ++channel) {
                 const double rise = curve[to].colour[channel] - curve[from].colour[channel];
                 passes = passes && rise / way >= least[channel] && rise / way <= largest[channel];
-                least[channel] = std::max(least[channel], (rise - tolerance) / way);
-                largest[channel] = std::min(largest[channel], (rise + tolerance) / way);
+                least[channel] = std::max(least[channel], (rise - chordTolerance) / way);
+                largest[channel] = std::min(largest[channel], (rise + chordTolerance) / way);
                 isOpen = least[channel] <= largest[channel];
             }
             if (!isOpen)
