@@ -9,7 +9,7 @@ namespace tetra {
 
 namespace {
 
-constexpr double dominating = 2.5;      ///< times the share of a part if all values were equally frequent
+constexpr double timesTheMean = 2.5;    ///< times the share of a part if all values were equally frequent
 constexpr double stillBackground = 0.1; ///< of the commonest part's share
 constexpr double mostOfRange = 1.0 / 8;
 
@@ -25,9 +25,9 @@ std::optional<BackgroundValues> backgroundValues(const ValueHistogram& volumes)
     const double parts = static_cast<double>(counts.size());
     const double mean = std::accumulate(counts.begin(), counts.end(), 0.0) / parts;
     const auto commonest = static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin());
-    if (!(share(commonest) > dominating * mean))
+    if (!(share(commonest) > timesTheMean * mean))
         return std::nullopt;
-    const double least = std::max(dominating * mean, stillBackground * share(commonest));
+    const double least = std::max(timesTheMean * mean, stillBackground * share(commonest));
     // Grows to the side where there is more of it.
     std::size_t begin = commonest, end = commonest + 1;
     while (static_cast<double>(end - begin + 1) <= mostOfRange * parts) {
