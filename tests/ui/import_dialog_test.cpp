@@ -20,6 +20,8 @@
 #include <QSlider>
 #include <QSpinBox>
 
+#include <cmath>
+
 using namespace tetra;
 
 /// Opening datasets with choices: layouts of raw files with their preview, arrays and the like, parts, what is refused,
@@ -30,6 +32,7 @@ private slots:
     void initTestCase();
     void init();
     void cleanup();
+    void logarithmsAreTaken();
     void aRawFileIsDescribed();
     void aPackedRawFileIsDescribed();
     void aWrongLayoutIsSeenAtOnce();
@@ -108,6 +111,31 @@ void ImportDialogTest::choose(const char* name, const QString& text)
     QVERIFY2(box.findText(text) >= 0, qPrintable(text));
     box.setCurrentIndex(box.findText(text));
     emit box.activated(box.currentIndex());
+}
+
+/// Zeros have none: how many there are is said where it is chosen, and a smallest value is the way out.
+void ImportDialogTest::logarithmsAreTaken()
+{
+    openAndAsk(writeRaw("zeros.raw"));
+    auto& from = window_->find<QLineEdit>("import.scale.from");
+    QVERIFY(!from.isEnabled());
+    choose("import.scale", "Logarithmic");
+    QVERIFY(from.isEnabled());
+    click("import.read");
+    QTRY_VERIFY(window_->find<QLabel>("import.reason").text().contains("1 of 512 values"));
+    from.setText("-1");
+    QVERIFY(!window_->find<QPushButton>("import.read").isEnabled());
+    from.setText("0.5");
+    QTRY_VERIFY(window_->find<QPushButton>("import.read").isEnabled());
+    click("import.read");
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    const Dataset& dataset = *window_->workbench.opening().dataset();
+    QCOMPARE(dataset.source.valueName, std::string("log10(value)"));
+    QCOMPARE(dataset.values.range().minimum, static_cast<double>(static_cast<float>(std::log10(0.5))));
+    QVERIFY(window_->workbench.opening().importOptions().scale == (ValueScale{.logarithmic = true, .from = 0.5}));
+    openAndAsk(window_->folder.filePath("zeros.raw")); // as it was chosen last
+    QCOMPARE(window_->find<QComboBox>("import.scale").currentText(), QString("Logarithmic"));
+    QCOMPARE(from.text(), QString("0.5"));
 }
 
 void ImportDialogTest::aRawFileIsDescribed()

@@ -8,6 +8,7 @@
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/check_label.h"
+#include "ui/widgets/scale_input.h"
 #include "ui/workbench/import_texts.h"
 
 #include <QComboBox>
@@ -45,8 +46,9 @@ ImportDialog::ImportDialog(Workbench& workbench, QWidget* parent)
       file_(wrapped("import.file")), reason_(new CheckLabel("import.reason")), reader_(new QComboBox),
       form_(new ParameterForm("import.option")), fields_(new QWidget), layoutHelp_(new QGroupBox(tr("Size check"))),
       suggestions_(new QComboBox), sizeCheck_(new CheckLabel("import.sizeCheck")), preview_(new SlicePreview),
-      region_(new ImportRegion), provenance_(new QLabel), estimate_(wrapped("import.estimate")), bar_(new QProgressBar),
-      read_(new QPushButton(tr("&Read"))), cancel_(new QPushButton(tr("Cancel")))
+      region_(new ImportRegion), scale_(new ScaleInput("import.scale")), provenance_(new QLabel),
+      estimate_(wrapped("import.estimate")), bar_(new QProgressBar), read_(new QPushButton(tr("&Read"))),
+      cancel_(new QPushButton(tr("Cancel")))
 {
     setObjectName("importDialog");
     fillFields();
@@ -79,6 +81,7 @@ void ImportDialog::fillFields()
     auto* valueLayout = new QVBoxLayout(values);
     valueLayout->addLayout(readerRow);
     valueLayout->addWidget(form_);
+    valueLayout->addWidget(scale_);
     provenance_->setObjectName("import.provenance");
     provenance_->setWordWrap(true);
     provenance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -139,6 +142,7 @@ void ImportDialog::connectAll()
     connect(form_, &ParameterForm::edited, this, &ImportDialog::valuesEdited);
     connect(suggestions_, &QComboBox::activated, this, &ImportDialog::takeSuggestion);
     connect(region_, &ImportRegion::edited, this, &ImportDialog::showPart);
+    connect(scale_, &ScaleInput::edited, this, &ImportDialog::showPart);
     connect(probe_, &ImportProbe::probed, this, &ImportDialog::showContents);
     connect(read_, &QPushButton::clicked, this, &ImportDialog::read);
     connect(cancel_, &QPushButton::clicked, this, &ImportDialog::reject);
@@ -185,6 +189,7 @@ void ImportDialog::ask(const ImportQuestion& question)
     form_->setValues(question_.options.values);
     showSuggestions();
     wantedPart_ = question_.options.part;
+    scale_->setScale(question_.options.scale);
     region_->setSpace();
     region_->setPart({});
     showGrid();
@@ -345,7 +350,7 @@ void ImportDialog::showGrid()
 void ImportDialog::showPart()
 {
     const bool isLaidOut = !withLayout_ || fits_;
-    read_->setEnabled(!isReading() && region_->isUsable() && isLaidOut);
+    read_->setEnabled(!isReading() && region_->isUsable() && isLaidOut && scale_->scale());
     region_->setEnabled(isLaidOut);
     const std::uint64_t points = isLaidOut ? region_->points().value_or(contents_.points) : 0;
     needs_.forget();
@@ -387,8 +392,10 @@ void ImportDialog::showReading(bool reading)
 void ImportDialog::read()
 {
     showReason(true, {});
-    workbench_.opening().importDataset(
-        question_.path, {.reader = question_.reader.id, .values = form_->values(), .part = region_->part()});
+    workbench_.opening().importDataset(question_.path, {.reader = question_.reader.id,
+                                                        .values = form_->values(),
+                                                        .part = region_->part(),
+                                                        .scale = scale_->scale().value_or(ValueScale{})});
     showReading(true);
 }
 

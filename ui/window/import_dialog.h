@@ -18,6 +18,7 @@ namespace tetra {
 
 class CheckLabel;
 class ImportRegion;
+class ScaleInput;
 class SlicePreview;
 
 /// Asks how a dataset is to be read, and which part of it: fields made of what the file holds and its reader's
@@ -83,6 +84,7 @@ private:
     CheckLabel* sizeCheck_;
     SlicePreview* preview_;
     ImportRegion* region_;
+    ScaleInput* scale_;
     QLabel* provenance_;
     QLabel* estimate_;
     QProgressBar* bar_;
