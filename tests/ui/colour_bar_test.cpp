@@ -174,6 +174,29 @@ private slots:
         QCOMPARE(barTickTexts({{1e-5, 1}, true}, {1e-5, 0.001, 0.1}), (std::vector<QString>{"1e-05", "0.001", "0.1"}));
     }
 
+    /// Of a model of logarithms the axis tells the values: where the bar has -3 it says 0.001.
+    void logarithmsAreToldAsValues()
+    {
+        const BarAxis axis{.ends = {-8, 2}, .ofLogarithms = true};
+        QCOMPARE(axis.shareOf(-3), 0.5);
+        const auto ticks = barTicks(axis, 11);
+        QCOMPARE(ticks.size(), std::size_t(11));
+        const auto texts = barTickTexts(axis, ticks);
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            QVERIFY(std::abs(ticks[i] - (-8.0 + static_cast<double>(i))) < 1e-12);
+            QVERIFY2(std::abs(std::log10(QLocale().toDouble(texts[i])) - ticks[i]) < 1e-12, qPrintable(texts[i]));
+        }
+        QVERIFY(std::abs(QLocale().toDouble(barValueText(axis, std::log10(3e-5), ticks)) / 3e-5 - 1) < 1e-3);
+        // Of less than a decade round values, too.
+        const BarAxis narrow{.ends = {std::log10(2.0), std::log10(4.0)}, .ofLogarithms = true};
+        for (const QString& text : barTickTexts(narrow, barTicks(narrow, 5)))
+            QVERIFY2(text.size() <= 4, qPrintable(text));
+        AnnotationContent content;
+        content.range = {-8, 2};
+        content.logarithms = true;
+        QVERIFY(barAxisOf(content).ofLogarithms && !barAxisOf(content).logarithmic);
+    }
+
     /// The axis and its inverse, against each other and against a power.
     void sharesAndValuesAreInverse()
     {

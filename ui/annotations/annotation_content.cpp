@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_content.h"
 
+#include "core/data/value_scale.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/annotations/field_name.h"
 #include "ui/session/files.h"
@@ -44,6 +45,9 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
     if (hasParameter(parameters, isovaluesId))
         content.isovalues = seenOnes(view.isovalues);
     content.field = fieldName(model.description());
+    content.logarithms = holdsLogarithms(model.description().parameters);
+    if (content.logarithms)
+        content.field = shownText(nameOfLogarithms(model.description().valueName));
     if (const std::string& space = model.description().space; space.find_first_not_of("RLAPSI") == std::string::npos)
         content.space = QString::fromStdString(space);
     content.lengthUnit = shownText(model.description().lengthUnit);

@@ -26,7 +26,9 @@ struct AnnotationContent {
     std::optional<TransferFunction> transfer{};       ///< none where the picture does not follow one
     std::string transferParameter{};                  ///< id of the renderer's parameter that it is
     std::optional<std::vector<Isovalue>> isovalues{}; ///< that are seen; none where the picture has no surfaces
-    QString field{};                                  ///< name of the values
+    /// The values are logarithms to base 10: the bar's axis tells what they are of, and `field` names that.
+    bool logarithms = false;
+    QString field{};      ///< name of the values
     QString space{};      ///< ModelDescription::space: the letters of the axes, if there are three
     QString lengthUnit{}; ///< ModelDescription::lengthUnit; empty if it is not known
     QString title{};

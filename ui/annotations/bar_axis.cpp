@@ -113,6 +113,22 @@ std::vector<double> powersOfTen(const TransferLimits& ends, int stride, std::spa
     return ticks;
 }
 
+/// What the ends of an axis of logarithms are the logarithms of; nothing where no number holds it.
+std::optional<BarAxis> axisOfData(const BarAxis& axis)
+{
+    const TransferLimits ends{std::pow(10, axis.ends.least), std::pow(10, axis.ends.largest)};
+    if (!axis.ofLogarithms || !(ends.least > 0 && ends.largest > ends.least && std::isfinite(ends.largest)))
+        return std::nullopt;
+    return BarAxis{.ends = ends, .logarithmic = true};
+}
+
+std::vector<double> valuesOf(std::vector<double> logarithms)
+{
+    for (double& value : logarithms)
+        value = std::pow(10, value);
+    return logarithms;
+}
+
 } // namespace
 
 double BarAxis::shareOf(double value) const
@@ -135,7 +151,9 @@ BarAxis barAxisOf(const AnnotationContent& content)
     const auto& chosen = content.state.barEnds;
     const TransferLimits ends = chosen ? TransferLimits{chosen->least, chosen->largest}
                                        : TransferLimits{content.range.minimum, content.range.maximum};
-    return {ends, content.transfer && followsLogarithm(*content.transfer, ends)};
+    if (content.logarithms)
+        return {.ends = ends, .ofLogarithms = true};
+    return {.ends = ends, .logarithmic = content.transfer && followsLogarithm(*content.transfer, ends)};
 }
 
 bool followsLogarithm(const TransferFunction& function, const TransferLimits& ends)
@@ -159,6 +177,12 @@ std::vector<double> barTicks(const BarAxis& axis, int most)
 {
     constexpr std::array all{1.0, 2.0, 5.0};
     constexpr std::array one{1.0};
+    if (const auto ofData = axisOfData(axis)) {
+        auto ticks = barTicks(*ofData, most);
+        for (double& tick : ticks)
+            tick = std::clamp(std::log10(tick), axis.ends.least, axis.ends.largest);
+        return ticks;
+    }
     const double decades = axis.logarithmic ? std::log10(axis.ends.largest) - std::log10(axis.ends.least) : 0;
     if (decades > 1) {
         if (auto ticks = powersOfTen(axis.ends, 1, all); std::ssize(ticks) <= most)
@@ -172,6 +196,8 @@ std::vector<double> barTicks(const BarAxis& axis, int most)
 
 std::vector<QString> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks)
 {
+    if (const auto ofData = axisOfData(axis))
+        return barTickTexts(*ofData, valuesOf(ticks));
     if (!axis.logarithmic)
         return tickTexts(ticks);
     std::vector<QString> texts;
@@ -182,6 +208,8 @@ std::vector<QString> barTickTexts(const BarAxis& axis, const std::vector<double>
 
 QString barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks)
 {
+    if (const auto ofData = axisOfData(axis))
+        return barValueText(*ofData, std::pow(10, value), valuesOf(ticks));
     if (!axis.logarithmic)
         return numberAmong(value, ticks);
     const auto above = std::ranges::upper_bound(ticks, value);

@@ -15,6 +15,8 @@ struct AnnotationContent;
 struct BarAxis {
     TransferLimits ends{};
     bool logarithmic = false; ///< equal steps are equal factors; both ends are positive then
+    /// The values are logarithms to base 10: ticks are where what they are of is round, and texts tell that.
+    bool ofLogarithms = false;
 
     /// Where on the axis a value lies, 0 at the smaller end and 1 at the larger one; beyond them outside of [0, 1].
     double shareOf(double value) const;
@@ -34,8 +36,8 @@ BarAxis barAxisOf(const AnnotationContent& content);
 /// less. O(points).
 bool followsLogarithm(const TransferFunction& function, const TransferLimits& ends);
 
-/// Round numbers of the axis, rising, at most `most`: evenly spaced by values, or on a logarithmic axis of more than
-/// one decade powers of ten, with 2 and 5 times them where there is room for all.
+/// Round numbers of the axis, rising, at most `most` (of logarithms, those of round numbers): evenly spaced by values,
+/// or on a logarithmic axis of more than one decade powers of ten, with 2 and 5 times them where there is room for all.
 std::vector<double> barTicks(const BarAxis& axis, int most);
 
 /// Their texts, which differ. On a logarithmic axis each has the digits that it needs itself.
