@@ -35,12 +35,18 @@ struct Way {
 
 std::vector<Way> comparedWays(DomainClass domain)
 {
-    ParameterValues asWhole; // as decimation is
+    ParameterValues refined, decimated; // both as a whole, and grids with the error in the grid, as in the paper
     if (isOnLattice(domain))
-        asWhole["block"] = std::string("none");
-    return {{"refinement", "refinement", asWhole, 0.1},
-            {"decimation", "decimation", {}, 0.3},
-            {"decimation-paper", "decimation", {{"order", std::string("paper")}}, 0.5}};
+        refined["block"] = std::string("none");
+    if (domain == DomainClass::Curvilinear) {
+        refined["error-in"] = std::string("grid");
+        decimated["space"] = std::string("computational");
+    }
+    ParameterValues asInPaper = decimated;
+    asInPaper["order"] = std::string("paper");
+    return {{"refinement", "refinement", refined, 0.1},
+            {"decimation", "decimation", decimated, 0.3},
+            {"decimation-paper", "decimation", asInPaper, 0.5}};
 }
 
 std::vector<ComparedDataset> comparedDatasets()

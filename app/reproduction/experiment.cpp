@@ -16,8 +16,9 @@ constexpr const char* c60Caveat =
 std::vector<Experiment> curvilinear(const Experiment& common)
 {
     Experiment ours = common;
+    ours.builderValues["error-in"] = std::string("grid"); // as in the paper
     ours.variant = "normalised";
-    Experiment paper = common;
+    Experiment paper = ours;
     paper.variant = "as in the paper";
     paper.builderValues["selection"] = std::string("paper");
     return {ours, paper};

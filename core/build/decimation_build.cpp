@@ -77,8 +77,9 @@ std::vector<Eigen::Vector3d> computationalPositions(const Lattice& lattice)
     return positions;
 }
 
-/// A dataset as a mesh that can be decimated: irregular data as they are, lattices and curvilinear grids cut into
-/// tetrahedra in computational space, where collapsed lines and cells without volume do no harm (S6).
+/// A dataset as a mesh that can be decimated: irregular data as they are, lattices and curvilinear grids (those that
+/// are not taken asMesh()) cut into tetrahedra in computational space, where collapsed lines and cells without volume
+/// do no harm (S6).
 class DecimationInput {
 public:
     /// `dataset` must outlive the input; irregular, regular or curvilinear, with a cell or more. Errors: cancelled, not
@@ -251,7 +252,16 @@ Result<Dataset> takenFor(const Decimation& decimation, const Dataset& dataset, c
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is a regular lattice, which has no warping. Leave out what is asked of it.",
                                   dataset.source.name)};
-    if (dataset.domain != DomainClass::Scattered || !checkDecimation(dataset))
+    if (decimation.computational && dataset.domain != DomainClass::Curvilinear)
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("Only curvilinear grids can be decimated in one space or the other, and '%1' is none.",
+                         dataset.source.name)};
+    if (!checkDecimation(dataset))
+        return dataset;
+    if (dataset.domain == DomainClass::Curvilinear && !decimation.computational)
+        return asMesh(dataset, progress);
+    if (dataset.domain != DomainClass::Scattered)
         return dataset;
     return guarded(
         Message::marked("Not enough memory to decimate '%1'. Take a region of it or fewer samples."),

@@ -166,6 +166,8 @@ ModelDescription provenanceOf(const Decimation& decimation, const Dataset& datas
         parameters.emplace_back("warping", formatNumber(decimation.warping));
     parameters.emplace_back("finest", formatNumber(decimation.finest));
     parameters.emplace_back("order", nameOf(decimation.order));
+    if (decimation.computational)
+        parameters.emplace_back("space", "computational");
     if (dataset.domain == DomainClass::Irregular)
         parameters.emplace_back("distance", decimation.twoSided ? "two-sided" : "one-sided");
     parameters.emplace_back("weights", weightingText(decimation.weighting));
@@ -238,7 +240,13 @@ BuildMethod suitableMethod(const Dataset& dataset)
 {
     if (dataset.domain == DomainClass::Irregular)
         return Decimation{};
-    return Refinement{};
+    if (dataset.domain != DomainClass::Curvilinear || dataset.convex)
+        return Refinement{};
+    if (checkAsMesh(dataset) && checkDecimation(dataset))
+        return Decimation{};
+    Refinement refinement;
+    refinement.inSpace = keepsErrorInSpace(dataset.pointCount());
+    return refinement;
 }
 
 Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output, const BuildMethod& method,

@@ -367,6 +367,12 @@ Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, c
     return asPoints(dataset);
 }
 
+bool keepsErrorInSpace(std::uint64_t points)
+{
+    constexpr std::uint64_t mostPoints = 1'000'000;
+    return points <= mostPoints;
+}
+
 bool takesBlocks(const std::optional<std::uint32_t>& block, std::uint64_t points, std::uint64_t usableBytes)
 {
     return block ? *block > 0 : isLarge(points, usableBytes);

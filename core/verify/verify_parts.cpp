@@ -9,6 +9,7 @@
 #include "core/verify/irregular_original.h"
 
 #include <tan/base.h>
+#include <tan/build.h>
 
 #include <tbb/parallel_for.h>
 
@@ -284,6 +285,10 @@ Result<Dataset> takenByModel(const Model& model, const Dataset& dataset, const P
     if (domain == DomainClass::Irregular && dataset.domain == DomainClass::Scattered) {
         auto mesh = tetrahedrized(dataset, progress);
         // Points that make no mesh are those of another model.
+        return mesh || mesh.error().kind == ErrorKind::Cancelled ? mesh : Result<Dataset>(dataset);
+    }
+    if (domain == DomainClass::Irregular && dataset.domain == DomainClass::Curvilinear) {
+        auto mesh = asMesh(dataset, progress);
         return mesh || mesh.error().kind == ErrorKind::Cancelled ? mesh : Result<Dataset>(dataset);
     }
     const Lattice& lattice = model.description().lattice;

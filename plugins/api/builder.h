@@ -79,6 +79,9 @@ public:
     /// within a second when cancelled.
     virtual Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                       const Progress& progress) const = 0;
+    /// `values` with its decision in place of each word that leaves one to the builder, as the model keeps it: what is
+    /// claimed of a model follows from there. The other functions take either. Quick.
+    virtual ParameterValues settled(const Dataset& /*dataset*/, const ParameterValues& values) const { return values; }
 };
 
 } // namespace tetra

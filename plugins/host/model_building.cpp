@@ -113,10 +113,11 @@ Result<EndedBuild> placed(const ModelFileTarget& file, EndedBuild ended, const s
     return ended;
 }
 
-Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& dataset, const ParameterValues& values,
+Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& dataset, const ParameterValues& given,
                              const std::filesystem::path& output, const Progress& progress, const BuildControl& control)
 {
     const Builder& builder = *provided.plugin;
+    const ParameterValues values = builder.settled(dataset, given);
     ModelDescription description;
     description.builder = provided.id;
     description.parameters = usedTexts(builder.parameters(), values, dataset);
@@ -133,7 +134,7 @@ Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& d
     const auto watch = control.live != nullptr ? control.live->watch(writer, *taken, description) : nullptr;
     BuildTarget target = (*file)->target(watch ? *watch : writer);
     if (control.resume)
-        leaveNote(target.workFolder, buildNote(dataset, provided, values));
+        leaveNote(target.workFolder, buildNote(dataset, provided, given));
     target.keepWhenCancelled = control.keepWhenCancelled;
     if (control.live != nullptr)
         target.preview = [live = control.live](const auto& hand) { live->show(hand); };

@@ -79,6 +79,10 @@ public:
     {
         return guard_.call([&] { return plugin_.build(dataset, values, target, progress); });
     }
+    ParameterValues settled(const Dataset& dataset, const ParameterValues& values) const override
+    {
+        return guard_.callOr(values, [&] { return plugin_.settled(dataset, values); });
+    }
 
 private:
     const Builder& plugin_;

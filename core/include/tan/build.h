@@ -96,9 +96,9 @@ enum class DecimationOrder {
     IndependentRounds
 };
 
-/// Edge collapse (R11), of irregular data, lattices and grids, and of scattered points, as the irregular mesh that they
-/// are tetrahedrized(): fewer points for the same accuracy than refinement, more time and memory. Only closed sets of
-/// sites have a mesh.
+/// Edge collapse (R11), of irregular data and lattices, of curvilinear grids, as the irregular mesh of their cells, and
+/// of scattered points, as the one that they are tetrahedrized(): fewer points for the same accuracy than refinement,
+/// more time and memory. Only closed sets of sites have a mesh.
 struct Decimation {
     double error = 0;   ///< where to stop, % of the value range; 0 goes on to the coarsest mesh
     double warping = 0; ///< likewise, % of the diagonal; if only one of the two is given, it holds for both
@@ -106,6 +106,9 @@ struct Decimation {
     DecimationOrder order = DecimationOrder::ExactError;
     OrderedBy orderedBy = OrderedBy::Both; ///< as Refinement::orderedBy, of irregular data, too
     Weighting weighting{};
+    /// Curvilinear grids in computational space, as in the paper: then the error is the one in the grid, and every
+    /// point of it counts for the warping. Folded grids, too.
+    bool computational = false;
     /// Of irregular data, else WrongUsage: the warping also limits how far any place of a mesh's boundary is from that
     /// of the data, weights aside (S13); else only how far the data's boundary points are from the mesh's, as in the
     /// paper.
@@ -114,7 +117,9 @@ struct Decimation {
 
 using BuildMethod = std::variant<Refinement, Decimation>;
 
-/// The method that suits the dataset: decimation of irregular data, else refinement.
+/// The method that suits the dataset: decimation of irregular data, and of curvilinear grids that are a mesh
+/// (checkAsMesh()); of other such grids of at most a million points refinement that keeps the error in space; else
+/// refinement. So up to there the error is the one in space.
 TAN_API BuildMethod suitableMethod(const Dataset& dataset);
 
 /// Builds a model of `dataset` into `output`, atomically: a model that was there is replaced at the end, any other file
@@ -254,14 +259,19 @@ struct BuildTarget {
 };
 
 /// The dataset as the method takes it, and as the model has it: itself; asPoints() of a rectilinear grid (unless it is
-/// refined in computational space) or a convex mesh that is refined; tetrahedrized() scattered points that are
-/// decimated. What checkRefinement() or checkDecimation() refuses is returned as it is. Errors: settings that mean
-/// nothing there (WrongUsage), not enough memory, cancelled, those of tetrahedrized().
+/// refined in computational space) or a convex mesh that is refined; tetrahedrized() scattered points and asMesh() of a
+/// curvilinear grid that are decimated. What checkRefinement() or checkDecimation() refuses is returned as it is.
+/// Errors: settings that mean nothing there (WrongUsage), not enough memory, cancelled, those of tetrahedrized() and
+/// asMesh().
 TAN_API Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, const Progress& progress = {});
 TAN_API Result<Dataset> takenFor(const Decimation& decimation, const Dataset& dataset, const Progress& progress = {});
 
 /// Why the dataset cannot be refined, for the user; success if it can.
 TAN_API Status checkRefinement(const Dataset& dataset);
+
+/// Whether the refinement of a curvilinear grid of so many points as a whole keeps the error in space
+/// (Refinement::inSpace) unless something else is asked for: of a million at most, which takes some minutes.
+TAN_API bool keepsErrorInSpace(std::uint64_t points);
 
 /// Whether a lattice or grid of so many points is refined in blocks, as far as that can be known of their number.
 /// `block`: Refinement::block; `usableBytes`: of memory, 0 if unknown.
@@ -279,6 +289,18 @@ TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& 
 
 /// Why the dataset cannot be decimated, for the user; success if it can.
 TAN_API Status checkDecimation(const Dataset& dataset);
+
+/// A curvilinear grid as the irregular mesh that its cells make: each is cut into tetrahedra, points on one place are
+/// one, cells without volume are left out. The source stays. All samples are in it, each once and unchanged; a grid of
+/// which that cannot be is refused. Errors (BadInput): cells that are folded, overlap or cannot be cut, points on one
+/// place that have different values, points of cells without volume alone; not enough memory (OutOfResource);
+/// cancelled. The same mesh every time. One thread, some 1 kB a cell while it works.
+TAN_API Result<Dataset> asMesh(const Dataset& grid, const Progress& progress = {});
+
+/// Why a curvilinear grid is not decimated as the mesh of its cells unless that is asked for: it has more than five
+/// million points, a cell of it is folded, or two of its points lie on one place and have different values. Success if
+/// none of that is so; then asMesh() refuses it only if it meets itself. O(points), on all threads.
+TAN_API Status checkAsMesh(const Dataset& grid);
 
 /// Edge collapse of irregular data, lattices and grids into a target (R11, R12), of what takenFor() gives.
 TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimation, BuildTarget& target,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/decimation/decimation_builder.h"
 
+#include "plugins/api/space_parameter.h"
 #include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
 
@@ -33,6 +34,11 @@ std::vector<std::string> domainsThatWarp()
             std::string(domainClassName(DomainClass::Irregular)), std::string(domainClassName(DomainClass::Scattered))};
 }
 
+std::vector<std::string> domainsOfGrids()
+{
+    return {std::string(domainClassName(DomainClass::Curvilinear)), std::string(rectilinear)};
+}
+
 constexpr std::string_view oneSided = Message::marked("one-sided"), twoSided = Message::marked("two-sided");
 
 Parameter distanceParameter()
@@ -62,8 +68,8 @@ Message reasonFor(const Dataset& dataset)
     switch (dataset.domain) {
     case DomainClass::Irregular: return Message::say("An irregular mesh: decimation keeps its shape and its cavities.");
     case DomainClass::Curvilinear:
-        return Message::say(
-            "A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.");
+        return Message::say("A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest "
+                            "tetrahedra for an error that holds where the points lie.");
     case DomainClass::RegularLattice:
         return Message::say(
             "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.");
@@ -72,6 +78,12 @@ Message reasonFor(const Dataset& dataset)
     return Message::say("Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of "
                         "them for the same "
                         "accuracy, but more time and memory.");
+}
+
+bool isComputational(const std::vector<Parameter>& known, const ParameterValues& values, DomainClass domain)
+{
+    return domain == DomainClass::Curvilinear &&
+           parameterValue<std::string>(known, values, "space") == computationalSpace;
 }
 
 /// Of a grid as many as if it had a cell for each point, cut as decimation cuts it; of points as their Delaunay mesh.
@@ -85,13 +97,12 @@ double tetrahedraOf(const BuildSize& size)
 }
 
 /// What decimating data of this size to the coarsest mesh takes, with a model that leaves out meshes finer than
-/// `finest`, a share of the range.
-BuildEstimate estimateDecimation(const BuildSize& size, double finest)
+/// `finest`, a share of the range. `isBox`: in the space of the indices.
+BuildEstimate estimateDecimation(const BuildSize& size, double finest, bool isBox)
 {
     // Of all that ever lived, with their sites; and how many these are for each one of the dataset.
-    const bool isGrid = isOnLattice(size.domain);
-    const double modelTetrahedronBytes = isGrid ? 21 : 26;
-    const double livedOverKept = isGrid ? 2.7 : 3.5;
+    const double modelTetrahedronBytes = isBox ? 21 : 26;
+    const double livedOverKept = isBox ? 2.7 : 3.5;
     constexpr double collapseSeconds = 60e-6;
     constexpr double fixedBytes = 30e6; // of memory: the program, and as decimationBytes()
     constexpr double pointBytes = 700;
@@ -113,7 +124,12 @@ Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 {
     if (const Status possible = checkDecimation(dataset); !possible)
         return {0, possible.error().message};
-    return {dataset.domain == DomainClass::Irregular ? 1.0 : 0.5, reasonFor(dataset)};
+    if (dataset.domain == DomainClass::Irregular)
+        return {1, reasonFor(dataset)};
+    if (dataset.domain != DomainClass::Curvilinear || dataset.convex)
+        return {0.5, reasonFor(dataset)};
+    const Status isMesh = checkAsMesh(dataset);
+    return isMesh ? Acceptance{1, reasonFor(dataset)} : Acceptance{0.5, isMesh.error().message};
 }
 
 std::vector<Parameter> DecimationBuilder::parameters() const
@@ -126,6 +142,7 @@ std::vector<Parameter> DecimationBuilder::parameters() const
                                                "smaller; 0 keeps everything."),
                                Message::marked("% of the value range")),
             orderParameter(),
+            spaceParameter(domainsOfGrids()),
             distanceParameter(),
             weightsParameter()};
 }
@@ -144,12 +161,17 @@ BuildAbilities DecimationBuilder::abilities(const Dataset&, const ParameterValue
 std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, const ParameterValues& values,
                                                          unsigned) const
 {
-    return estimateDecimation(size, parameterValue<double>(parameters(), values, "finest") / 100);
+    const bool isBox = size.domain == DomainClass::RegularLattice || isComputational(parameters(), values, size.domain);
+    return estimateDecimation(size, parameterValue<double>(parameters(), values, "finest") / 100, isBox);
 }
 
-Result<Dataset> DecimationBuilder::taken(const Dataset& dataset, const ParameterValues&, const Progress& progress) const
+/// What it has no use for the host refuses.
+Result<Dataset> DecimationBuilder::taken(const Dataset& dataset, const ParameterValues& values,
+                                         const Progress& progress) const
 {
-    return takenFor(Decimation(), dataset, progress); // what it has no use for the host refuses
+    Decimation decimation;
+    decimation.computational = isComputational(parameters(), values, dataset.domain);
+    return takenFor(decimation, dataset, progress);
 }
 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
@@ -166,6 +188,7 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
     decimation.order = orderOf(parameterValue<std::string>(known, values, "order"));
     decimation.orderedBy = orderedByOf(known, values);
     decimation.weighting = *weighting;
+    decimation.computational = isComputational(known, values, dataset.domain);
     decimation.twoSided =
         dataset.domain == DomainClass::Irregular && parameterValue<std::string>(known, values, "distance") == twoSided;
     return buildInto(dataset, decimation, target, progress);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/refinement_builder.h"
 
+#include "plugins/api/space_parameter.h"
 #include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
 #include <tan/build.h>
@@ -19,8 +20,8 @@ constexpr std::string_view normalised = Message::marked("normalised");
 constexpr std::string_view paper = Message::marked("paper");
 constexpr std::string_view inGrid = Message::marked("grid");
 constexpr std::string_view inSpace = Message::marked("space");
-constexpr std::string_view physical = Message::marked("physical");
-constexpr std::string_view computational = Message::marked("computational");
+constexpr std::string_view automatic = Message::marked("automatic");
+constexpr std::string_view computational = computationalSpace;
 
 /// A parameter of data that are refined in computational space.
 Parameter inComputationalSpace(Parameter parameter)
@@ -29,20 +30,6 @@ Parameter inComputationalSpace(Parameter parameter)
     parameter.onlyWith.values.emplace_back(std::string(domainClassName(DomainClass::Curvilinear)));
     parameter.orWith = {"space", {std::string(computational)}};
     return parameter;
-}
-
-Parameter spaceParameter()
-{
-    Parameter space;
-    space.id = "space";
-    space.label = Message::marked("Space");
-    space.explanation = Message::marked(
-        "For rectilinear grids: 'physical' refines their points where they lie, so that there is no warping; "
-        "'computational' refines them as any curvilinear grid, which takes less memory, and has blocks.");
-    space.defaultValue = std::string(physical);
-    space.choices = {std::string(physical), std::string(computational)};
-    space.onlyWith = {domainId, {std::string(rectilinear)}};
-    return space;
 }
 
 Parameter selectionParameter()
@@ -67,9 +54,10 @@ Parameter errorInParameter()
     errorIn.explanation = Message::marked(
         "For curvilinear data: 'grid' keeps the error at the points' indices, as the paper did; 'space' "
         "also the error where the points lie, which is what you see. That takes more vertices and "
-        "time, and the whole grid in memory.");
-    errorIn.defaultValue = std::string(inGrid);
-    errorIn.choices = {std::string(inGrid), std::string(inSpace)};
+        "time, and the whole grid in memory. 'automatic' keeps it of grids of up to a million points that are refined "
+        "as a whole, by both thresholds.");
+    errorIn.defaultValue = std::string(automatic);
+    errorIn.choices = {std::string(automatic), std::string(inGrid), std::string(inSpace)};
     return inComputationalSpace(std::move(errorIn));
 }
 
@@ -107,6 +95,17 @@ Result<std::optional<std::uint32_t>> blockOf(const std::string& text)
     return cells;
 }
 
+/// Whether data in computational space are refined with the error in space.
+bool keepsInSpace(const std::vector<Parameter>& known, const ParameterValues& values, std::uint64_t points)
+{
+    const auto chosen = [&](const char* id) { return parameterValue<std::string>(known, values, id); };
+    if (chosen("error-in") != automatic)
+        return chosen("error-in") == inSpace;
+    const auto block = blockOf(chosen("block"));
+    return block && !takesBlocks(*block, points, usableBytes()) && chosen("selection") == normalised &&
+           orderedByOf(known, values) == OrderedBy::Both && keepsErrorInSpace(points);
+}
+
 Message reasonFor(const Dataset& dataset)
 {
     switch (dataset.domain) {
@@ -115,7 +114,8 @@ Message reasonFor(const Dataset& dataset)
     case DomainClass::Curvilinear:
         if (dataset.convex)
             return Message::say("A rectilinear grid: refinement in physical space keeps the exact domain.");
-        return Message::say("A curvilinear grid: refinement in computational space bounds both error and warping.");
+        return Message::say("A curvilinear grid: refinement in computational space bounds both error and warping, also "
+                            "where cells of the grid are folded.");
     case DomainClass::Scattered: return Message::say("Scattered points: refinement fills their convex hull.");
     case DomainClass::Irregular: break;
     }
@@ -134,12 +134,12 @@ struct Costs {
     bool usesThreads = false;
 };
 
-Costs costsOf(const BuildSize& size, bool inBlocks, bool keepsInSpace)
+Costs costsOf(const BuildSize& size, bool inBlocks, bool isInSpace)
 {
     const auto points = static_cast<double>(size.points);
     if (size.domain == DomainClass::Scattered)
         return {.pointBytes = 60, .siteBytes = 700, .modelSiteBytes = 440, .siteSeconds = 25e-6};
-    if (size.domain == DomainClass::Curvilinear && keepsInSpace) // for each site of a build that is not
+    if (size.domain == DomainClass::Curvilinear && isInSpace) // for each site of a build that is not
         return {
             .pointBytes = 110, .siteBytes = 700, .modelSiteBytes = 400, .siteSeconds = 150e-6, .pointSeconds = 40e-6};
     if (size.domain == DomainClass::Curvilinear && !inBlocks)
@@ -170,12 +170,10 @@ Costs costsOf(const BuildSize& size, bool inBlocks, bool keepsInSpace)
 }
 
 /// What refining data of this size takes, down to an error that is a share of the range (and the diagonal); not of
-/// irregular ones. `inBlocks`: of lattices and grids. `keepsInSpace`:
-/// the error in space is kept, too.
-BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlocks, bool keepsInSpace,
-                                 unsigned threads)
+/// irregular ones. `inBlocks`: of lattices and grids. `isInSpace`: of grids, the error in space is kept, too.
+BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlocks, bool isInSpace, unsigned threads)
 {
-    const Costs costs = costsOf(size, inBlocks, keepsInSpace);
+    const Costs costs = costsOf(size, inBlocks, isInSpace);
     const auto points = static_cast<double>(size.points);
     const double sites = std::max(points * size.density.share(error), 8.0);
     const double data = points * static_cast<double>(sampleSize(size.type));
@@ -195,8 +193,10 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 {
     if (const Status possible = checkRefinement(dataset); !possible)
         return {0, possible.error().message};
-    // Between its points a mesh is what its own cells say; those decimation begins with.
-    return {dataset.domain == DomainClass::Irregular ? 0.5 : 1, reasonFor(dataset)};
+    // Between its points a mesh is what its own cells say; those decimation begins with, and those of a grid if it is
+    // a mesh and not too large.
+    const bool isBent = dataset.domain == DomainClass::Curvilinear && !dataset.convex;
+    return {dataset.domain == DomainClass::Irregular ? 0.5 : isBent ? 0.9 : 1, reasonFor(dataset)};
 }
 
 std::vector<Parameter> RefinementBuilder::parameters() const
@@ -205,7 +205,7 @@ std::vector<Parameter> RefinementBuilder::parameters() const
                 "Refinement stops at this error; 0 keeps everything, so that any accuracy can be shown later.")),
             inComputationalSpace(warpingThresholdParameter({})),
             inComputationalSpace(orderedByParameter({})),
-            spaceParameter(),
+            spaceParameter({std::string(rectilinear)}),
             blockParameter(),
             selectionParameter(),
             errorInParameter(),
@@ -231,7 +231,7 @@ BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const Parame
     if (dataset.domain == DomainClass::Curvilinear &&
         (chosen("selection") == paper || (dataset.convex && chosen("space") != computational)))
         return {.resumes = true}; // these take no blocks
-    if (dataset.domain == DomainClass::Curvilinear && chosen("error-in") == inSpace)
+    if (dataset.domain == DomainClass::Curvilinear && keepsInSpace(parameters(), values, dataset.pointCount()))
         return {.usesThreads = true, .resumes = true}; // nor does this, but it measures on all of them
     const auto cells = chooseBlocks(*block, dataset.lattice, usableBytes());
     const bool inBlocks = cells && *cells > 0;
@@ -251,9 +251,8 @@ std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, 
     double error = parameterValue<double>(parameters(), values, "error");
     if (taken.domain == DomainClass::Curvilinear && !(error > 0))
         error = parameterValue<double>(parameters(), values, "warping");
-    const bool keepsInSpace = parameterValue<std::string>(parameters(), values, "error-in") == inSpace;
-    return estimateRefinement(taken, error / 100, takesBlocks(*block, size.points, usableBytes()), keepsInSpace,
-                              threads);
+    return estimateRefinement(taken, error / 100, takesBlocks(*block, size.points, usableBytes()),
+                              keepsInSpace(parameters(), values, size.points), threads);
 }
 
 namespace {
@@ -283,14 +282,25 @@ Result<Refinement> refinementOf(const std::vector<Parameter>& known, const Param
 Result<Dataset> RefinementBuilder::taken(const Dataset& dataset, const ParameterValues& values,
                                          const Progress& progress) const
 {
-    const auto refinement = refinementOf(parameters(), values);
+    const auto refinement = refinementOf(parameters(), settled(dataset, values));
     return refinement ? takenFor(*refinement, dataset, progress) : refinement.error();
+}
+
+ParameterValues RefinementBuilder::settled(const Dataset& dataset, const ParameterValues& values) const
+{
+    const bool isInIndices =
+        dataset.domain == DomainClass::Curvilinear &&
+        (!dataset.convex || parameterValue<std::string>(parameters(), values, "space") == computational);
+    ParameterValues known = values;
+    if (isInIndices)
+        known["error-in"] = std::string(keepsInSpace(parameters(), values, dataset.pointCount()) ? inSpace : inGrid);
+    return known;
 }
 
 Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                              const Progress& progress) const
 {
-    const auto refinement = refinementOf(parameters(), values);
+    const auto refinement = refinementOf(parameters(), settled(dataset, values));
     return refinement ? buildInto(dataset, *refinement, target, progress) : refinement.error();
 }
 

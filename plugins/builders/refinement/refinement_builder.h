@@ -19,6 +19,7 @@ public:
                           const Progress& progress) const override;
     Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                               const Progress& progress) const override;
+    ParameterValues settled(const Dataset& dataset, const ParameterValues& values) const override;
 };
 
 } // namespace tetra

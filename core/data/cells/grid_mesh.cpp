@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
+#include "core/data/cells/clean_cells.h"
+#include "core/data/cells/grid_cells.h"
+#include "core/data/dataset_checks.h"
+
+#include <tan/build.h>
+#include <tan/data.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+namespace {
+
+Error noMesh(const Dataset& grid, Message why)
+{
+    return {ErrorKind::BadInput,
+            Message::say("The grid '%1' is no mesh of its cells: %2 Refine it instead.", grid.source.name, why)};
+}
+
+Status checkMemory(const Dataset& grid)
+{
+    const std::uint64_t bytes = bytesOfGridTetrahedron * tetrahedraOfGridCell * grid.lattice.cellCount();
+    const std::uint64_t usable = usableBytes();
+    if (usable == 0 || bytes <= usable)
+        return {};
+    return Error{
+        ErrorKind::OutOfResource,
+        Message::say("The grid has %1 cells, whose mesh takes up to %2 of memory, of %3. Refine it instead, or "
+                     "take a region of it or fewer samples.",
+                     grid.lattice.cellCount(), neededBytesText(bytes), neededBytesText(usable))};
+}
+
+/// On how many places the points lie; an error if two on one place have different values.
+Result<std::uint64_t> countPlaces(const Dataset& grid)
+{
+    const std::vector<std::uint32_t> first =
+        firstOnPlace(*grid.positions, std::vector<bool>(grid.positions->size(), true));
+    std::uint64_t places = 0, conflicting = 0;
+    for (std::uint32_t point = 0; point < first.size(); ++point) {
+        places += first[point] == point ? 1 : 0;
+        conflicting += grid.values.at(point) != grid.values.at(first[point]) ? 1 : 0;
+    }
+    if (conflicting > 0)
+        return noMesh(grid, Message::say("%1 of its points lie on the place of another one and have another value.",
+                                         conflicting));
+    return places;
+}
+
+CellComplex hexahedraOf(const Dataset& grid)
+{
+    CellComplex complex;
+    complex.mostFaulty = 0;
+    complex.positions = *grid.positions;
+    complex.shapes.assign(grid.lattice.cellCount(), CellShape::Hexahedron);
+    complex.offsets.reserve(complex.shapes.size() + 1);
+    complex.offsets.push_back(0);
+    complex.corners.reserve(8 * complex.shapes.size());
+    (void)forEachCell(grid, {}, [&](const auto& corners, GridCell) {
+        complex.corners.insert(complex.corners.end(), corners.begin(), corners.end());
+        complex.offsets.push_back(complex.corners.size());
+    });
+    return complex;
+}
+
+std::vector<double> valuesOf(const Dataset& grid)
+{
+    return visitSampleType(grid.values.type(), [&]<class T>() {
+        const std::span<const T> samples = grid.values.as<T>();
+        return std::vector<double>(samples.begin(), samples.end());
+    });
+}
+
+Result<Dataset> meshOf(const Dataset& grid, const Progress& progress)
+{
+    const auto places = countPlaces(grid);
+    if (!places)
+        return places.error();
+    Repairs repairs;
+    repairs.ofGrid = true;
+    auto mesh = irregularDatasetBeside(repairs, hexahedraOf(grid), {valuesOf(grid), false, grid.values.type()},
+                                       grid.source, progress);
+    if (!mesh && mesh.error().kind == ErrorKind::BadInput)
+        return noMesh(grid, mesh.error().message);
+    if (!mesh)
+        return mesh;
+    if (mesh->faultyCells)
+        return noMesh(grid, Message::say("%1 of its cells are folded, overlap others, or are so warped that no "
+                                         "tetrahedra fill them.",
+                                         mesh->faultyCells->size()));
+    if (mesh->pointCount() != *places)
+        return noMesh(
+            grid, Message::say("%1 of its points belong to cells without volume alone.", *places - mesh->pointCount()));
+    mesh->source = grid.source;
+    mesh->space = grid.space;
+    mesh->lengthUnit = grid.lengthUnit;
+    mesh->remarks.insert(mesh->remarks.begin(), grid.remarks.begin(), grid.remarks.end());
+    return mesh;
+}
+
+} // namespace
+
+Result<Dataset> asMesh(const Dataset& grid, const Progress& progress)
+{
+    if (const Status fits = checkMemory(grid); !fits)
+        return fits.error();
+    return guarded(Message::marked("Not enough memory for the mesh. Take a part of it."),
+                   [&] { return meshOf(grid, progress); });
+}
+
+Status checkAsMesh(const Dataset& grid)
+{
+    constexpr std::uint64_t mostPoints = 5'000'000; // what decimation of a grid may take: an hour, 8 GB
+    if (grid.pointCount() > mostPoints)
+        return noMesh(grid, Message::say("it has %1 points, more than %2.", grid.pointCount(), mostPoints));
+    if (const Status fits = checkMemory(grid); !fits)
+        return fits;
+    const CellCornerSigns signs = cellCornerSigns(grid);
+    if (const std::uint64_t folded = std::min(signs.positive, signs.negative); folded > 0)
+        return noMesh(grid, Message::say("%1 corners of its cells are folded.", folded));
+    const auto places = countPlaces(grid);
+    return places ? Status() : places.error();
+}
+
+} // namespace tetra
