@@ -46,7 +46,9 @@ private slots:
         row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
             "'--warping' is for curvilinear or rectilinear or irregular or scattered data only");
         row("lattice, order", "lattice.nrrd", {"--order", "paper"}, "'--builder decimation'");
-        row("grid, paper's selection in blocks", "grid.xyz", {"--selection", "paper", "--block", "4"},
+        row("grid, block", "grid.xyz", {"--block", "4"}, "'--builder refinement'");
+        row("grid, paper's selection in blocks", "grid.xyz",
+            {"--builder", "refinement", "--selection", "paper", "--block", "4"},
             "The paper's selection of points does not go with blocks");
         row("points, block", "points.csv", {"--block", "4"}, "'--block' is for regular or curvilinear data");
         row("points, no block", "points.csv", {"--block", "none"}, "'--block' is for regular or curvilinear");
@@ -61,11 +63,13 @@ private slots:
         row("C6: rectilinear, block", "box.xyz", {"--block", "4"}, space);
         row("C6: rectilinear, no block", "box.xyz", {"--block", "none", "--space", "physical"}, space);
         row("C6: rectilinear, selection", "box.xyz", {"--selection", "paper"}, space);
-        row("C6: rectilinear decimated, space", "box.xyz", decimate + QStringList{"--space", "computational"},
-            "'--builder refinement'");
-        for (const char* other : {"lattice.nrrd", "grid.xyz", "points.csv"})
+        for (const char* other : {"lattice.nrrd", "points.csv"})
             row(QByteArray("C6: space, ") + other, other, {"--space", "computational"},
                 "'--space' is for rectilinear data only");
+        row("C6: space, grid refined", "grid.xyz", {"--builder", "refinement", "--space", "computational"},
+            "'--space' is for rectilinear data only");
+        row("mesh, space", "mesh.vtu", {"--space", "computational"},
+            "'--space' is for curvilinear or rectilinear data");
     }
     void whatIsOfNoUseIsRefused()
     {
@@ -92,12 +96,15 @@ private slots:
                 if (QByteArray(input) != "mesh.vtu" || QByteArray(builder) != "refinement") // it may not be convex
                     row((QByteArray(input) + " by " + builder + " is resumed").constData(), input,
                         {"--builder", builder, "--resume"});
-        row("a grid with the paper's selection is resumed", "grid.xyz", {"--selection", "paper", "--resume"});
+        const QStringList refine = {"--builder", "refinement"};
+        row("a grid with the paper's selection is resumed", "grid.xyz",
+            refine + QStringList{"--selection", "paper", "--resume"});
         row("a whole is kept", "lattice.nrrd", {"--keep"});
         row("blocks are kept and resumed", "lattice.nrrd", {"--block", "6", "--keep", "--resume"});
         row("a decimation is kept", "lattice.nrrd", {"--builder", "decimation", "--keep"});
-        row("a grid warps", "grid.xyz", {"--warping", "2", "--selection", "paper"});
-        row("blocks of a grid are resumed, C7", "grid.xyz", {"--block", "4", "--resume"});
+        row("a grid warps", "grid.xyz", refine + QStringList{"--warping", "2", "--selection", "paper"});
+        row("blocks of a grid are resumed, C7", "grid.xyz", refine + QStringList{"--block", "4", "--resume"});
+        row("a grid is decimated by its indices", "grid.xyz", {"--space", "computational", "--resume"});
         row("a decimated grid warps", "grid.xyz", {"--builder", "decimation", "--warping", "2"});
         row("a mesh warps", "mesh.vtu", {"--warping", "2"});
         row("C6: a rectilinear grid as a curvilinear one", "box.xyz",
@@ -122,6 +129,9 @@ private slots:
         QTest::newRow("rectilinear") << "box.xyz" << QStringList{} << "scattered";
         QTest::newRow("as curvilinear") << "box.xyz" << QStringList{"--space", "computational"} << "curvilinear";
         QTest::newRow("points") << "points.csv" << QStringList{"--builder", "decimation"} << "irregular";
+        QTest::newRow("grid") << "grid.xyz" << QStringList{} << "irregular";
+        QTest::newRow("grid by its indices") << "grid.xyz" << QStringList{"--space", "computational"} << "curvilinear";
+        QTest::newRow("grid refined") << "grid.xyz" << QStringList{"--builder", "refinement"} << "curvilinear";
     }
     void everyModelIsProved()
     {
@@ -131,7 +141,10 @@ private slots:
         QCOMPARE(tan(QStringList{"build", input, "-o", "proved.tan"} + options).exitCode, 0);
         const QJsonObject info = tan({"info", "proved.tan", "--json"}).json();
         QCOMPARE(info["kind"].toString(), kind);
-        QCOMPARE(info["parameters"].toObject().contains("space"), input == "box.xyz");
+        const QString space = options.contains("refinement") || input == "points.csv" ? QString()
+                              : options.contains("computational")                     ? "computational"
+                                                                                      : "physical";
+        QCOMPARE(info["parameters"].toObject()["space"].toString(), space);
         const Run run = tan({"verify", "proved.tan", "--against", input, "--json"});
         QVERIFY2(run.exitCode == 0, run.output + run.messages);
         QCOMPARE(run.json()["levels"].toArray().size(), 8);

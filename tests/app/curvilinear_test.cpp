@@ -18,6 +18,13 @@
 
 using namespace tetra;
 
+namespace {
+
+/// The paper's way, with the error in the grid.
+const QStringList refined = {"--builder", "refinement", "--error-in", "grid"};
+
+} // namespace
+
 class CurvilinearTest : public QObject {
     Q_OBJECT
 
@@ -28,7 +35,7 @@ private slots:
         QVERIFY2(sample.exitCode == 0, sample.messages);
         QCOMPARE(sample.json()["kind"].toString(), QString("curvilinear"));
         QVERIFY(QFileInfo::exists(folder_.filePath("body.q")));
-        const Run build = tan({"build", "body.xyz", "-o", "body.tan", "--json"});
+        const Run build = tan(QStringList{"build", "body.xyz", "-o", "body.tan", "--json"} + refined);
         QVERIFY2(build.exitCode == 0, build.messages);
         QCOMPARE(build.json()["inverted"].toInt(-1), 0);
         QVERIFY(build.json()["degenerate"].toInt() > 0); // at the collapsed axis
@@ -121,7 +128,7 @@ private slots:
         const QString data = TAN_SOURCE_DIR "/../shared/data/bluntfin/bluntfinxyz.bin";
         if (!QFileInfo::exists(data))
             QSKIP_WITHOUT("data");
-        QCOMPARE(tan({"build", data, "-o", "fin.tan"}).exitCode, 0);
+        QCOMPARE(tan(QStringList{"build", data, "-o", "fin.tan"} + refined).exitCode, 0);
         struct Pair {
             QStringList limits;
             QStringList build;
@@ -133,7 +140,7 @@ private slots:
             {{"--error", "none", "--warping", "1"}, {"--by", "warping", "--warping", "1"}},
         };
         for (const Pair& pair : pairs) {
-            const Run build = tan(QStringList{"build", data, "-o", "alone.tan", "--json"} + pair.build);
+            const Run build = tan(QStringList{"build", data, "-o", "alone.tan", "--json"} + refined + pair.build);
             const Run mesh = tan(QStringList{"verify", "fin.tan", "--against", data, "--json"} + pair.limits);
             QVERIFY2(build.exitCode == 0 && mesh.exitCode == 0, mesh.output + mesh.messages);
             const int sites = mesh.json()["levels"].toArray().first().toObject()["sites"].toInt();
@@ -147,7 +154,8 @@ private slots:
     {
         for (const QString& by : {QString("error"), QString("warping")}) {
             const QString other = by == "error" ? "warping" : "error";
-            const Run build = tan({"build", "body.xyz", "--by", by, "--" + by, "1", "-o", by + ".tan", "--json"});
+            const Run build = tan(
+                QStringList{"build", "body.xyz", "--by", by, "--" + by, "1", "-o", by + ".tan", "--json"} + refined);
             QVERIFY2(build.exitCode == 0, build.output + build.messages);
             const QString pair = by == "error" ? "1:none" : "none:1";
             const Run proof = tan({"verify", by + ".tan", "--against", "body.xyz", "--lod", pair, "--json"});
@@ -162,18 +170,22 @@ private slots:
             QVERIFY2(sites <= 1.5 * level["sites"].toInt(),
                      qPrintable(QString("%1 of %2").arg(sites).arg(level["sites"].toInt())));
             // To the end: exact in what counts.
-            const Run whole = tan({"build", "body.xyz", "--by", by, "-o", by + ".tan", "--json"});
+            const Run whole = tan(QStringList{"build", "body.xyz", "--by", by, "-o", by + ".tan", "--json"} + refined);
             QVERIFY2(whole.exitCode == 0, whole.output + whole.messages);
             const QString exact = by == "error" ? "0:none" : "none:0";
             const Run all = tan({"verify", by + ".tan", "--against", "body.xyz", "--lod", exact + ",5:5", "--json"});
             QVERIFY2(all.exitCode == 0, all.output + all.messages);
             QVERIFY(all.json()["levels"].toArray().first().toObject()["largest_" + by].toDouble(200) < 1e-9);
             // What would be ignored is refused.
-            const Run refused = tan({"build", "body.xyz", "--by", by, "--" + other, "1", "-o", "no.tan"});
+            const Run refused =
+                tan(QStringList{"build", "body.xyz", "--by", by, "--" + other, "1", "-o", "no.tan"} + refined);
             QCOMPARE(refused.exitCode, 2);
             QVERIFY2(refused.messages.contains(other.toUtf8()), refused.messages);
         }
-        QCOMPARE(tan({"build", "body.xyz", "--by", "error", "--selection", "paper", "-o", "no.tan"}).exitCode, 2);
+        QCOMPARE(
+            tan(QStringList{"build", "body.xyz", "--by", "error", "--selection", "paper", "-o", "no.tan"} + refined)
+                .exitCode,
+            2);
         QVERIFY(!QFileInfo::exists(folder_.filePath("no.tan")));
     }
 
@@ -225,8 +237,8 @@ private slots:
     /// C12: which error a model guarantees is chosen, said and proved.
     void theErrorInSpaceIsKept()
     {
-        const Run built = tan(
-            {"build", "body.xyz", "--error-in", "space", "--error", "1", "--warping", "1", "-o", "seen.tan", "--json"});
+        const Run built = tan({"build", "body.xyz", "--builder", "refinement", "--error-in", "space", "--error", "1",
+                               "--warping", "1", "-o", "seen.tan", "--json"});
         QVERIFY2(built.exitCode == 0, built.messages);
         for (const char* command : {"info", "verify"}) {
             const QStringList last = {"--against", "body.xyz", "--lod", "4"};
@@ -240,7 +252,8 @@ private slots:
             return run.json()["levels"].toArray()[0].toObject()["error_in_space"].toObject()["largest"].toDouble(-1);
         };
         QVERIFY(inSpace("seen.tan") < 4.4 && inSpace("body.tan") > 4.4);
-        const Run refused = tan({"build", "body.xyz", "--error-in", "space", "--block", "4", "-o", "no.tan"});
+        const Run refused = tan(
+            {"build", "body.xyz", "--builder", "refinement", "--error-in", "space", "--block", "4", "-o", "no.tan"});
         QVERIFY2(refused.exitCode == 2 && refused.messages.contains("whole grids only"), refused.messages);
     }
 
@@ -258,7 +271,8 @@ private slots:
 
     void bothThresholdsStopABuild()
     {
-        const Run build = tan({"build", "body.xyz", "--error", "2", "--warping", "2", "-o", "coarse.tan", "--json"});
+        const Run build = tan(
+            QStringList{"build", "body.xyz", "--error", "2", "--warping", "2", "-o", "coarse.tan", "--json"} + refined);
         QVERIFY2(build.exitCode == 0, build.messages);
         QVERIFY(build.json()["sites"].toInt() < 12 * 12 * 12 / 2);
         const Run verdict = tan({"verify", "coarse.tan", "--against", "body.xyz", "--lod", "4,2", "--json"});

@@ -44,7 +44,9 @@ private slots:
         QVERIFY(tan({"sample", "c60", "--size", "16", "-o", "c60.nrrd"}).exitCode == 0);
         QVERIFY(tan({"build", "c60.nrrd", "-o", "c60.tan"}).exitCode == 0);
         QVERIFY(tan({"sample", "bent-duct", "--size", "10", "-o", "duct.xyz"}).exitCode == 0);
-        QVERIFY(tan({"build", "duct.xyz", "-o", "duct.tan"}).exitCode == 0);
+        QVERIFY(
+            tan({"build", "duct.xyz", "--builder", "refinement", "--error-in", "grid", "-o", "duct.tan"}).exitCode ==
+            0);
     }
 
     /// The mesh of an accuracy, in each format, of the same size as info tells.

@@ -29,7 +29,7 @@ private slots:
         make({"build", "c60.nrrd", "-o", "c60.tan"});
         make({"build", "c60.nrrd", "--builder", "decimation", "-o", "decimated.tan"});
         make({"sample", "o-grid", "--size", "14", "-o", "grid.xyz"});
-        make({"build", "grid.xyz", "-o", "grid.tan"});
+        make({"build", "grid.xyz", "--builder", "refinement", "--error-in", "grid", "-o", "grid.tan"});
         make({"sample", "c60", "--size", "40", "-o", "large.nrrd"});
         make({"build", "large.nrrd", "-o", "large.tan"});
     }

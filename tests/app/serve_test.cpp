@@ -290,8 +290,9 @@ private:
 
     bool build(const QString& sample, const QString& size, const QString& dataset, const QString& model)
     {
+        const QStringList options = sample == "bent-duct" ? QStringList{"--builder", "refinement"} : QStringList();
         return runTan({"sample", sample, "--size", size, "-o", dataset}, place_.path()).exitCode == 0 &&
-               runTan({"build", dataset, "-o", model}, place_.path()).exitCode == 0;
+               runTan(QStringList{"build", dataset, "-o", model} + options, place_.path()).exitCode == 0;
     }
 
     OpenOptions cached() const { return {.cacheFolder = place_.filePath("cache").toStdString()}; }

@@ -45,15 +45,16 @@ class Model:
     pictures: bool = False
 
 
+BY_THE_GRID = ("--builder", "refinement", "--error-in", "grid")
 MODELS = (
     Model("c60 sample", "sample c60 24 nrrd", pictures=True),
     Model("c60 sample, decimated", "sample c60 20 nrrd", ("--builder", "decimation")),
     Model("marschner-lobb sample in blocks", "sample marschner-lobb 33 nrrd", ("--block", "8")),
     Model("hydrogen sample, paper's order", "sample hydrogen 16 nrrd", ("--builder", "decimation", "--order", "paper")),
     Model("noise sample, weighted", "sample noise 16 nrrd", ("--weight", "point:8,8,8,5")),
-    Model("o-grid sample", "sample o-grid 17 xyz", pictures=True),
-    Model("o-grid sample, decimated", "sample o-grid 12 xyz", ("--builder", "decimation")),
-    Model("bent duct sample in blocks", "sample bent-duct 33 xyz", ("--block", "8")),
+    Model("o-grid sample", "sample o-grid 17 xyz", BY_THE_GRID, pictures=True),
+    Model("o-grid sample, decimated", "sample o-grid 12 xyz", ("--builder", "decimation", "--space", "computational")),
+    Model("bent duct sample in blocks", "sample bent-duct 33 xyz", ("--builder", "refinement", "--block", "8")),
     Model("part sample", "sample part 16 vtu", pictures=True),
     Model("part sample, by rounds", "sample part 16 vtu", ("--order", "rounds")),
     Model("scattered sample", "sample scattered 12 csv", pictures=True),
@@ -62,10 +63,11 @@ MODELS = (
     Model("fiji quakes", "scattered/fiji_quakes.csv"),
     Model("spx", "irregular/spx.vtu", pictures=True),
     Model("bracket", "irregular/bracket_57k.vtu"),
-    Model("BluntFin", "bluntfin/bluntfin.vts", pictures=True),
-    Model("BluntFin in blocks", "bluntfin/bluntfin.vts", ("--block", "16")),
-    Model("BluntFin, decimated", "bluntfin/bluntfin.vts", ("--builder", "decimation", "--finest", "0.2")),
-    Model("Post", "post/post.vts"),
+    Model("BluntFin", "bluntfin/bluntfin.vts", BY_THE_GRID, pictures=True),
+    Model("BluntFin in blocks", "bluntfin/bluntfin.vts", ("--builder", "refinement", "--block", "16")),
+    Model("BluntFin, decimated", "bluntfin/bluntfin.vts",
+          ("--builder", "decimation", "--space", "computational", "--finest", "0.2")),
+    Model("Post", "post/post.vts", BY_THE_GRID),
     Model("c60large", "buckyball/c60large_128x128x128_uint8.nhdr", ("--block", "none", "--error", "0.5")),
     Model("c60large in blocks", "buckyball/c60large_128x128x128_uint8.nhdr", ("--block", "32", "--error", "0.5")),
     Model("c60large, decimated", "buckyball/c60large_128x128x128_uint8.nhdr", ("--builder", "decimation", "--stride", "2")),

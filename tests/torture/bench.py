@@ -76,7 +76,7 @@ KINDS = (
     Kind("lattice", "c60", "c60.nrrd", 14),
     Kind("blocks", "marschner-lobb", "ml.nrrd", 17, ("--block", "8")),
     Kind("decimated", "hydrogen", "hydrogen.nrrd", 12, ("--builder", "decimation")),
-    Kind("curvilinear", "o-grid", "grid.xyz", 9),
+    Kind("curvilinear", "o-grid", "grid.xyz", 9, ("--builder", "refinement")),
     Kind("irregular", "part", "part.vtu", 8, ("--builder", "decimation")),
     Kind("packed", "marschner-lobb", "ml.nrrd", 13, ("--block", "6", "--packed")),
     Kind("packed by parts", "hydrogen", "hydrogen.nrrd", 9, ("--builder", "decimation", "--packed")),

@@ -430,7 +430,7 @@ def wrong_mesh(path, file):
 # Of other ways to make and to pack a model than the bench's own kinds.
 MORE_KINDS = (
     Kind("scattered", "scattered", "cloud.csv", 6),
-    Kind("grid by collapses", "o-grid", "grid.xyz", 7, ("--builder", "decimation")),
+    Kind("grid by collapses", "o-grid", "grid.xyz", 7, ("--builder", "decimation", "--space", "computational")),
     Kind("few sites", "marschner-lobb", "ml.nrrd", 16, ("--error", "5")),
     Kind("weighted", "c60", "c60.nrrd", 10, ("--weight", "value:0.5,0.2")),
 )

@@ -712,14 +712,17 @@ def make_shape(bench, folder, chance, kind):
 
 
 def hard_grid(bench, folder, chance, number):
-    """A curvilinear grid, whole and in blocks, by refinement and by decimation; one with holes has become a mesh that only this keeps."""
+    """A curvilinear grid by default, whole and in blocks, by refinement and by decimation; one with holes has become a mesh that only
+    this keeps."""
     what = make_shape(bench, folder, chance, "grid")
     ways = [("--builder", "decimation")]
     opened = bench.run(("info", "grid.xyz"), folder)
     if what == "holes" and opened.code == BAD_INPUT:  # cells so bent that no tetrahedra fill them
         return "with holes, refused", unexpected(opened, (BAD_INPUT,))
     if what == "whole":
-        ways = [("--builder", "decimation"), ("--block", str(chance.randint(1, 6))), ("--builder", "refinement")]
+        refine = ("--builder", "refinement")
+        ways = [(), ("--builder", "decimation", "--space", "computational"), refine + ("--block", str(chance.randint(1, 6))),
+                refine + ("--error-in", "grid")]
     told, failures = proved_models(bench, folder, "grid.xyz", ways)
     finest = told["levels"][-1] if told else {}
     counts = {"folded cells": told["folded_cells"] if told else 0, "tetrahedra inverted by the data": finest.get("inverted_in_data", 0),

@@ -251,7 +251,7 @@ Drivers buildControls()
         steppedOption("by", withGrid(refinement), "error"),
         typedOption("block", withBuilder(refinement), "4"),
         steppedOption("selection", withGrid(refinement), "paper"),
-        steppedOption("error-in", withGrid(refinement), "space"),
+        steppedOption("error-in", withGrid(refinement), "grid"),
         steppedOption("space", withGrid(refinement, "stretched"), "computational"),
         typedOption("weights", withBuilder(refinement), "value:50,20,0.5"),
         steppedOption("order", withBuilder(decimation), "paper"),
