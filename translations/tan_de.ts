@@ -803,14 +803,6 @@
         <translation>%1 seiner %2 Tetraeder werden gezeigt.</translation>
     </message>
     <message>
-        <source>error %1 in the focus, %2 outside</source>
-        <translation>Fehler %1 im Fokus, %2 außerhalb</translation>
-    </message>
-    <message>
-        <source>error %1</source>
-        <translation>Fehler %1</translation>
-    </message>
-    <message>
         <source>Shown: %1, and the same warping.</source>
         <translation>Gezeigt: %1, Verwerfung ebenso.</translation>
     </message>
@@ -823,14 +815,6 @@
         <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
     </message>
     <message>
-        <source>errors from %1 to %2</source>
-        <translation>Fehler von %1 bis %2</translation>
-    </message>
-    <message>
-        <source>error %1 to %2</source>
-        <translation>Fehler %1 bis %2</translation>
-    </message>
-    <message>
         <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
         <translation>Gezeigt: Tetraeder der Netze mit %1. %2 von %3 sind ausgewählt.</translation>
     </message>
@@ -841,6 +825,30 @@
     <message>
         <source>Shown: %1, whatever the warping.</source>
         <translation>Gezeigt: %1, bei beliebiger Verwerfung.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 in the focus, %3 outside</source>
+        <translation>%1 %2 im Fokus, %3 außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (in space up to %2)</source>
+        <translation>%1 (im Raum bis %2)</translation>
+    </message>
+    <message>
+        <source>in the grid; in space up to %1</source>
+        <translation>im Gitter; im Raum bis %1</translation>
     </message>
 </context>
 <context>
@@ -1143,14 +1151,6 @@
         <translation>zerschnittene Tetraeder: %1; überlappende Gruppen, nach Entfernung gezeichnet: %2</translation>
     </message>
     <message>
-        <source>in the grid and in space</source>
-        <translation>im Gitter und im Raum</translation>
-    </message>
-    <message>
-        <source>in the grid; in space it may be larger</source>
-        <translation>im Gitter; im Raum kann er größer sein</translation>
-    </message>
-    <message>
         <source>Faulty cells</source>
         <translation>Fehlerhafte Zellen</translation>
     </message>
@@ -1208,10 +1208,6 @@
         <translation>%1k</translation>
     </message>
     <message>
-        <source>Error, % of the value range</source>
-        <translation>Fehler, % des Wertebereichs</translation>
-    </message>
-    <message>
         <source>Tetrahedra against error</source>
         <translation>Tetraeder gegen Fehler</translation>
     </message>
@@ -1220,12 +1216,16 @@
         <translation>Wie viele Tetraeder jeder Fehler braucht. Klicken, ziehen oder Pfeiltasten wählen die Genauigkeit.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra at an error of %2</source>
-        <translation>%1 Tetraeder bei einem Fehler von %2</translation>
-    </message>
-    <message>
         <source>Tetrahedra</source>
         <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at an %2 of %3</source>
+        <translation>%1 Tetraeder bei einem %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1, % of the value range</source>
+        <translation>%1, % des Wertebereichs</translation>
     </message>
 </context>
 <context>
@@ -1249,10 +1249,6 @@
     <message>
         <source>Tetrahedra</source>
         <translation>Tetraeder</translation>
-    </message>
-    <message>
-        <source>This model was built down to an error of %1; it contains nothing finer.</source>
-        <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
         <source>of the range
@@ -1291,10 +1287,6 @@ Verwerfung %2</translation>
         <translation>&amp;Verwerfung</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these.</source>
-        <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese.</translation>
-    </message>
-    <message>
         <source>Same as the error</source>
         <translation>Wie der Fehler</translation>
     </message>
@@ -1327,6 +1319,18 @@ Verwerfung %2</translation>
 any warping</source>
         <translation>± %1 im Wert
 beliebige Verwerfung</translation>
+    </message>
+    <message>
+        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data that lie just outside of the mesh are compared with a place of its boundary nearby.</source>
+        <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese. Abtastwerte unregelmäßiger Daten, die knapp außerhalb des Netzes liegen, werden mit einer nahen Stelle seines Randes verglichen.</translation>
+    </message>
+    <message>
+        <source>This model was built down to an %1 of %2; it contains nothing finer.</source>
+        <translation>Dieses Modell wurde bis zu einem %1 von %2 gebaut; Feineres enthält es nicht.</translation>
+    </message>
+    <message>
+        <source>%1, ± %2</source>
+        <translation>%1, ± %2</translation>
     </message>
 </context>
 <context>
@@ -1555,6 +1559,30 @@ beliebige Verwerfung</translation>
     <message>
         <source>%1: corner</source>
         <translation>%1: Ecke</translation>
+    </message>
+    <message>
+        <source>Fixed ends</source>
+        <translation>Feste Enden</translation>
+    </message>
+    <message>
+        <source>The colour bar goes from one chosen value to another, so that several pictures have the same one; else it goes over all values of the data</source>
+        <translation>Die Farbskala geht von einem gewählten Wert bis zu einem anderen, sodass mehrere Bilder dieselbe haben; sonst geht sie über alle Werte der Daten</translation>
+    </message>
+    <message>
+        <source>Colour bar: smaller end</source>
+        <translation>Farbskala: kleineres Ende</translation>
+    </message>
+    <message>
+        <source>Value at the lower end of the colour bar</source>
+        <translation>Wert am unteren Ende der Farbskala</translation>
+    </message>
+    <message>
+        <source>Colour bar: larger end</source>
+        <translation>Farbskala: größeres Ende</translation>
+    </message>
+    <message>
+        <source>Value at the upper end of the colour bar</source>
+        <translation>Wert am oberen Ende der Farbskala</translation>
     </message>
 </context>
 <context>
@@ -6909,10 +6937,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie will mehr enthalten, als irgendein Rechner fasst. Sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with &apos;time&apos;.</source>
-        <translation>Sie hat %1 Zeitschritte, und verlangt ist Nummer %2. Wählen Sie mit „time“ einen von 1 bis %3.</translation>
-    </message>
-    <message>
         <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
         <translation>Sie ist keine VTK-Datei: Ihr Anfang nennt keine Art von Daten. Schreiben Sie sie neu.</translation>
     </message>
@@ -9273,10 +9297,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>The series holds %1 volumes; the others are not read. Choose one with &apos;time&apos;.</source>
-        <translation>Die Serie enthält %1 Volumen; die anderen werden nicht gelesen. Wählen Sie mit „time“ eines.</translation>
-    </message>
-    <message>
         <source>its values are scaled beyond all numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
         <translation>ihre Werte sind über alle Zahlen hinaus skaliert (RescaleSlope). Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
@@ -9411,10 +9431,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>It has %1 channels; the others are not read. Choose one with &apos;channel&apos;.</source>
         <translation>Sie hat %1 Kanäle; die anderen werden nicht gelesen. Wählen Sie einen mit „channel“.</translation>
-    </message>
-    <message>
-        <source>It has %1 time steps; the others are not read. Choose one with &apos;time&apos;.</source>
-        <translation>Sie hat %1 Zeitschritte; die anderen werden nicht gelesen. Wählen Sie einen mit „time“.</translation>
     </message>
     <message>
         <source>it holds one slice%1, and TAn reads volumes. Put the slices of one volume as numbered files into a folder, or as pages into one file.</source>
@@ -9969,10 +9985,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihr Array hat die Form (%1), und ein Volumen braucht drei Dimensionen mit mehr als einem Element. Speichern Sie einen Teil, der sie hat, etwa array[0] oder array[..., 0].</translation>
     </message>
     <message>
-        <source>axes x, y, z: the first one runs fastest</source>
-        <translation>Achsen x, y, z: Die erste läuft am schnellsten</translation>
-    </message>
-    <message>
         <source>axes z, y, x: the last one runs fastest</source>
         <translation>Achsen z, y, x: Die letzte läuft am schnellsten</translation>
     </message>
@@ -10143,10 +10155,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>%1 cells of the kind &apos;%2&apos; were left out: TAn knows none like them.</source>
         <translation>%1 Zellen der Art „%2“ wurden weggelassen: Solche kennt TAn nicht.</translation>
-    </message>
-    <message>
-        <source>it has %1 time steps, and no step %2.</source>
-        <translation>sie hat %1 Zeitschritte und keinen Schritt %2.</translation>
     </message>
     <message>
         <source>meshio, which reads such files, is not installed. Install it by &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
@@ -10617,10 +10625,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Datei „%1“ hat keines der eigenen Formate von VTK. Öffnen Sie jene Datei für sich allein.</translation>
     </message>
     <message>
-        <source>it has one time step, and number %1 is asked for. Leave &apos;time&apos; out.</source>
-        <translation>sie hat einen Zeitschritt, und verlangt ist Nummer %1. Lassen Sie „time“ weg.</translation>
-    </message>
-    <message>
         <source>VTK says: %1 TAn cannot tell whether the file is damaged or of a kind that VTK does not read. Compare it with its original, or export it in another format (.vtu, .vti).</source>
         <translation>VTK meldet: %1 TAn kann nicht feststellen, ob die Datei beschädigt ist oder von einer Art, die VTK nicht liest. Vergleichen Sie sie mit ihrem Original, oder exportieren Sie sie in einem anderen Format (.vtu, .vti).</translation>
     </message>
@@ -10755,10 +10759,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>channels</source>
         <translation>Kanäle</translation>
-    </message>
-    <message>
-        <source>time steps</source>
-        <translation>Zeitschritte</translation>
     </message>
     <message>
         <source>its array %1 has fewer than three dimensions of space: the others are of time or channels. TAn takes volumes: choose another array, or write one.</source>
@@ -11463,6 +11463,170 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Save the array with the option &apos;-v7.3&apos;, or as NIfTI, by niftiwrite().</source>
         <translation>Speichern Sie das Array mit der Option „-v7.3“ oder als NIfTI, mit niftiwrite().</translation>
+    </message>
+    <message>
+        <source>The scale &apos;%1&apos; is not understood. Give &apos;linear&apos;, &apos;log&apos;, or &apos;log:&apos; and the positive number that smaller values are taken as, as in log:1e-6.</source>
+        <translation>Die Skala „%1“ ist nicht zu verstehen. Geben Sie „linear“, „log“ oder „log:“ mit der positiven Zahl an, als die kleinere Werte genommen werden, wie in log:1e-6.</translation>
+    </message>
+    <message>
+        <source>None of the %1 values is positive, so they have no logarithms. Take the scale linear.</source>
+        <translation>Keiner der %1 Werte ist positiv, sie haben also keine Logarithmen. Nehmen Sie die lineare Skala.</translation>
+    </message>
+    <message>
+        <source>No value is larger than %1, which smaller ones are to be taken as: the largest is %2. Give a smaller number.</source>
+        <translation>Kein Wert ist größer als %1, die Zahl, als die kleinere Werte genommen werden sollen: Der größte ist %2. Geben Sie eine kleinere Zahl an.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 values are not positive, so they have no logarithm. The smallest positive value is %3: with the scale log:%3 smaller ones are taken as that value.</source>
+        <translation>%1 von %2 Werten sind nicht positiv, sie haben also keinen Logarithmus. Der kleinste positive Wert ist %3: Mit der Skala log:%3 werden kleinere als dieser Wert genommen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 values are smaller than %3, and were taken as %3.</source>
+        <translation>%1 von %2 Werten sind kleiner als %3 und wurden als %3 genommen.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the logarithms of the values. Take a part of the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für die Logarithmen der Werte. Nehmen Sie einen Teil der Daten.</translation>
+    </message>
+    <message>
+        <source>error in the grid</source>
+        <translation>Fehler im Gitter</translation>
+    </message>
+    <message>
+        <source>error in space</source>
+        <translation>Fehler im Raum</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>errors in the grid</source>
+        <translation>Fehler im Gitter</translation>
+    </message>
+    <message>
+        <source>errors in space</source>
+        <translation>Fehler im Raum</translation>
+    </message>
+    <message>
+        <source>Error in the grid</source>
+        <translation>Fehler im Gitter</translation>
+    </message>
+    <message>
+        <source>Error in space</source>
+        <translation>Fehler im Raum</translation>
+    </message>
+    <message>
+        <source>in the grid; in space it may be larger</source>
+        <translation>im Gitter; im Raum kann er größer sein</translation>
+    </message>
+    <message>
+        <source>in the grid and in space</source>
+        <translation>im Gitter und im Raum</translation>
+    </message>
+    <message>
+        <source>What is guaranteed is the error in the grid; the error in space, at the place where you look, may be larger.</source>
+        <translation>Garantiert ist der Fehler im Gitter; der Fehler im Raum, an dem Ort, auf den Sie blicken, kann größer sein.</translation>
+    </message>
+    <message>
+        <source>The error in the grid and the error in space, at the place where you look, are both guaranteed at every accuracy; in a focus or a field, the error in the grid alone.</source>
+        <translation>Der Fehler im Gitter und der Fehler im Raum, an dem Ort, auf den Sie blicken, sind beide bei jeder Genauigkeit garantiert; in einem Fokus oder einem Fehlerfeld nur der Fehler im Gitter.</translation>
+    </message>
+    <message>
+        <source>&apos;tan verify&apos; measures the error in space.</source>
+        <translation>„tan verify“ misst den Fehler im Raum.</translation>
+    </message>
+    <message>
+        <source>The isovalue %1 is within the error that is shown, %2, of where the data end, %3: what is seen of its surface may be error alone.</source>
+        <translation>Der Isowert %1 ist höchstens um den gezeigten Fehler, %2, vom Ende der Werte der Daten, %3, entfernt: Was von seiner Fläche zu sehen ist, kann bloßer Fehler sein.</translation>
+    </message>
+    <message>
+        <source>The isovalue %1 is within the error that is shown, %2, of %3, the value of most of the domain: what is seen of its surface may be error alone.</source>
+        <translation>Der Isowert %1 ist höchstens um den gezeigten Fehler, %2, von %3 entfernt, dem Wert des größten Teils des Gebiets: Was von seiner Fläche zu sehen ist, kann bloßer Fehler sein.</translation>
+    </message>
+    <message>
+        <source>The transfer function shows values from %1 on, which is within the error that is shown, %2, of %3, the value of most of the domain: what is seen there may be error alone.</source>
+        <translation>Die Transferfunktion zeigt Werte ab %1; das ist höchstens um den gezeigten Fehler, %2, von %3 entfernt, dem Wert des größten Teils des Gebiets: Was dort zu sehen ist, kann bloßer Fehler sein.</translation>
+    </message>
+    <message>
+        <source>The values that the transfer function shows about %1 are fewer than the error that is shown, %2: the mesh cannot tell them from others.</source>
+        <translation>Der Bereich der Werte, den die Transferfunktion um %1 zeigt, ist schmaler als der gezeigte Fehler, %2: Das Netz kann diese Werte nicht von anderen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Choose other values.</source>
+        <translation>Wählen Sie andere Werte.</translation>
+    </message>
+    <message>
+        <source>An error of at most %1 % would do, everywhere or for values near %2 alone.</source>
+        <translation>Ein Fehler von höchstens %1 % würde genügen, überall oder nur für Werte nahe %2.</translation>
+    </message>
+    <message>
+        <source>Lit</source>
+        <translation>Beleuchtet</translation>
+    </message>
+    <message>
+        <source>Lights surfaces in the colours of values, so that their shape is seen better; their colours are then no longer those of the colour bar.</source>
+        <translation>Beleuchtet Flächen in den Farben von Werten, sodass ihre Form besser zu sehen ist; ihre Farben sind dann nicht mehr die der Farbskala.</translation>
+    </message>
+    <message>
+        <source>The preset goes from 0 to 1, and is stretched over the values of the data, %1 to %2.</source>
+        <translation>Die Vorlage geht von 0 bis 1 und wird über die Werte der Daten gespreizt, %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>it has no time step at %1. The nearest one is number %2, at %3.</source>
+        <translation>sie hat keinen Zeitschritt bei %1. Der nächstgelegene ist Nummer %2, bei %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;--time&apos; is not understood. Give the number of a time step, from 1, &apos;first&apos;, &apos;last&apos;, or a time, as in t=0.25.</source>
+        <translation>„%1“ für „--time“ ist nicht zu verstehen. Geben Sie die Nummer eines Zeitschritts, ab 1, „first“, „last“ oder eine Zeit an, wie in t=0.25.</translation>
+    </message>
+    <message>
+        <source>it has more time steps than can be listed. Give the number of one, from 1, for &apos;--time&apos;.</source>
+        <translation>sie hat mehr Zeitschritte, als aufgelistet werden können. Geben Sie für „--time“ die Nummer eines davon an, ab 1.</translation>
+    </message>
+    <message>
+        <source>it has one time step, and tells no time. Leave &apos;--time&apos; out.</source>
+        <translation>sie hat einen Zeitschritt und nennt keine Zeit. Lassen Sie „--time“ weg.</translation>
+    </message>
+    <message>
+        <source>The series holds %1 volumes; the others are not read. Choose one with &apos;--time&apos;.</source>
+        <translation>Die Serie enthält %1 Volumina; die anderen werden nicht gelesen. Wählen Sie eines mit „--time“.</translation>
+    </message>
+    <message>
+        <source>It has %1 time steps; the others are not read. Choose one with &apos;--time&apos;.</source>
+        <translation>Sie hat %1 Zeitschritte; die anderen werden nicht gelesen. Wählen Sie einen mit „--time“.</translation>
+    </message>
+    <message>
+        <source>the array&apos;s dimensions are z, y, x</source>
+        <translation>die Dimensionen des Arrays sind z, y, x</translation>
+    </message>
+    <message>
+        <source>the array&apos;s dimensions are x, y, z</source>
+        <translation>die Dimensionen des Arrays sind x, y, z</translation>
+    </message>
+    <message>
+        <source>the array&apos;s dimensions are x, y, z; give &apos;--axes zyx&apos; if they are z, y, x, as those of stacks of images are</source>
+        <translation>die Dimensionen des Arrays sind x, y, z; geben Sie „--axes zyx“ an, wenn sie z, y, x sind, wie die von Bildstapeln</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>NumPy arrays: whether they are indexed as array[x, y, z], or as array[z, y, x], as stacks of images by scikit-image, imageio and tifffile are.</source>
+        <translation>NumPy-Arrays: ob sie als array[x, y, z] indiziert sind oder als array[z, y, x], wie Bildstapel von scikit-image, imageio und tifffile.</translation>
+    </message>
+    <message>
+        <source>&apos;--%1&apos; says how a NumPy array is indexed, and &apos;%2&apos; is none. Leave it out.</source>
+        <translation>„--%1“ sagt, wie ein NumPy-Array indiziert ist, und „%2“ ist keines. Lassen Sie die Option weg.</translation>
+    </message>
+    <message>
+        <source>Its values &apos;%1&apos; at the corners of elements are not read: elements that share a node may have different ones there.</source>
+        <translation>Ihre Werte „%1“ an den Ecken von Elementen werden nicht gelesen: Elemente, die einen Knoten gemeinsam haben, können dort verschiedene haben.</translation>
+    </message>
+    <message>
+        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so their surfaces are empty.</source>
+        <translation>Keiner der Isowerte liegt innerhalb der Werte des Modells, %1 bis %2, daher sind ihre Flächen leer.</translation>
     </message>
 </context>
 <context>
@@ -12333,6 +12497,37 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
 </context>
 <context>
+    <name>tetra::ScaleInput</name>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Linear takes the values as they are. Logarithmic takes their logarithms to base 10, for values over many powers of ten: errors are factors then, the same at large and at small values</source>
+        <translation>Linear nimmt die Werte, wie sie sind. Logarithmisch nimmt ihre Logarithmen zur Basis 10, für Werte über viele Zehnerpotenzen: Fehler sind dann Faktoren, dieselben bei großen und bei kleinen Werten</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Smallest value</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>all values are positive</source>
+        <translation>alle Werte sind positiv</translation>
+    </message>
+    <message>
+        <source>What smaller values are taken as, zero and negative ones too: they have no logarithm. Empty: all values have to be positive</source>
+        <translation>Der Wert, als der kleinere genommen werden, auch null und negative: Sie haben keinen Logarithmus. Leer: Alle Werte müssen positiv sein</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SceneService</name>
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
@@ -12533,6 +12728,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>The server finds the mesh, or the picture is being drawn</source>
         <translation>Der Server bestimmt das Netz, oder das Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>part may be error</source>
+        <translation>ein Teil ist vielleicht Fehler</translation>
     </message>
 </context>
 <context>

@@ -803,14 +803,6 @@
         <translation>Si mostrano %1 dei suoi %2 tetraedri.</translation>
     </message>
     <message>
-        <source>error %1 in the focus, %2 outside</source>
-        <translation>errore %1 nel focus, %2 all&apos;esterno</translation>
-    </message>
-    <message>
-        <source>error %1</source>
-        <translation>errore %1</translation>
-    </message>
-    <message>
         <source>Shown: %1, and the same warping.</source>
         <translation>Mostrato: %1, deformazione uguale.</translation>
     </message>
@@ -823,14 +815,6 @@
         <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
     </message>
     <message>
-        <source>errors from %1 to %2</source>
-        <translation>errori da %1 a %2</translation>
-    </message>
-    <message>
-        <source>error %1 to %2</source>
-        <translation>errore da %1 a %2</translation>
-    </message>
-    <message>
         <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
         <translation>Mostrati: tetraedri delle griglie di %1. Scelti %2 su %3.</translation>
     </message>
@@ -841,6 +825,30 @@
     <message>
         <source>Shown: %1, whatever the warping.</source>
         <translation>Mostrato: %1, qualunque sia la deformazione.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 da %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 in the focus, %3 outside</source>
+        <translation>%1 %2 nel focus, %3 all&apos;esterno</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 da %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (in space up to %2)</source>
+        <translation>%1 (nello spazio fino a %2)</translation>
+    </message>
+    <message>
+        <source>in the grid; in space up to %1</source>
+        <translation>nella griglia; nello spazio fino a %1</translation>
     </message>
 </context>
 <context>
@@ -1143,14 +1151,6 @@
         <translation>tetraedri tagliati: %1; gruppi sovrapposti, disegnati per distanza: %2</translation>
     </message>
     <message>
-        <source>in the grid and in space</source>
-        <translation>nella griglia e nello spazio</translation>
-    </message>
-    <message>
-        <source>in the grid; in space it may be larger</source>
-        <translation>nella griglia; nello spazio può essere maggiore</translation>
-    </message>
-    <message>
         <source>Faulty cells</source>
         <translation>Celle difettose</translation>
     </message>
@@ -1208,10 +1208,6 @@
         <translation>%1k</translation>
     </message>
     <message>
-        <source>Error, % of the value range</source>
-        <translation>Errore, % dell&apos;intervallo dei valori</translation>
-    </message>
-    <message>
         <source>Tetrahedra against error</source>
         <translation>Tetraedri rispetto all&apos;errore</translation>
     </message>
@@ -1220,12 +1216,16 @@
         <translation>Numero di tetraedri necessari per ogni errore. Fare clic, trascinare o usare i tasti freccia per scegliere l&apos;accuratezza.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra at an error of %2</source>
-        <translation>%1 tetraedri con un errore di %2</translation>
-    </message>
-    <message>
         <source>Tetrahedra</source>
         <translation>Tetraedri</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at an %2 of %3</source>
+        <translation>%1 tetraedri con un %2 di %3</translation>
+    </message>
+    <message>
+        <source>%1, % of the value range</source>
+        <translation>%1, % dell&apos;intervallo dei valori</translation>
     </message>
 </context>
 <context>
@@ -1249,10 +1249,6 @@
     <message>
         <source>Tetrahedra</source>
         <translation>Tetraedri</translation>
-    </message>
-    <message>
-        <source>This model was built down to an error of %1; it contains nothing finer.</source>
-        <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
     </message>
     <message>
         <source>of the range
@@ -1291,10 +1287,6 @@ deformazione %2</translation>
         <translation>&amp;Deformazione</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these.</source>
-        <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi.</translation>
-    </message>
-    <message>
         <source>Same as the error</source>
         <translation>Come l&apos;errore</translation>
     </message>
@@ -1327,6 +1319,18 @@ deformazione %2</translation>
 any warping</source>
         <translation>± %1 nel valore
 deformazione qualsiasi</translation>
+    </message>
+    <message>
+        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data that lie just outside of the mesh are compared with a place of its boundary nearby.</source>
+        <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi. I campioni di dati irregolari che si trovano appena fuori dalla mesh si confrontano con un punto vicino del suo contorno.</translation>
+    </message>
+    <message>
+        <source>This model was built down to an %1 of %2; it contains nothing finer.</source>
+        <translation>Questo modello è stato costruito fino a un %1 di %2; non ha nulla di più fine.</translation>
+    </message>
+    <message>
+        <source>%1, ± %2</source>
+        <translation>%1, ± %2</translation>
     </message>
 </context>
 <context>
@@ -1555,6 +1559,30 @@ deformazione qualsiasi</translation>
     <message>
         <source>%1: corner</source>
         <translation>%1: angolo</translation>
+    </message>
+    <message>
+        <source>Fixed ends</source>
+        <translation>Estremi fissi</translation>
+    </message>
+    <message>
+        <source>The colour bar goes from one chosen value to another, so that several pictures have the same one; else it goes over all values of the data</source>
+        <translation>La barra dei colori va da un valore scelto a un altro, così che più immagini abbiano la stessa; altrimenti copre tutti i valori dei dati</translation>
+    </message>
+    <message>
+        <source>Colour bar: smaller end</source>
+        <translation>Barra dei colori: estremo minore</translation>
+    </message>
+    <message>
+        <source>Value at the lower end of the colour bar</source>
+        <translation>Valore all&apos;estremo inferiore della barra dei colori</translation>
+    </message>
+    <message>
+        <source>Colour bar: larger end</source>
+        <translation>Barra dei colori: estremo maggiore</translation>
+    </message>
+    <message>
+        <source>Value at the upper end of the colour bar</source>
+        <translation>Valore all&apos;estremo superiore della barra dei colori</translation>
     </message>
 </context>
 <context>
@@ -6909,10 +6937,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>dichiara di contenere più di quanto un computer possa. È danneggiato.</translation>
     </message>
     <message>
-        <source>it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with &apos;time&apos;.</source>
-        <translation>ha %1 passi temporali, e si chiede il numero %2. Sceglierne uno da 1 a %3 con «time».</translation>
-    </message>
-    <message>
         <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
         <translation>non è un file VTK: il suo inizio non dice un tipo di dati. Riscriverlo.</translation>
     </message>
@@ -9273,10 +9297,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 di %2</translation>
     </message>
     <message>
-        <source>The series holds %1 volumes; the others are not read. Choose one with &apos;time&apos;.</source>
-        <translation>La serie contiene %1 volumi; gli altri non vengono letti. Sceglierne uno con «time».</translation>
-    </message>
-    <message>
         <source>its values are scaled beyond all numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
         <translation>i suoi valori sono scalati oltre ogni numero rappresentabile (RescaleSlope). Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
@@ -9411,10 +9431,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>It has %1 channels; the others are not read. Choose one with &apos;channel&apos;.</source>
         <translation>Ha %1 canali; gli altri non vengono letti. Sceglierne uno con «channel».</translation>
-    </message>
-    <message>
-        <source>It has %1 time steps; the others are not read. Choose one with &apos;time&apos;.</source>
-        <translation>Ha %1 passi temporali; gli altri non vengono letti. Sceglierne uno con «time».</translation>
     </message>
     <message>
         <source>it holds one slice%1, and TAn reads volumes. Put the slices of one volume as numbered files into a folder, or as pages into one file.</source>
@@ -9969,10 +9985,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo array ha la forma (%1), e un volume richiede tre dimensioni di più di un elemento. Salvarne una parte che le ha, come array[0] o array[..., 0].</translation>
     </message>
     <message>
-        <source>axes x, y, z: the first one runs fastest</source>
-        <translation>assi x, y, z: il primo varia più in fretta</translation>
-    </message>
-    <message>
         <source>axes z, y, x: the last one runs fastest</source>
         <translation>assi z, y, x: l&apos;ultimo varia più in fretta</translation>
     </message>
@@ -10143,10 +10155,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>%1 cells of the kind &apos;%2&apos; were left out: TAn knows none like them.</source>
         <translation>%1 celle del tipo «%2» sono state omesse: TAn non ne conosce di simili.</translation>
-    </message>
-    <message>
-        <source>it has %1 time steps, and no step %2.</source>
-        <translation>ha %1 passi temporali, e nessun passo %2.</translation>
     </message>
     <message>
         <source>meshio, which reads such files, is not installed. Install it by &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
@@ -10617,10 +10625,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo file «%1» non è di nessuno dei formati propri di VTK. Aprire quel file da solo.</translation>
     </message>
     <message>
-        <source>it has one time step, and number %1 is asked for. Leave &apos;time&apos; out.</source>
-        <translation>ha un solo passo temporale, e si chiede il numero %1. Omettere «time».</translation>
-    </message>
-    <message>
         <source>VTK says: %1 TAn cannot tell whether the file is damaged or of a kind that VTK does not read. Compare it with its original, or export it in another format (.vtu, .vti).</source>
         <translation>VTK segnala: %1 TAn non può stabilire se il file è danneggiato o di un tipo che VTK non legge. Confrontarlo con il suo originale, o esportarlo in un altro formato (.vtu, .vti).</translation>
     </message>
@@ -10755,10 +10759,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>channels</source>
         <translation>canali</translation>
-    </message>
-    <message>
-        <source>time steps</source>
-        <translation>passi temporali</translation>
     </message>
     <message>
         <source>its array %1 has fewer than three dimensions of space: the others are of time or channels. TAn takes volumes: choose another array, or write one.</source>
@@ -11463,6 +11463,170 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Save the array with the option &apos;-v7.3&apos;, or as NIfTI, by niftiwrite().</source>
         <translation>Salvare l&apos;array con l&apos;opzione «-v7.3», o come NIfTI, con niftiwrite().</translation>
+    </message>
+    <message>
+        <source>The scale &apos;%1&apos; is not understood. Give &apos;linear&apos;, &apos;log&apos;, or &apos;log:&apos; and the positive number that smaller values are taken as, as in log:1e-6.</source>
+        <translation>La scala «%1» non è comprensibile. Indicare «linear», «log», oppure «log:» seguito dal numero positivo che prende il posto dei valori minori, come in log:1e-6.</translation>
+    </message>
+    <message>
+        <source>None of the %1 values is positive, so they have no logarithms. Take the scale linear.</source>
+        <translation>Nessuno dei %1 valori è positivo, quindi non hanno logaritmi. Usare la scala lineare.</translation>
+    </message>
+    <message>
+        <source>No value is larger than %1, which smaller ones are to be taken as: the largest is %2. Give a smaller number.</source>
+        <translation>Nessun valore è maggiore di %1, il numero che deve prendere il posto dei valori minori: il massimo è %2. Indicare un numero più piccolo.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 values are not positive, so they have no logarithm. The smallest positive value is %3: with the scale log:%3 smaller ones are taken as that value.</source>
+        <translation>%1 di %2 valori non sono positivi, quindi non hanno logaritmo. Il minimo valore positivo è %3: con la scala log:%3 questo valore prende il posto di quelli minori.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 values are smaller than %3, and were taken as %3.</source>
+        <translation>%1 di %2 valori sono minori di %3, e sono stati presi come %3.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the logarithms of the values. Take a part of the data.</source>
+        <translation>La memoria non basta per i logaritmi dei valori. Prendere una parte dei dati.</translation>
+    </message>
+    <message>
+        <source>error in the grid</source>
+        <translation>errore nella griglia</translation>
+    </message>
+    <message>
+        <source>error in space</source>
+        <translation>errore nello spazio</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <translation>errori</translation>
+    </message>
+    <message>
+        <source>errors in the grid</source>
+        <translation>errori nella griglia</translation>
+    </message>
+    <message>
+        <source>errors in space</source>
+        <translation>errori nello spazio</translation>
+    </message>
+    <message>
+        <source>Error in the grid</source>
+        <translation>Errore nella griglia</translation>
+    </message>
+    <message>
+        <source>Error in space</source>
+        <translation>Errore nello spazio</translation>
+    </message>
+    <message>
+        <source>in the grid; in space it may be larger</source>
+        <translation>nella griglia; nello spazio può essere maggiore</translation>
+    </message>
+    <message>
+        <source>in the grid and in space</source>
+        <translation>nella griglia e nello spazio</translation>
+    </message>
+    <message>
+        <source>What is guaranteed is the error in the grid; the error in space, at the place where you look, may be larger.</source>
+        <translation>È garantito l&apos;errore nella griglia; l&apos;errore nello spazio, nel punto che si guarda, può essere maggiore.</translation>
+    </message>
+    <message>
+        <source>The error in the grid and the error in space, at the place where you look, are both guaranteed at every accuracy; in a focus or a field, the error in the grid alone.</source>
+        <translation>L&apos;errore nella griglia e l&apos;errore nello spazio, nel punto che si guarda, sono entrambi garantiti a ogni accuratezza; in un focus o in un campo d&apos;errore, solo l&apos;errore nella griglia.</translation>
+    </message>
+    <message>
+        <source>&apos;tan verify&apos; measures the error in space.</source>
+        <translation>«tan verify» misura l&apos;errore nello spazio.</translation>
+    </message>
+    <message>
+        <source>The isovalue %1 is within the error that is shown, %2, of where the data end, %3: what is seen of its surface may be error alone.</source>
+        <translation>L&apos;isovalore %1 dista dall&apos;estremo dei valori dei dati, %3, non più dell&apos;errore mostrato, %2: ciò che si vede della sua superficie può essere soltanto errore.</translation>
+    </message>
+    <message>
+        <source>The isovalue %1 is within the error that is shown, %2, of %3, the value of most of the domain: what is seen of its surface may be error alone.</source>
+        <translation>L&apos;isovalore %1 dista da %3, il valore della maggior parte del dominio, non più dell&apos;errore mostrato, %2: ciò che si vede della sua superficie può essere soltanto errore.</translation>
+    </message>
+    <message>
+        <source>The transfer function shows values from %1 on, which is within the error that is shown, %2, of %3, the value of most of the domain: what is seen there may be error alone.</source>
+        <translation>La funzione di trasferimento mostra i valori a partire da %1, che dista da %3, il valore della maggior parte del dominio, non più dell&apos;errore mostrato, %2: ciò che si vede lì può essere soltanto errore.</translation>
+    </message>
+    <message>
+        <source>The values that the transfer function shows about %1 are fewer than the error that is shown, %2: the mesh cannot tell them from others.</source>
+        <translation>I valori che la funzione di trasferimento mostra attorno a %1 formano un intervallo più stretto dell&apos;errore mostrato, %2: la mesh non può distinguerli da altri.</translation>
+    </message>
+    <message>
+        <source>Choose other values.</source>
+        <translation>Scegliere altri valori.</translation>
+    </message>
+    <message>
+        <source>An error of at most %1 % would do, everywhere or for values near %2 alone.</source>
+        <translation>Basterebbe un errore di al massimo %1 %, ovunque o solo per i valori vicini a %2.</translation>
+    </message>
+    <message>
+        <source>Lit</source>
+        <translation>Illuminazione</translation>
+    </message>
+    <message>
+        <source>Lights surfaces in the colours of values, so that their shape is seen better; their colours are then no longer those of the colour bar.</source>
+        <translation>Illumina le superfici nei colori dei valori, così che se ne veda meglio la forma; i loro colori non sono più quelli della barra dei colori.</translation>
+    </message>
+    <message>
+        <source>The preset goes from 0 to 1, and is stretched over the values of the data, %1 to %2.</source>
+        <translation>La preimpostazione va da 0 a 1 e viene estesa a tutti i valori dei dati, da %1 a %2.</translation>
+    </message>
+    <message>
+        <source>it has no time step at %1. The nearest one is number %2, at %3.</source>
+        <translation>non ha un passo temporale a %1. Il più vicino è il numero %2, a %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;--time&apos; is not understood. Give the number of a time step, from 1, &apos;first&apos;, &apos;last&apos;, or a time, as in t=0.25.</source>
+        <translation>«%1» per «--time» non è comprensibile. Indicare il numero di un passo temporale, da 1, «first», «last», o un tempo, come in t=0.25.</translation>
+    </message>
+    <message>
+        <source>it has more time steps than can be listed. Give the number of one, from 1, for &apos;--time&apos;.</source>
+        <translation>ha più passi temporali di quanti se ne possano elencare. Indicare per «--time» il numero di uno di essi, da 1.</translation>
+    </message>
+    <message>
+        <source>it has one time step, and tells no time. Leave &apos;--time&apos; out.</source>
+        <translation>ha un solo passo temporale, e non indica alcun tempo. Omettere «--time».</translation>
+    </message>
+    <message>
+        <source>The series holds %1 volumes; the others are not read. Choose one with &apos;--time&apos;.</source>
+        <translation>La serie contiene %1 volumi; gli altri non vengono letti. Sceglierne uno con «--time».</translation>
+    </message>
+    <message>
+        <source>It has %1 time steps; the others are not read. Choose one with &apos;--time&apos;.</source>
+        <translation>Ha %1 passi temporali; gli altri non vengono letti. Sceglierne uno con «--time».</translation>
+    </message>
+    <message>
+        <source>the array&apos;s dimensions are z, y, x</source>
+        <translation>le dimensioni dell&apos;array sono z, y, x</translation>
+    </message>
+    <message>
+        <source>the array&apos;s dimensions are x, y, z</source>
+        <translation>le dimensioni dell&apos;array sono x, y, z</translation>
+    </message>
+    <message>
+        <source>the array&apos;s dimensions are x, y, z; give &apos;--axes zyx&apos; if they are z, y, x, as those of stacks of images are</source>
+        <translation>le dimensioni dell&apos;array sono x, y, z; indicare «--axes zyx» se sono z, y, x, come quelle delle pile di immagini</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>NumPy arrays: whether they are indexed as array[x, y, z], or as array[z, y, x], as stacks of images by scikit-image, imageio and tifffile are.</source>
+        <translation>Array NumPy: se sono indicizzati come array[x, y, z], o come array[z, y, x], come le pile di immagini di scikit-image, imageio e tifffile.</translation>
+    </message>
+    <message>
+        <source>&apos;--%1&apos; says how a NumPy array is indexed, and &apos;%2&apos; is none. Leave it out.</source>
+        <translation>«--%1» dice come è indicizzato un array NumPy, e «%2» non lo è. Ometterlo.</translation>
+    </message>
+    <message>
+        <source>Its values &apos;%1&apos; at the corners of elements are not read: elements that share a node may have different ones there.</source>
+        <translation>I suoi valori «%1» ai vertici degli elementi non vengono letti: elementi che condividono un nodo possono averne lì di diversi.</translation>
+    </message>
+    <message>
+        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so their surfaces are empty.</source>
+        <translation>Nessuno degli isovalori è fra i valori del modello, da %1 a %2, perciò le loro superfici sono vuote.</translation>
     </message>
 </context>
 <context>
@@ -12333,6 +12497,37 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
 </context>
 <context>
+    <name>tetra::ScaleInput</name>
+    <message>
+        <source>Scale</source>
+        <translation>Scala</translation>
+    </message>
+    <message>
+        <source>Linear takes the values as they are. Logarithmic takes their logarithms to base 10, for values over many powers of ten: errors are factors then, the same at large and at small values</source>
+        <translation>Lineare prende i valori come sono. Logaritmica prende i loro logaritmi in base 10, per valori che coprono molte potenze di dieci: gli errori sono allora fattori, gli stessi per valori grandi e piccoli</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Lineare</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logaritmica</translation>
+    </message>
+    <message>
+        <source>Smallest value</source>
+        <translation>Valore minimo</translation>
+    </message>
+    <message>
+        <source>all values are positive</source>
+        <translation>tutti i valori sono positivi</translation>
+    </message>
+    <message>
+        <source>What smaller values are taken as, zero and negative ones too: they have no logarithm. Empty: all values have to be positive</source>
+        <translation>Il valore che prende il posto di quelli minori, anche zero e negativi: questi non hanno logaritmo. Vuoto: tutti i valori devono essere positivi</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SceneService</name>
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
@@ -12533,6 +12728,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>The server finds the mesh, or the picture is being drawn</source>
         <translation>Il server trova la mesh, o l&apos;immagine viene disegnata</translation>
+    </message>
+    <message>
+        <source>part may be error</source>
+        <translation>una parte può essere errore</translation>
     </message>
 </context>
 <context>
