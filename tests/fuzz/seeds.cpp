@@ -194,6 +194,61 @@ void addNetCdfHeaders(const QString& folder)
     }
 }
 
+/// Two bytes for the room, and a block: bytes as they are, a repetition, one that reaches into itself.
+void addLzf(const QString& folder)
+{
+    Seeds seeds(folder, "lzf");
+    seeds.add(QByteArray("\x28\0\4hello\x20\4\xe0\5\4", 13));
+    seeds.add(QByteArray("\x2c\1\0a\xe0\xff\0", 7));
+}
+
+/// A byte for what the metadata are of, two for their length, the metadata, and a chunk.
+void addZarr(const QString& folder)
+{
+    Seeds seeds(folder, "zarr");
+    const auto add = [&](char kind, const QByteArray& metadata, const QByteArray& chunk) {
+        const char length[] = {static_cast<char>(metadata.size() % 256), static_cast<char>(metadata.size() / 256)};
+        seeds.add(QByteArray(1, kind) + QByteArray(length, 2) + metadata + chunk);
+    };
+    const QByteArray bytes(48, '\1');
+    const auto array2 = [](const QByteArray& type, const QByteArray& more) {
+        return "{\"zarr_format\": 2, \"shape\": [2, 3, 4], \"chunks\": [2, 3, 4], \"dtype\": \"" + type + "\", " +
+               more + "}";
+    };
+    const QByteArray whole = "\"order\": \"C\", \"fill_value\": 0, ";
+    add('\0', array2("<u2", whole + "\"compressor\": null, \"filters\": null"), bytes);
+    add('\0', array2(">i8", "\"order\": \"F\", \"fill_value\": \"NaN\", \"compressor\": {\"id\": \"gzip\"}"),
+        gzipped(QByteArray(192, '\1')));
+    add('\0',
+        array2("<u2",
+               whole +
+                   "\"compressor\": null, \"filters\": [{\"id\": \"shuffle\", \"elementsize\": 2}, {\"id\": \"delta\", "
+                   "\"dtype\": \"<u2\"}]"),
+        bytes);
+    const auto array3 = [](const QByteArray& codecs) {
+        return "{\"zarr_format\": 3, \"node_type\": \"array\", \"shape\": [2, 3, 4], \"data_type\": \"uint16\", "
+               "\"fill_value\": 0, "
+               "\"chunk_grid\": {\"name\": \"regular\", \"configuration\": {\"chunk_shape\": [2, 3, 4]}}, \"codecs\": "
+               "[" +
+               codecs + "], \"dimension_names\": [\"z\", \"y\", \"x\"]}";
+    };
+    const QByteArray little = "{\"name\": \"bytes\", \"configuration\": {\"endian\": \"little\"}}";
+    add('\1', array3(little + ", {\"name\": \"gzip\"}"), gzipped(bytes));
+    add('\1',
+        array3("{\"name\": \"sharding_indexed\", \"configuration\": {\"chunk_shape\": [2, 3, 4], \"codecs\": [" +
+               little + "], \"index_codecs\": [" + little + "], \"index_location\": \"start\"}}"),
+        QByteArray("\x10\0\0\0\0\0\0\0\x30\0\0\0\0\0\0\0", 16) + bytes);
+    const QByteArray image =
+        "\"multiscales\": [{\"axes\": [{\"name\": \"z\", \"type\": \"space\", \"unit\": \"micrometer\"}, "
+        "{\"name\": \"y\", \"type\": \"space\", \"unit\": \"nanometer\"}, {\"name\": \"x\"}], \"datasets\": "
+        "[{\"path\": \"0\", \"coordinateTransformations\": [{\"type\": \"scale\", \"scale\": [2, -1, .5]}, "
+        "{\"type\": \"translation\", \"translation\": [1, 2, 3]}]}]}], \"omero\": {\"channels\": [{\"label\": "
+        "\"DAPI\"}]}";
+    add('\2', "{" + image + "}", bytes.first(24));
+    add('\3', "{\"zarr_format\": 3, \"node_type\": \"group\", \"attributes\": {\"ome\": {" + image + "}}}",
+        bytes.first(24));
+}
+
 void addGrids(const QString& folder)
 {
     Seeds seeds(folder, "plot3d");
@@ -308,6 +363,8 @@ int main(int count, char** words)
     addDescribedVolumes(folder);
     addPictureTexts(folder);
     addNetCdfHeaders(folder);
+    addLzf(folder);
+    addZarr(folder);
     addGrids(folder);
     addPoints(folder);
     addModels(folder);
