@@ -13,6 +13,15 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+// Whether a sanitizer watches this process; GCC and clang say it in different ways.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TAN_IS_WATCHED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TAN_IS_WATCHED 1
+#endif
+#endif
+
 namespace tetra {
 namespace {
 
@@ -145,7 +154,7 @@ void limitWork(const WorkLimits& limits)
     std::set_new_handler(endOfMemory);
     const std::uint64_t seconds = usedSeconds() + limits.seconds + 1;
     setLimit(RLIMIT_CPU, seconds, RLIM_INFINITY);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // their shadow is larger than any memory
+#ifndef TAN_IS_WATCHED // its shadow is larger than any memory
     // What is written, not mapped files and libraries. Other programs' limits of address space stay as they are.
     setLimit(RLIMIT_DATA, limits.memory, RLIM_INFINITY);
 #endif
@@ -162,7 +171,7 @@ int takeStandardOutput()
     const int output = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
     if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
         dup2(nowhere, STDOUT_FILENO);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // what these find must be heard
+#ifndef TAN_IS_WATCHED // what it finds must be heard
         dup2(nowhere, STDERR_FILENO);
 #endif
         close(nowhere);
