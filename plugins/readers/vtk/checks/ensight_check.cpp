@@ -414,8 +414,10 @@ private:
                 const std::int64_t first = behindColon(Message::marked("first number of its files"));
                 lines_.needData(Message::marked("line 'filename increment:'"));
                 const std::int64_t step = behindColon(Message::marked("increment of its files' numbers"));
-                for (std::int64_t i = 0; i < steps; ++i)
-                    set.fileNumbers.push_back(first + i * step);
+                for (std::int64_t i = 0; i < steps; ++i) // without signs: numbers that no file has may overflow
+                    set.fileNumbers.push_back(
+                        static_cast<std::int64_t>(static_cast<std::uint64_t>(first) +
+                                                  static_cast<std::uint64_t>(i) * static_cast<std::uint64_t>(step)));
             }
             while (!lines_.startsWith("time values"))
                 lines_.needData(Message::marked("line 'time values:'"));
@@ -995,7 +997,10 @@ private:
             if (!place)
                 continue;
             const std::string name = place->number ? withNumber(pattern, *place->number) : pattern;
-            const fs::path path = path_.parent_path() / name;
+            const auto below = fileBelow(path_.parent_path(), path_.parent_path(), name);
+            if (!below)
+                throw EnSightProblem{below.error().message};
+            const fs::path& path = *below;
             std::error_code ignored;
             if (!fs::exists(path, ignored))
                 throw EnSightProblem{

@@ -38,6 +38,19 @@ std::uint64_t folderBytes(const fs::path& folder)
 
 } // namespace
 
+Result<fs::path> fileBelow(const fs::path& home, const fs::path& folder, const std::string& name)
+{
+    const fs::path base = home.lexically_normal();
+    const fs::path file = (folder / name).lexically_normal();
+    const fs::path within = file.lexically_relative(base.empty() ? "." : base);
+    if (name.empty() || name.find('\0') != std::string::npos || within.empty() || *within.begin() == "..")
+        return Error{ErrorKind::BadInput,
+                     Message::say("it names the file '%1', which does not lie in its folder or below it. Put it "
+                                  "there, and write its name anew.",
+                                  printable(name))};
+    return file;
+}
+
 Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
 {
     const fs::path path = request.path;

@@ -13,11 +13,18 @@ namespace tetra {
 // What each format is held against before VTK reads it; each check is told whole in the source of its name. Errors are
 // of bad input, and say what is missing. Any thread.
 
+/// The path of a file that another one in `folder` names, if it lies in the folder `home` of the file that was opened,
+/// or below it: so nobody's files are read because somebody else's list names them. Links in folders are followed.
+Result<std::filesystem::path> fileBelow(const std::filesystem::path& home, const std::filesystem::path& folder,
+                                        const std::string& name);
+
 /// What VTK does not look at in a file of its XML formats before it works on it: elements nested or with attributes
 /// without end, numbers of components that no array has, files that are missing, appended data that are cut; and of
 /// grids (ImageData, RectilinearGrid, StructuredGrid) pieces that leave out part of the whole, a spacing or an origin
 /// that are not three numbers, in place of which it takes zeros, and directions that are not nine, in place of which it
-/// takes those of the world. Reads the file up to its appended data, and those that it names.
+/// takes those of the world. Files that it names must lie in its folder or below it, and must not name each other in a
+/// circle. Reads the file up to its appended data, and those that it names, each once, however often they are named:
+/// `bytes` counts them once, too, so that a small file cannot ask for the work of a large one.
 Result<CheckedFile> checkXml(const std::filesystem::path& path);
 
 /// What stands in the attribute "type" of the element VTKFile; empty without one in the first bytes of the file.

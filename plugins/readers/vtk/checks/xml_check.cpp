@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <span>
 
 namespace tetra {
 namespace {
@@ -44,16 +46,25 @@ std::optional<double> cellsIn(std::string_view extent)
     return cells;
 }
 
-/// The value of `name="..."` in a tag; empty without it.
+/// The value of the attribute in a tag; empty without it. What stands in the value of another one is no attribute, and
+/// blanks may stand around the '=': what is seen here is what VTK sees.
 std::string_view xmlAttribute(std::string_view tag, std::string_view name)
 {
-    const std::string start = std::string(name) + "=";
-    for (auto place = tag.find(start); place != std::string_view::npos; place = tag.find(start, place + 1)) {
-        const auto value = place + start.size();
-        if (place == 0 || xmlBlanks.find(tag[place - 1]) == std::string_view::npos || value >= tag.size())
-            continue;
-        const auto end = tag.find(tag[value], value + 1);
-        return end == std::string_view::npos ? std::string_view{} : tag.substr(value + 1, end - value - 1);
+    for (auto at = tag.find_first_of(xmlBlanks); at != std::string_view::npos;) {
+        at = tag.find_first_not_of(xmlBlanks, at);
+        const auto equals = tag.find('=', std::min(at, tag.size()));
+        const auto quote = tag.find_first_not_of(xmlBlanks, std::min(equals, tag.size() - 1) + 1);
+        if (equals == std::string_view::npos || quote == std::string_view::npos ||
+            (tag[quote] != '"' && tag[quote] != '\''))
+            break;
+        const std::string_view before = tag.substr(at, equals - at);
+        const std::string_view found = before.substr(0, before.find_last_not_of(xmlBlanks) + 1);
+        const auto end = tag.find(tag[quote], quote + 1);
+        if (end == std::string_view::npos || found.find('>') != std::string_view::npos)
+            break;
+        if (found == name)
+            return tag.substr(quote + 1, end - quote - 1);
+        at = end + 1;
     }
     return {};
 }
@@ -129,18 +140,40 @@ bool isNamed(std::string_view tag, std::string_view name)
 }
 
 constexpr std::uint64_t mostPacking = 1032; ///< that zlib reaches
+constexpr int blocksOfPieces = 3;           ///< how deep files name others: blocks of blocks, of pieces
+
+/// The files that belong to the one that was opened.
+struct XmlFiles {
+    fs::path home;                            ///< the folder of that one
+    std::map<fs::path, bool> isLookedThrough; ///< of those that were begun
+};
 
 class XmlCheck {
 public:
-    XmlCheck(const fs::path& path, int depth) : path_(path), type_(xmlType(path)), filesWithin_(depth) {}
+    /// `depth`: how deep files may name others.
+    XmlCheck(const fs::path& path, int depth, XmlFiles& files)
+        : path_(path), type_(xmlType(path)), filesWithin_(depth), files_(files)
+    {
+    }
 
     Result<CheckedFile> run()
     {
+        const fs::path self = path_.lexically_normal();
+        files_.isLookedThrough[self] = false;
         const auto file = MappedFile::open(path_);
         if (!file)
             return file.error();
-        checked_.bytes = (*file)->bytes().size();
-        const std::string_view text(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
+        if (const Status fine = lookThrough((*file)->bytes()); !fine)
+            return fine.error();
+        files_.isLookedThrough[self] = true;
+        return checked_;
+    }
+
+private:
+    Status lookThrough(std::span<const std::byte> bytes)
+    {
+        checked_.bytes = bytes.size();
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         XmlTagList tags(text);
         while (const auto tag = tags.next()) {
             if (isNamed(*tag, "AppendedData")) {
@@ -152,7 +185,7 @@ public:
                 break;
             }
             if (const Status fine = look(*tag); !fine)
-                return fine.error();
+                return fine;
         }
         if (type_ == "Collection")
             return Error{ErrorKind::BadInput,
@@ -165,10 +198,9 @@ public:
             return wrongXml(Message::say("its element %1 is missing.", type_));
         if (isGrid_ && (!whole_ || covered_ < *whole_))
             return wrongXml(Message::say("the pieces in it do not fill the WholeExtent that it names."));
-        return checked_;
+        return {};
     }
 
-private:
     Status look(std::string_view tag)
     {
         // More than any program writes. VTK needs time by the square of the one, and memory for each of the others.
@@ -257,16 +289,24 @@ private:
             return {};
         if (named_.empty())
             named_ = name;
-        if (type_ == "Collection" || filesWithin_ == 0)
+        if (type_ == "Collection")
             return {};
-        const fs::path path = path_.parent_path() / name;
+        const auto path = fileBelow(files_.home, path_.parent_path(), std::string(name));
+        if (!path)
+            return path.error();
+        if (filesWithin_ == 0)
+            return wrongXml(Message::say("its files name each other more than %1 deep.", blocksOfPieces));
         std::error_code ignored;
-        if (!fs::exists(path, ignored))
+        if (!fs::exists(*path, ignored))
             return Error{
                 ErrorKind::BadInput,
                 Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
                              printable(name))};
-        const auto checked = XmlCheck(path, filesWithin_ - 1).run();
+        if (const auto begun = files_.isLookedThrough.find(*path); begun != files_.isLookedThrough.end())
+            return begun->second ? Status()
+                                 : Status(wrongXml(Message::say("it names the file '%1', which names it in turn.",
+                                                                printable(name))));
+        const auto checked = XmlCheck(*path, filesWithin_ - 1, files_).run();
         if (!checked)
             return Error{checked.error().kind,
                          Message::say("its file '%1': %2", printable(name), checked.error().message)};
@@ -279,7 +319,8 @@ private:
 
     fs::path path_;
     std::string type_;
-    int filesWithin_; ///< how deep files may name others
+    int filesWithin_;
+    XmlFiles& files_;
     CheckedFile checked_;
     std::uint64_t tags_ = 0;
     std::int64_t level_ = 0;
@@ -308,8 +349,8 @@ std::string xmlType(const fs::path& path)
 
 Result<CheckedFile> checkXml(const fs::path& path)
 {
-    constexpr int blocksOfPieces = 3;
-    return XmlCheck(path, blocksOfPieces).run();
+    XmlFiles files{.home = path.parent_path(), .isLookedThrough = {}};
+    return XmlCheck(path, blocksOfPieces, files).run();
 }
 
 } // namespace tetra

@@ -2,6 +2,8 @@
 // The formats: https://www.paraview.org/Wiki/ParaView/Data_formats (PVD; JSON based new meta file format for series).
 #include "plugins/readers/vtk/helper/series_list.h"
 
+#include "plugins/readers/vtk/checks/format_checks.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -23,19 +25,6 @@ Error wrongSeries(const Message& what)
     return {ErrorKind::BadInput, what};
 }
 
-/// The path of a file that a list in `folder` names, if it lies in that folder or below it.
-Result<fs::path> fileBelow(const fs::path& folder, const std::string& name)
-{
-    const fs::path base = folder.lexically_normal();
-    const fs::path file = (base / name).lexically_normal();
-    const fs::path within = file.lexically_relative(base);
-    if (name.empty() || within.empty() || *within.begin() == "..")
-        return wrongSeries(Message::say("it names the file '%1', which does not lie in its folder or below it. Put it "
-                                        "there, and write its name anew.",
-                                        printable(name)));
-    return file;
-}
-
 using PartsByTime = std::map<double, std::vector<SeriesPart>>;
 
 /// One DataSet of a .pvd, put to those of the same time.
@@ -48,7 +37,7 @@ Status addDataSet(const QXmlStreamAttributes& attributes, const fs::path& folder
         return wrongSeries(
             Message::say("it has the time '%1', which is no number.", printable(timeText.toStdString())));
     const std::string fileName = attributes.value(QLatin1String("file")).toString().toStdString();
-    const auto file = fileBelow(folder, fileName);
+    const auto file = fileBelow(folder, folder, fileName);
     if (!file)
         return file.error();
     const std::string given = attributes.value(QLatin1String("name")).toString().toStdString();
@@ -93,7 +82,7 @@ Result<std::vector<SeriesStep>> readJson(const QByteArray& text, const fs::path&
             return wrongSeries(
                 Message::say("its file number %1 is not told by a 'name' and a 'time' as a number.", steps.size() + 1));
         const std::string fileName = name.toString().toStdString();
-        const auto file = fileBelow(folder, fileName);
+        const auto file = fileBelow(folder, folder, fileName);
         if (!file)
             return file.error();
         steps.push_back({time.toDouble(static_cast<double>(steps.size())), {{fileName, *file}}});

@@ -11,6 +11,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkTrivialProducer.h>
 
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -101,7 +102,12 @@ Result<CheckedFile> checkSeries(const VtkRequest& request)
     if (!choice)
         return choice.error();
     CheckedFile all;
+    std::set<fs::path> seen;
     for (const SeriesPart& part : choice->step.parts) {
+        if (!seen.insert(part.file).second)
+            return Error{ErrorKind::BadInput, Message::say("it names the file '%1' twice for one time. Write each part "
+                                                           "once.",
+                                                           printable(part.file.filename().string()))};
         const auto one = requestOf(part, request);
         if (!one)
             return one.error();

@@ -168,6 +168,31 @@ private slots:
             "GhostLevel=\"0\">"
             "<Piece Source=\"piece.vtu\"/></PUnstructuredGrid></VTKFile>\n",
             "its file 'piece.vtu' is missing");
+        const auto blocks = [](const QByteArray& dataSets) {
+            return "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>" + dataSets +
+                   "</vtkMultiBlockDataSet></VTKFile>";
+        };
+        row("a block above", "a.vtm", blocks("<DataSet index=\"0\" file=\"below/../../a.vtu\"/>"),
+            "does not lie in its folder");
+        row("a block by its whole path", "a.vtm", blocks("<DataSet index=\"0\" file=\"/etc/passwd\"/>"),
+            "does not lie in its folder");
+        row("a block above, with blanks", "a.vtm", blocks("<DataSet index=\"0\" file = \"../a.vtu\"/>"),
+            "does not lie in its folder");
+        row("a block above, behind what looks like it", "a.vtm",
+            blocks("<DataSet name=' file=\"good.vtu\" ' file=\"../a.vtu\"/>"), "does not lie in its folder");
+        row("a piece above", "a.pvti",
+            "<VTKFile type=\"PImageData\" version=\"0.1\"><PImageData WholeExtent=\"0 1 0 1 0 1\">"
+            "<Piece Extent=\"0 1 0 1 0 1\" Source=\"../a.vti\"/></PImageData></VTKFile>",
+            "does not lie in its folder");
+        row("blocks of itself", "a.vtm", blocks(QByteArray("<DataSet index=\"0\" file=\"a.vtm\"/>").repeated(1000)),
+            "names it in turn");
+        row("a geometry above", "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: ../a.geo\n",
+            "does not lie in its folder");
+        row("numbers of files beyond all", "a.case",
+            "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 a**.geo\nTIME\ntime set: 1\nnumber of steps: 3\n"
+            "filename start number: 9223372036854775807\nfilename increment: 9223372036854775807\n"
+            "time values: 0 1 2\n",
+            "is missing");
         row("a geometry that is missing", "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: no.geo\n",
             "its file 'no.geo' is missing");
         row("a section that VTK does not know", "a.case",

@@ -128,6 +128,7 @@ private slots:
         row("cut", "a.series", "{\"files\": [{\"name\": \"a.vti\"", "its JSON breaks at byte");
         row("cut XML", "a.pvd", pvd(dataSet("0", "a.vti")).chopped(12), "its XML ends or breaks");
         row("itself", "a.pvd", pvd(dataSet("0", "a.pvd")), "its file 'a.pvd'");
+        row("twice", "a.pvd", pvd(dataSet("0", "good.vti") + dataSet("0", "good.vti")), "twice for one time");
         row("another format", "a.pvd", pvd(dataSet("0", "letter.txt")), "of none of VTK's own formats");
         row("a cut file", "a.pvd", pvd(dataSet("0", "cut.vti")), "its file 'cut.vti'");
     }
@@ -137,6 +138,7 @@ private slots:
         QFETCH(QByteArray, content);
         QFETCH(QByteArray, told);
         folder_.write("letter.txt", "Dear reader");
+        folder_.write("good.vti", vtiText());
         folder_.write("cut.vti", with(vtiText(), "0 2 0 2 0 2\" Origin", "0 2 0 2 0 9\" Origin"));
         const auto dataset = builtVtkReader().read(folder_.write(name, content), {}, {});
         QVERIFY(!dataset.ok());
