@@ -26,6 +26,7 @@ class Ran:
     out: bytes
     err: bytes
     hung: bool = False
+    processor: float = 0  # seconds of it, where they were measured
 
     def crash(self):
         """Why this was no orderly end, or nothing."""

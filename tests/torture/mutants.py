@@ -366,12 +366,12 @@ PACKED = (change_chunk, change_chunk, change_chunk, change_chunks, change_chunks
 
 # --- Running -----------------------------------------------------------------------------------------------------------------------
 
-def measured(bench, arguments, folder):
+def measured(bench, arguments, folder, limits=None):
     """A run of the program, and the most memory that it had."""
     output = folder.with_name(folder.name + ".output")
     with open(output, "w+b") as out:
         began = time.monotonic()
-        process = bench.start(bench.command(arguments), folder, stdout=out, stderr=out)
+        process = bench.start(bench.command(arguments), folder, limits, stdout=out, stderr=out)
         hung = False
         while True:
             done, status, usage = os.wait4(process.pid, os.WNOHANG)
@@ -385,7 +385,7 @@ def measured(bench, arguments, folder):
         out.seek(0)
         said = out.read()
     output.unlink()
-    return Ran(process.returncode, time.monotonic() - began, said, said, hung), usage.ru_maxrss * 1024
+    return Ran(process.returncode, time.monotonic() - began, said, said, hung, usage.ru_utime + usage.ru_stime), usage.ru_maxrss * 1024
 
 
 def legacy_mesh(path):

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 import answers
+import bombs
 import mutants
 import repeated
 import serving
@@ -765,6 +766,8 @@ PARTS = (
     Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 200, 4),
     Part("answers", "a server of which some answers are not its own: status, headers, lengths, ranges, bytes, meshes with right checksums, "
          "no HTTP at all; fetched, and at the server", answers.attempt, 1000, 2),
+    Part("bombs", "files that ask for more than there is, lead out of their folder, wait for ever or go round; shown and built, with 4 GB of "
+         "address space and 90 s of the processor", bombs.attempt, 10 ** 9, 10, counted=lambda bench: bombs.COUNT),
     Part("grids", "a curvilinear grid, even, folded, wrapped or collapsed, some with holes: built by both builders and in blocks, proved at "
          "eight accuracies, drawn", hard_grid, 100, 2),
     Part("meshes", "a mesh with overlaps, flips, slivers, doubles, parts that only touch, NaN: built, proved at eight accuracies, drawn",
