@@ -160,6 +160,14 @@ void limitWork(const WorkLimits& limits)
 #endif
 }
 
+void allowOneFile()
+{
+    rlim_t free = 0;
+    while (fcntl(static_cast<int>(free), F_GETFD) != -1)
+        ++free;
+    setLimit(RLIMIT_NOFILE, free + 1, RLIM_INFINITY);
+}
+
 Error memoryLimitMet(std::string_view library)
 {
     return {ErrorKind::OutOfResource, limitMessage(lastWords().memory.data() + limitNote.size(), library)};

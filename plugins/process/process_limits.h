@@ -28,6 +28,10 @@ void limitThisProcess();
 /// words to standard error; where memory ends, std::bad_alloc is thrown, and the same written.
 void limitWork(const WorkLimits& limits);
 
+/// From now on this process opens no second file while it has one open besides those that are open now: libraries that
+/// follow links from one file into others (HDF5, CGNS) find none there.
+void allowOneFile();
+
 /// The Error for std::bad_alloc under the limits that are set: that, and what to do. `library` is whose name messages
 /// give the one who needs so much: "VTK".
 Error memoryLimitMet(std::string_view library);

@@ -11,6 +11,9 @@ namespace tetra {
 inline constexpr std::array meshioTexts = {
     Message::marked("it names the file '%1', which does not lie in its folder. Move the files together."),
     Message::marked("it names '%1', which is not a regular file. Copy its content into one first."),
+    Message::marked(
+        "the values of its array '%1' lie in other files or arrays, which are not opened. Copy them into an "
+        "array of their own, for instance with h5py."),
     Message::marked("it holds a mesh, and no values at its points or cells. Export the results with the mesh, as .vtu "
                     "if the program can."),
     Message::marked("it has no array '%1'; there are %2."),

@@ -132,14 +132,41 @@ def check_named(name, path, folder):
         raise Refusal("it names '%1', which is not a regular file. Copy its content into one first.", name)
 
 
+def check_hdf5(path):
+    """An HDF5 file may have arrays, and whole groups, that lie in others, which h5py would open."""
+    import h5py
+    seen = set()
+    with h5py.File(path, "r") as file:
+        waiting = [file]
+        while waiting:
+            group = waiting.pop()
+            for name in group:
+                link = group.get(name, getlink=True)
+                if isinstance(link, h5py.HardLink):
+                    one = group[name]
+                    place = h5py.h5o.get_info(one.id).addr
+                    if isinstance(one, h5py.Group) and place not in seen:
+                        waiting.append(one)
+                    seen.add(place)
+                    elsewhere = isinstance(one, h5py.Dataset) and (one.is_virtual or one.external)
+                else:
+                    elsewhere = isinstance(link, h5py.ExternalLink)
+                if elsewhere:
+                    raise Refusal("the values of its array '%1' lie in other files or arrays, which are not opened. Copy them into "
+                                  "an array of their own, for instance with h5py.", group.name.rstrip("/") + "/" + name)
+
+
 def check_references(path):
     """An XDMF names files of numbers."""
     import xml.etree.ElementTree as tree
-    folder = os.path.realpath(os.path.dirname(path))
+    folder, looked = os.path.realpath(os.path.dirname(path)), set()
     for item in tree.parse(path).getroot().iter("DataItem"):
         if item.get("Format", "XML") != "XML":
             name = (item.text or "").strip().split(":")[0]
             check_named(name, os.path.join(folder, name), folder)
+            if item.get("Format") == "HDF" and name not in looked and os.path.isfile(os.path.join(folder, name)):
+                looked.add(name)
+                check_hdf5(os.path.join(folder, name))
 
 
 def check_includes(path):
@@ -353,6 +380,8 @@ class Series:
         if request.format == "abaqus":
             check_includes(request.path)
             os.chdir(os.path.dirname(request.path) or "/")
+        if request.format == "med":
+            check_hdf5(request.path)
         if request.format == "gmsh":
             mesh, self.left_out = read_gmsh(request, meshio)
         else:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/netcdf/helper/netcdf_file.h"
 
+#include "plugins/process/process_limits.h"
+
 #include <netcdf.h>
 
 #include <algorithm>
@@ -84,6 +86,7 @@ std::uint64_t valueCount(const NetCdfPart& part) noexcept
 Result<std::shared_ptr<const NetCdfFile>> NetCdfFile::open(const std::string& path)
 {
     int id = -1;
+    allowOneFile(); // the library would follow links of HDF5
     if (const int code = nc_open(path.c_str(), NC_NOWRITE, &id); code != NC_NOERR)
         return Error{
             ErrorKind::BadInput,

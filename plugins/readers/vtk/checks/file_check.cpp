@@ -4,8 +4,6 @@
 #include "plugins/readers/vtk/checks/format_checks.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace tetra {
 namespace {
@@ -17,23 +15,6 @@ std::uint64_t fileBytes(const fs::path& path)
     std::error_code problem;
     const auto size = fs::file_size(path, problem);
     return problem ? 0 : size;
-}
-
-/// Of all files in a folder and those in it.
-std::uint64_t folderBytes(const fs::path& folder)
-{
-    constexpr std::size_t mostFiles = 100'000;
-    std::uint64_t sum = 0;
-    std::error_code ignored;
-    std::vector<fs::path> found = pathsIn(folder, ignored);
-    for (std::size_t at = 0; at < std::min(found.size(), mostFiles); ++at) {
-        if (fs::is_regular_file(found[at], ignored))
-            sum = boundedSum(sum, fileBytes(found[at]));
-        else if (fs::is_directory(fs::symlink_status(found[at], ignored)))
-            for (fs::path& inner : pathsIn(fs::path(found[at]), ignored))
-                found.push_back(std::move(inner));
-    }
-    return sum;
 }
 
 } // namespace
@@ -58,7 +39,7 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     case VtkFormat::Xml: return checkXml(path);
     case VtkFormat::Legacy: return checkLegacy(path);
     case VtkFormat::EnSight: return checkEnSight(path, std::max<std::int64_t>(1, request.timeStep));
-    case VtkFormat::OpenFoam: return CheckedFile{.bytes = folderBytes(path.parent_path())};
+    case VtkFormat::OpenFoam: return checkFoam(path);
     case VtkFormat::Fluent: return checkFluent(path);
     case VtkFormat::Hdf: return checkVtkHdf(path);
     case VtkFormat::Cgns:

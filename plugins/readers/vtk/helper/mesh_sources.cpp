@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 
+#include "plugins/process/process_limits.h"
 #include "plugins/readers/vtk/fluent_nodes.h"
 #include "plugins/readers/vtk/helper/exact_places.h"
 #include "plugins/readers/vtk/helper/leaves.h"
@@ -45,6 +46,7 @@ VtkSource enSightSource(const std::string& path)
 
 VtkSource cgnsSource(const std::string& path)
 {
+    allowOneFile();
     const auto reader = vtkSmartPointer<vtkCGNSReader>::New();
     reader->SetFileName(path.c_str());
     return {.reader = reader,

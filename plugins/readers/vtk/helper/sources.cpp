@@ -2,6 +2,7 @@
 #include "plugins/readers/vtk/helper/sources.h"
 
 #include "plugins/api/time_steps.h"
+#include "plugins/process/process_limits.h"
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 #include "plugins/readers/vtk/helper/series_source.h"
 #include "plugins/readers/vtk/helper/xml_sources.h"
@@ -45,6 +46,7 @@ Result<VtkSource> makeSource(const VtkRequest& request)
     case VtkFormat::Legacy: return legacySource(request.path);
     case VtkFormat::Series: return makeSeriesSource(request);
     case VtkFormat::Hdf: {
+        allowOneFile();
         const auto reader = vtkSmartPointer<vtkHDFReader>::New();
         reader->SetFileName(request.path.c_str());
         return VtkSource{.reader = reader};

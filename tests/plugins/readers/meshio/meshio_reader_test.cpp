@@ -307,6 +307,42 @@ private slots:
         QCOMPARE(int(dataset.error().kind), int(ErrorKind::BadInput));
     }
 
+    /// By links of HDF5 and by what it calls virtual or external.
+    void arraysInOtherFilesAreNotRead_data()
+    {
+        QTest::addColumn<QString>("made");
+        QTest::newRow("a link") << "file['values'] = h5py.ExternalLink('other.h5', '/values')";
+        QTest::newRow("values elsewhere")
+            << "file.create_dataset('values', (4,), 'f8', external=[('other.h5', 0, 32)])";
+        QTest::newRow("a virtual array")
+            << "layout = h5py.VirtualLayout((4,), 'f8'); layout[:] = h5py.VirtualSource("
+               "'other.h5', 'values', (4,)); file.create_virtual_dataset('values', layout)";
+    }
+    void arraysInOtherFilesAreNotRead()
+    {
+        if (!hasMeshio())
+            QSKIP_WITHOUT("meshio");
+        QFETCH(QString, made);
+        const QString script =
+            "import h5py\nfile = h5py.File('other.h5', 'w')\nfile['values'] = [1., 2, 3, 4]\nfile.close()\n"
+            "file = h5py.File('a.h5', 'w')\n" +
+            made + "\nfile.close()\nimport shutil\nshutil.copy('a.h5', 'a.med')\n";
+        QProcess python;
+        python.setWorkingDirectory(folder_.path());
+        python.start("/usr/bin/python3", {"-I", "-c", script});
+        if (!python.waitForFinished() || python.exitCode() != 0)
+            QSKIP_WITHOUT("h5py");
+        const auto xdmf = write("h.xdmf", xdmfOf(QByteArray("<Grid Name=\"Grid\">") + xdmfMesh +
+                                                 xdmfValues("a.h5:/values", "HDF") + "</Grid>"));
+        for (const std::filesystem::path& path :
+             {xdmf, std::filesystem::path(folder_.filePath("a.med").toStdString())}) {
+            const auto dataset = reader_.read(path, {}, {});
+            QVERIFY(!dataset.ok());
+            QVERIFY2(dataset.error().text().find("'/values' lie in other files") != std::string::npos,
+                     dataset.error().text().c_str());
+        }
+    }
+
 private:
     std::filesystem::path write(const QByteArray& name, const QByteArray& content)
     {

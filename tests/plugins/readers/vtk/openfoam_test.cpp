@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <sys/stat.h>
+
 using namespace tetra;
 namespace fs = std::filesystem;
 
@@ -312,6 +314,49 @@ private slots:
         QVERIFY(!collated.ok());
         QVERIFY2(collated.error().text().find("Run reconstructPar") != std::string::npos,
                  collated.error().text().c_str());
+    }
+
+    /// What waits, does not end or leads out of the case is refused before VTK opens it; what lies in the case is read.
+    void onlyFilesOfTheCaseAreOpened_data()
+    {
+        QTest::addColumn<QString>("include");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("none") << QString() << QString();
+        QTest::newRow("of the case") << "#include \"../constant/more\"\n" << QString();
+        QTest::newRow("of the case, by its variable") << "#include \"$FOAM_CASE/constant/more\"\n" << QString();
+        QTest::newRow("in a comment") << "// #include \"/etc/passwd\"\n" << QString();
+        QTest::newRow("above") << "#include \"../../more\"\n"
+                               << "does not lie in its folder";
+        QTest::newRow("above, if it is there") << "#includeIfPresent \"../../more\"\n"
+                                               << "does not lie in its folder";
+        QTest::newRow("behind a comment") << "#include /* \"no\" */ \"../../more\"\n"
+                                          << "does not lie in its folder";
+        QTest::newRow("in somebody's folder") << "#include \"$HOME/more\"\n"
+                                              << "does not lie in its folder";
+        QTest::newRow("a device") << "#include \"/dev/zero\"\n"
+                                  << "does not lie in its folder";
+        QTest::newRow("a pipe") << "pipe"
+                                << "not a regular file";
+    }
+    void onlyFilesOfTheCaseAreOpened()
+    {
+        QFETCH(QString, include);
+        QFETCH(QString, told);
+        const fs::path folder = newCase();
+        writeText(folder / "case.foam", "");
+        writeText(folder / "constant/more", "more 1;\n");
+        writeMesh(folder / "constant", 2, 0);
+        const bool isPipe = include == "pipe";
+        writeText(folder / "0/T", (isPipe ? std::string() : include.toStdString()) + scalarField(2, 0, 1));
+        if (isPipe)
+            QCOMPARE(::mkfifo((folder / "0/p").c_str(), 0600), 0);
+        const auto dataset = builtVtkReader().read(folder / "case.foam", {}, {});
+        if (!told.isEmpty()) {
+            QVERIFY(!dataset.ok());
+            QVERIFY2(QString::fromStdString(dataset.error().text()).contains(told), dataset.error().text().c_str());
+        } else if (!dataset.ok()) { // what it includes, VTK may refuse; that lies in the case
+            QVERIFY2(dataset.error().text().find("does not lie") == std::string::npos, dataset.error().text().c_str());
+        }
     }
 
 private:
