@@ -63,6 +63,10 @@ def secret_vti(size=2):
             '</Piece></ImageData></VTKFile>' % (extent, extent, values))
 
 
+def good_vti(size=2):
+    return secret_vti(size).replace("%r" % SECRET, "7").replace("secret", "heat")
+
+
 def gold_geometry(count="4"):
     return ("description\nmore\nnode id off\nelement id off\npart\n1\npart\ncoordinates\n%s\n" % count +
             "".join("%12.5e\n" % corner[axis] for axis in range(3) for corner in CORNERS) + "tetra4\n1\n         1         2         3         4\n")
@@ -137,7 +141,7 @@ def lists():
     yield bomb("pvd of itself", "a.pvd", **{"a.pvd": collection([(0, "a.pvd")])})
     yield bomb("pvd in a circle", "a.pvd", **{"a.pvd": collection([(0, "b.pvd")]), "b.pvd": collection([(0, "a.pvd")])})
     yield bomb("pvd, 20,000 steps that are missing", "a.pvd", **{"a.pvd": collection([(n, "%d.vtu" % n) for n in range(20_000)])})
-    yield bomb("pvd, one file 20,000 times in a step", "a.pvd", **{"a.pvd": collection([(0, "b.vti")] * 20_000), "b.vti": secret_vti(24)})
+    yield bomb("pvd, one file 20,000 times in a step", "a.pvd", **{"a.pvd": collection([(0, "b.vti")] * 20_000), "b.vti": good_vti(24)})
     yield bomb("pvd, laughs", "a.pvd", **{"a.pvd": collection([("&a10;", "b.vtu")], LAUGHS)})
     yield bomb("pvd, a long entity", "a.pvd", **{"a.pvd": collection([(0, "&long;" * 20_000)], LONG_ENTITY)})
     yield bomb("pvd, an entity from outside", "a.pvd", lambda folder: put(
@@ -148,10 +152,10 @@ def lists():
     yield bomb("series, 100,000 steps", "a.vtu.series", **{"a.vtu.series": series(["b.vtu"] * 100_000)})
     yield bomb("vtm of itself, 1,000 times", "a.vtm", **{"a.vtm": blocks(["a.vtm"] * 1000)})
     yield bomb("vtm in a circle", "a.vtm", **{"a.vtm": blocks(["b.vtm"] * 50), "b.vtm": blocks(["a.vtm"] * 50)})
-    yield bomb("vtm, one file 30,000 times", "a.vtm", **{"a.vtm": blocks(["b.vti"] * 30_000), "b.vti": secret_vti(24)})
+    yield bomb("vtm, one file 30,000 times", "a.vtm", **{"a.vtm": blocks(["b.vti"] * 30_000), "b.vti": good_vti(24)})
     yield bomb("vtm, laughs", "a.vtm", **{"a.vtm": blocks(["&a10;"], LAUGHS)})
     yield bomb("vtm, elements 100,000 deep", "a.vtm", **{"a.vtm": blocks([]).replace("</vtk", "<Block index='0'>" * 100_000 + "</vtk", 1)})
-    yield bomb("vtm, an index of 4 billion", "a.vtm", **{"a.vtm": blocks(["b.vti"]).replace('"0"', '"4294967294"'), "b.vti": secret_vti()})
+    yield bomb("vtm, an index of 4 billion", "a.vtm", **{"a.vtm": blocks(["b.vti"]).replace('"0"', '"4294967294"'), "b.vti": good_vti()})
     yield bomb("vti, an extent of 2^31", "a.vti", **{"a.vti": secret_vti().replace("0 1 0 1 0 1", "0 2147483646 0 2147483646 0 1")})
     yield bomb("vtu, counts of 10^18", "a.vtu", **{"a.vtu": secret_vtu().replace('OfPoints="4"', 'OfPoints="1000000000000000000"')})
     yield bomb("vtu, components of 10^9", "a.vtu", **{"a.vtu": secret_vtu().replace('Name="secret"', 'Name="secret" NumberOfComponents="1000000000"')})
