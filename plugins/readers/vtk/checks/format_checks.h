@@ -45,9 +45,9 @@ Result<CheckedFile> checkEnSight(const std::filesystem::path& path, std::int64_t
 /// section that does not, and reads for ever in a binary one. Linear.
 Result<CheckedFile> checkFluent(const std::filesystem::path& path);
 
-/// Looks whether all that VTK opens of an OpenFOAM case (.foam, or system/controlDict) are regular files, and whether the
-/// files that #include names lie in the folder of the case. Of large files the front and the end are looked at, of packed
-/// ones the front. `bytes` are those of all.
+/// Looks whether all that VTK opens of an OpenFOAM case (.foam, or system/controlDict) are regular files, and whether
+/// the files that #include names lie in the folder of the case. Of large files the front and the end are looked at, of
+/// packed ones the front. `bytes` are those of all.
 Result<CheckedFile> checkFoam(const std::filesystem::path& opened);
 
 /// Tells which HDF files are none of VTK's, or of a kind that VTK 9.1 does not know, by the names of groups and types
