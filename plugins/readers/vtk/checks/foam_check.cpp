@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view foamBlanks = " \t\r\n";
+constexpr std::string_view blanksInFoam = " \t\r\n";
 constexpr std::size_t mostLooked = std::size_t(2) << 20; ///< in front and at the end, where files have words
 constexpr std::size_t longestName = 4096;
 
@@ -93,7 +93,7 @@ private:
                 continue;
             // The rest of the directive, as in #includeIfPresent, and the name.
             std::string_view rest = text.substr(std::min(text.find_first_of(" \t\r\n\"/", at), text.size()));
-            rest.remove_prefix(std::min(rest.find_first_not_of(foamBlanks), rest.size()));
+            rest.remove_prefix(std::min(rest.find_first_not_of(blanksInFoam), rest.size()));
             const bool isQuoted = rest.starts_with('"');
             rest.remove_prefix(isQuoted ? 1 : 0);
             const auto end = isQuoted ? rest.find('"') : rest.find_first_of(" \t\r\n;");
