@@ -172,7 +172,7 @@ Result<VerificationReport> verifyAll(const Model& model, const Dataset& given, c
     std::vector<LatticePoint> places;
     if (verifySource(model, given, dataset, verdict.failures))
         places = verifySites(model, dataset, verdict.failures);
-    if (!places.empty() && given.domain != dataset.domain)
+    if (!places.empty() && given.domain != dataset.domain && dataset.domain == DomainClass::Scattered)
         verifyConvex(model, given, verdict.failures);
     const Result<Weights> weights = weightsOf(model, dataset, verdict.failures, progress);
     if (!weights)
