@@ -78,6 +78,16 @@ std::vector<std::string> namesOfAxes(const QJsonValue& value, std::size_t axes)
     return names.size() == axes && isAny ? names : std::vector<std::string>();
 }
 
+/// Each is undone for each chunk, and may have made it longer: nobody takes more than a few.
+Status checkCodecs(const ZarrChunks& chunks)
+{
+    constexpr std::size_t most = 32;
+    if (chunks.codecs.size() <= most)
+        return {};
+    return isNotRead(Message::say("its chunks went through %1 codecs, more than %2", chunks.codecs.size(), most),
+                     writeWithUsual());
+}
+
 // Version 2.
 
 /// The compressor of version 2.
@@ -137,6 +147,8 @@ Status readCoding2(const QJsonObject& metadata, const std::string& type, ZarrArr
             return added;
     if (const Status added = addCompressor(metadata.value("compressor"), array); !added)
         return added;
+    if (const Status few = checkCodecs(array.chunks); !few)
+        return few;
     const std::string order = jsonText(metadata.value("order")).value_or("C");
     if (order != "C" && order != "F")
         return lacks("order");
@@ -384,6 +396,8 @@ Result<ZarrArray> arrayOfVersion3(const std::string& path, const ZarrNode& node)
     if (shards)
         if (const Status read = readShards(*shards, array); !read)
             return read.error();
+    if (const Status few = checkCodecs(array.chunks); !few)
+        return few.error();
     const QJsonValue names = metadata.value("dimension_names");
     array.axisNames = namesOfAxes(names.isArray() ? names : node.attributes.value("_ARRAY_DIMENSIONS"), shape->size());
     return array;

@@ -63,6 +63,13 @@ private slots:
         row("huge", metadata("[1000000, 1000000, 1000000]", "[100000, 100000, 100000]", plain), "any machine");
         row("huge, many chunks", metadata("[1000000, 1000000, 1000000]", "[1, 1, 1]", plain), "any machine");
         row("many chunks", metadata("[400, 400, 400]", "[1, 1, 1]", plain), "larger chunks");
+        row("many chunks, which take minutes to look for", metadata("[256, 256, 256]", "[1, 1, 1]", plain),
+            "larger chunks");
+        row("many codecs",
+            metadata("[4, 4, 4]", "[2, 2, 2]",
+                     ", \"filters\": [" + QByteArray("{\"id\": \"shuffle\"}, ").repeated(1000) +
+                         "{\"id\": \"shuffle\"}]"),
+            "1001 codecs");
         row("no chunks", metadata("[4, 4, 4]", "[2, 2, 2]", plain), "none of the 8 files");
         row("texts", metadata("[4, 4, 4]", "[2, 2, 2]", plain, "<U5"), "type '<U5'");
         row("complex numbers", metadata("[4, 4, 4]", "[2, 2, 2]", plain, "<c8"), "type '<c8'");
