@@ -425,6 +425,7 @@ def ensights():
         yield ensight("geometry " + name, case(model))
     yield ensight("geometry a pipe", case("pipe"), pipe=None)
     yield ensight("values above", case(values="../secret.heat"))
+    yield ensight("a comment that made the checks pass it over", "# master_server\n" + case("../secret.geo", "../secret.heat"))
     yield bomb("ensight, all above by its whole path", "run.case", lambda folder: put(
         folder, "run.case", case(folder.parent / "secret.geo", folder.parent / "secret.heat")))
     steps = "TIME\ntime set: 1\nnumber of steps: %s\nfilename start number: %s\nfilename increment: %s\ntime values: 0\n"

@@ -188,6 +188,11 @@ private slots:
             "names it in turn");
         row("a geometry above", "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: ../a.geo\n",
             "does not lie in its folder");
+        row("a geometry above, behind a word that stands for lists of cases", "a.case",
+            "# master_server\nFORMAT\ntype: ensight gold\nGEOMETRY\nmodel: ../a.geo\n", "does not lie in its folder");
+        row("a list of cases", "a.case",
+            "FORMAT\ntype: master_server gold\nSERVERS\nnumber of servers: 1\ncasefile: other.case\n",
+            "a list of EnSight cases");
         row("numbers of files beyond all", "a.case",
             "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 a**.geo\nTIME\ntime set: 1\nnumber of steps: 3\n"
             "filename start number: 9223372036854775807\nfilename increment: 9223372036854775807\n"
