@@ -19,7 +19,7 @@ namespace {
 Error noMesh(const Dataset& grid, Message why)
 {
     return {ErrorKind::BadInput,
-            Message::say("The grid '%1' is no mesh of its cells: %2 Refine it instead.", grid.source.name, why)};
+            Message::say("The grid '%1' cannot be taken as a mesh: %2 Refine it instead.", grid.source.name, why)};
 }
 
 Status checkMemory(const Dataset& grid)
@@ -116,7 +116,7 @@ Status checkAsMesh(const Dataset& grid)
 {
     constexpr std::uint64_t mostPoints = 5'000'000; // what decimation of a grid may take: an hour, 8 GB
     if (grid.pointCount() > mostPoints)
-        return noMesh(grid, Message::say("it has %1 points, more than %2.", grid.pointCount(), mostPoints));
+        return noMesh(grid, Message::say("it has %1 points, and %2 is the most.", grid.pointCount(), mostPoints));
     if (const Status fits = checkMemory(grid); !fits)
         return fits;
     const CellCornerSigns signs = cellCornerSigns(grid);
