@@ -5321,10 +5321,6 @@ beliebige Verwerfung</translation>
         <translation>Ein unregelmäßiges Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Ein krummliniges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
-    </message>
-    <message>
         <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
         <translation>Ein regelmäßiges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
     </message>
@@ -5363,10 +5359,6 @@ beliebige Verwerfung</translation>
     <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
         <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
-    </message>
-    <message>
-        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
-        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung.</translation>
     </message>
     <message>
         <source>Scattered points: refinement fills their convex hull.</source>
@@ -7869,10 +7861,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Raum</translation>
     </message>
     <message>
-        <source>For rectilinear grids: &apos;physical&apos; refines their points where they lie, so that there is no warping; &apos;computational&apos; refines them as any curvilinear grid, which takes less memory, and has blocks.</source>
-        <translation>Für rechtwinklige Gitter: „physical“ verfeinert ihre Punkte dort, wo sie liegen, so dass es keine Verwerfung gibt; „computational“ verfeinert sie wie jedes krummlinige Gitter, was weniger Speicher braucht und Blöcke erlaubt.</translation>
-    </message>
-    <message>
         <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
         <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig voneinander verfeinert werden, im Arbeitsspeicher für wenige davon; „none“ verfeinert den Datensatz als Ganzes; „automatic“ nimmt Blöcke, wenn ein Gitter groß ist.</translation>
     </message>
@@ -8215,10 +8203,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Error in</source>
         <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory.</source>
-        <translation>Bei krummlinigen Daten: „grid“ hält den Fehler an den Indizes der Punkte ein, wie der Aufsatz; „space“ auch den Fehler dort, wo die Punkte liegen, also den, den man sieht. Das kostet mehr Knoten und Zeit, und das ganze Gitter muss in den Speicher.</translation>
     </message>
     <message>
         <source>What an interrupted build left in &apos;%1&apos; is damaged. Build from the beginning.</source>
@@ -11627,6 +11611,74 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so their surfaces are empty.</source>
         <translation>Keiner der Isowerte liegt innerhalb der Werte des Modells, %1 bis %2, daher sind ihre Flächen leer.</translation>
+    </message>
+    <message>
+        <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is none.</source>
+        <translation>Nur krummlinige Gitter können in dem einen oder dem anderen Raum dezimiert werden, und „%1“ ist keines.</translation>
+    </message>
+    <message>
+        <source>The grid &apos;%1&apos; cannot be taken as a mesh: %2 Refine it instead.</source>
+        <translation>Das Gitter „%1“ kann nicht als Netz genommen werden: %2 Verfeinern Sie es stattdessen.</translation>
+    </message>
+    <message>
+        <source>The grid has %1 cells, whose mesh takes up to %2 of memory, of %3. Refine it instead, or take a region of it or fewer samples.</source>
+        <translation>Das Gitter hat %1 Zellen, deren Netz bis zu %2 Speicher braucht, von %3. Verfeinern Sie es stattdessen, oder nehmen Sie einen Teil davon oder weniger Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>%1 of its points lie on the place of another one and have another value.</source>
+        <translation>%1 seiner Punkte liegen am Ort eines anderen und haben einen anderen Wert.</translation>
+    </message>
+    <message>
+        <source>%1 of its cells are folded, overlap others, or are so warped that no tetrahedra fill them.</source>
+        <translation>%1 seiner Zellen sind gefaltet, überlappen andere oder sind so verzogen, dass keine Tetraeder sie füllen.</translation>
+    </message>
+    <message>
+        <source>%1 of its points belong to cells without volume alone.</source>
+        <translation>%1 seiner Punkte gehören nur zu Zellen ohne Volumen.</translation>
+    </message>
+    <message>
+        <source>it has %1 points, and %2 is the most.</source>
+        <translation>es hat %1 Punkte, und höchstens %2 sind möglich.</translation>
+    </message>
+    <message>
+        <source>%1 corners of its cells are folded.</source>
+        <translation>%1 Ecken seiner Zellen sind gefaltet.</translation>
+    </message>
+    <message>
+        <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
+        <translation>Für Gitter, deren Punkte irgendwo liegen: „physical“ baut dort, wo sie liegen, durch Dezimierung aus dem Netz der Zellen des Gitters, durch Verfeinerung (von rektilinearen Gittern) aus den Punkten allein; „computational“ nach ihren Indizes, wie in der Veröffentlichung, was weniger Speicher braucht und Blöcke erlaubt.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
+        <translation>Ein krummliniges Gitter: Dezimierung nimmt das Netz seiner Zellen und braucht die wenigsten Tetraeder für einen Fehler, der dort gilt, wo die Punkte liegen.</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps it of grids of up to a million points that are refined as a whole, by both thresholds.</source>
+        <translation>Für krummlinige Daten: „grid“ hält den Fehler bei den Indizes der Punkte ein, wie in der Veröffentlichung; „space“ auch den Fehler dort, wo die Punkte liegen, also den, den Sie sehen. Das braucht mehr Ecken und Zeit und das ganze Gitter im Speicher. „automatic“ hält ihn bei Gittern bis zu einer Million Punkten ein, die als Ganzes und nach beiden Schwellen verfeinert werden.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: refinement in computational space bounds both error and warping, also where cells of the grid are folded.</source>
+        <translation>Ein krummliniges Gitter: Verfeinerung im rechnerischen Raum begrenzt Fehler und Verwerfung, auch wo Zellen des Gitters gefaltet sind.</translation>
+    </message>
+    <message>
+        <source>it is a list of EnSight cases, which VTK 9.1 does not read. Open one of the cases that it names.</source>
+        <translation>es ist eine Liste von EnSight-Fällen, die VTK 9.1 nicht liest. Öffnen Sie einen der Fälle, die sie nennt.</translation>
+    </message>
+    <message>
+        <source>its files name each other more than %1 deep.</source>
+        <translation>ihre Dateien nennen einander mehr als %1 Ebenen tief.</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos;, which names it in turn.</source>
+        <translation>sie nennt die Datei „%1“, die wiederum sie nennt.</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos; twice for one time. Write each part once.</source>
+        <translation>sie nennt die Datei „%1“ zweimal für einen Zeitpunkt. Schreiben Sie jeden Teil einmal.</translation>
+    </message>
+    <message>
+        <source>its chunks went through %1 codecs, more than %2</source>
+        <translation>ihre Blöcke gingen durch %1 Kodierungen, mehr als %2</translation>
     </message>
 </context>
 <context>

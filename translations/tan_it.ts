@@ -5321,10 +5321,6 @@ deformazione qualsiasi</translation>
         <translation>Una mesh irregolare: la decimazione ne conserva la forma e le cavità.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Una griglia curvilinea: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
-    </message>
-    <message>
         <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
         <translation>Un reticolo regolare: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
     </message>
@@ -5363,10 +5359,6 @@ deformazione qualsiasi</translation>
     <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
         <translation>Un reticolo regolare: il raffinamento conserva esattamente il dominio e richiede il tempo minore.</translation>
-    </message>
-    <message>
-        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
-        <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita sia l&apos;errore sia la deformazione.</translation>
     </message>
     <message>
         <source>Scattered points: refinement fills their convex hull.</source>
@@ -7869,10 +7861,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Spazio</translation>
     </message>
     <message>
-        <source>For rectilinear grids: &apos;physical&apos; refines their points where they lie, so that there is no warping; &apos;computational&apos; refines them as any curvilinear grid, which takes less memory, and has blocks.</source>
-        <translation>Per griglie rettilinee: &apos;physical&apos; raffina i punti dove si trovano, così che non c&apos;è deformazione; &apos;computational&apos; le raffina come ogni griglia curvilinea, il che richiede meno memoria e permette i blocchi.</translation>
-    </message>
-    <message>
         <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
         <translation>Le celle lungo uno spigolo dei blocchi, che vengono raffinati indipendentemente, con memoria solo per alcuni di essi; «none» raffina i dati come un tutto; «automatic» usa blocchi se un reticolo o una griglia è grande.</translation>
     </message>
@@ -8215,10 +8203,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Error in</source>
         <translation>Errore</translation>
-    </message>
-    <message>
-        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory.</source>
-        <translation>Per dati curvilinei: &apos;grid&apos; mantiene l&apos;errore agli indici dei punti, come faceva l&apos;articolo; &apos;space&apos; anche l&apos;errore dove i punti si trovano, cioè quello che si vede. Richiede più vertici e più tempo, e l&apos;intera griglia in memoria.</translation>
     </message>
     <message>
         <source>What an interrupted build left in &apos;%1&apos; is damaged. Build from the beginning.</source>
@@ -11627,6 +11611,74 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so their surfaces are empty.</source>
         <translation>Nessuno degli isovalori è fra i valori del modello, da %1 a %2, perciò le loro superfici sono vuote.</translation>
+    </message>
+    <message>
+        <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is none.</source>
+        <translation>Solo le griglie curvilinee possono essere decimate in uno spazio o nell’altro, e «%1» non lo è.</translation>
+    </message>
+    <message>
+        <source>The grid &apos;%1&apos; cannot be taken as a mesh: %2 Refine it instead.</source>
+        <translation>La griglia «%1» non può essere presa come mesh: %2 Raffinarla invece.</translation>
+    </message>
+    <message>
+        <source>The grid has %1 cells, whose mesh takes up to %2 of memory, of %3. Refine it instead, or take a region of it or fewer samples.</source>
+        <translation>La griglia ha %1 celle, la cui mesh richiede fino a %2 di memoria, su %3. Raffinarla invece, oppure prenderne una parte o meno campioni.</translation>
+    </message>
+    <message>
+        <source>%1 of its points lie on the place of another one and have another value.</source>
+        <translation>%1 dei suoi punti si trovano nel posto di un altro e hanno un altro valore.</translation>
+    </message>
+    <message>
+        <source>%1 of its cells are folded, overlap others, or are so warped that no tetrahedra fill them.</source>
+        <translation>%1 delle sue celle sono piegate, si sovrappongono ad altre o sono così deformate che nessun tetraedro le riempie.</translation>
+    </message>
+    <message>
+        <source>%1 of its points belong to cells without volume alone.</source>
+        <translation>%1 dei suoi punti appartengono solo a celle senza volume.</translation>
+    </message>
+    <message>
+        <source>it has %1 points, and %2 is the most.</source>
+        <translation>ha %1 punti, e il massimo è %2.</translation>
+    </message>
+    <message>
+        <source>%1 corners of its cells are folded.</source>
+        <translation>%1 angoli delle sue celle sono piegati.</translation>
+    </message>
+    <message>
+        <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
+        <translation>Per griglie i cui punti si trovano ovunque: «physical» costruisce dove si trovano, per decimazione dalla mesh delle celle della griglia, per raffinamento (di griglie rettilinee) dai soli punti; «computational» secondo i loro indici, come nell’articolo, il che richiede meno memoria e permette i blocchi.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
+        <translation>Una griglia curvilinea: la decimazione prende la mesh delle sue celle e richiede il minor numero di tetraedri per un errore che vale dove si trovano i punti.</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps it of grids of up to a million points that are refined as a whole, by both thresholds.</source>
+        <translation>Per dati curvilinei: «grid» mantiene l’errore agli indici dei punti, come nell’articolo; «space» anche l’errore dove si trovano i punti, cioè quello che si vede. Ciò richiede più vertici e tempo, e tutta la griglia in memoria. «automatic» lo mantiene per griglie fino a un milione di punti raffinate per intero e secondo entrambe le soglie.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: refinement in computational space bounds both error and warping, also where cells of the grid are folded.</source>
+        <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita errore e deformazione, anche dove le celle della griglia sono piegate.</translation>
+    </message>
+    <message>
+        <source>it is a list of EnSight cases, which VTK 9.1 does not read. Open one of the cases that it names.</source>
+        <translation>è un elenco di casi EnSight, che VTK 9.1 non legge. Aprire uno dei casi che nomina.</translation>
+    </message>
+    <message>
+        <source>its files name each other more than %1 deep.</source>
+        <translation>i suoi file si nominano a vicenda per più di %1 livelli.</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos;, which names it in turn.</source>
+        <translation>nomina il file «%1», che a sua volta lo nomina.</translation>
+    </message>
+    <message>
+        <source>it names the file &apos;%1&apos; twice for one time. Write each part once.</source>
+        <translation>nomina il file «%1» due volte per un istante. Scrivere ogni parte una volta.</translation>
+    </message>
+    <message>
+        <source>its chunks went through %1 codecs, more than %2</source>
+        <translation>i suoi blocchi sono passati per %1 codifiche, più di %2</translation>
     </message>
 </context>
 <context>
