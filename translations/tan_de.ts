@@ -11614,7 +11614,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is none.</source>
-        <translation>Nur krummlinige Gitter können in dem einen oder dem anderen Raum dezimiert werden, und „%1“ ist keines.</translation>
+        <translation>Nur krummlinige Gitter können in dem einen oder dem anderen Raum vergröbert werden, und „%1“ ist keines.</translation>
     </message>
     <message>
         <source>The grid &apos;%1&apos; cannot be taken as a mesh: %2 Refine it instead.</source>
@@ -11646,11 +11646,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
-        <translation>Für Gitter, deren Punkte irgendwo liegen: „physical“ baut dort, wo sie liegen, durch Dezimierung aus dem Netz der Zellen des Gitters, durch Verfeinerung (von rektilinearen Gittern) aus den Punkten allein; „computational“ nach ihren Indizes, wie in der Veröffentlichung, was weniger Speicher braucht und Blöcke erlaubt.</translation>
+        <translation>Für Gitter, deren Punkte irgendwo liegen: „physical“ baut dort, wo sie liegen, durch Vergröberung aus dem Netz der Zellen des Gitters, durch Verfeinerung (von rechtwinkligen Gittern) aus den Punkten allein; „computational“ nach ihren Indizes, wie in der Veröffentlichung, was weniger Speicher braucht und Blöcke erlaubt.</translation>
     </message>
     <message>
         <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
-        <translation>Ein krummliniges Gitter: Dezimierung nimmt das Netz seiner Zellen und braucht die wenigsten Tetraeder für einen Fehler, der dort gilt, wo die Punkte liegen.</translation>
+        <translation>Ein krummliniges Gitter: Die Vergröberung nimmt das Netz seiner Zellen und braucht die wenigsten Tetraeder für einen Fehler, der dort gilt, wo die Punkte liegen.</translation>
     </message>
     <message>
         <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps it of grids of up to a million points that are refined as a whole, by both thresholds.</source>
@@ -11658,7 +11658,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>A curvilinear grid: refinement in computational space bounds both error and warping, also where cells of the grid are folded.</source>
-        <translation>Ein krummliniges Gitter: Verfeinerung im rechnerischen Raum begrenzt Fehler und Verwerfung, auch wo Zellen des Gitters gefaltet sind.</translation>
+        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung, auch wo Zellen des Gitters gefaltet sind.</translation>
     </message>
     <message>
         <source>it is a list of EnSight cases, which VTK 9.1 does not read. Open one of the cases that it names.</source>
