@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What VTK's reader would do with the files of a case and nobody may ask of it: wait at a pipe for somebody who writes,
-// read a device without end, or read, by #include, what lies elsewhere. It opens everything in the folders of a case.
+// read a device without end, or read, by #include, what lies elsewhere. It opens all files in the folders of its times
+// and meshes.
 #include "plugins/readers/vtk/checks/format_checks.h"
 
 #include <zlib.h>
@@ -21,13 +22,6 @@ constexpr std::string_view blanksInFoam = " \t\r\n";
 constexpr std::size_t mostLooked = std::size_t(2) << 20; ///< in front and at the end, where files have words
 constexpr std::size_t longestName = 4096;
 
-/// Whether VTK looks into such a folder of a case.
-bool belongsToCase(const fs::path& path)
-{
-    const std::string name = path.filename().string();
-    return name == "constant" || name == "system" || name.starts_with("processor") || parseNumber<double>(name);
-}
-
 class FoamCheck {
 public:
     explicit FoamCheck(fs::path folder) : folder_(std::move(folder)) {}
@@ -35,10 +29,7 @@ public:
     Result<CheckedFile> run()
     {
         constexpr std::size_t most = 100'000;
-        std::error_code ignored;
-        for (const fs::path& path : pathsIn(folder_, ignored))
-            if (belongsToCase(path))
-                waiting_.push_back(path);
+        addCase(folder_);
         for (std::size_t at = 0; at < std::min(waiting_.size(), most); ++at)
             if (const Status fine = look(fs::path(waiting_[at])); !fine)
                 return fine.error();
@@ -46,6 +37,23 @@ public:
     }
 
 private:
+    /// The folders of times, and of meshes: of the case itself, of its regions and of its processors. What else lies in
+    /// a case, such as its controls, VTK does not open.
+    void addCase(const fs::path& folder)
+    {
+        std::error_code ignored;
+        for (const fs::path& path : pathsIn(folder, ignored)) {
+            const std::string name = path.filename().string();
+            if (parseNumber<double>(name))
+                waiting_.push_back(path);
+            else if (folder == folder_ && name.starts_with("processor"))
+                addCase(path);
+        }
+        waiting_.push_back(folder / "constant/polyMesh");
+        for (const fs::path& region : pathsIn(folder / "constant", ignored))
+            waiting_.push_back(region / "polyMesh");
+    }
+
     Status look(const fs::path& path)
     {
         std::error_code ignored;
@@ -58,9 +66,9 @@ private:
         }
         if (!fs::exists(status))
             return {};
-        const auto file = MappedFile::open(path); // regular files only
-        if (!file)
-            return file.error();
+        const auto file = MappedFile::open(path);
+        if (!file) // what may not be read, VTK passes over; at what is no regular file it waits
+            return fs::is_regular_file(status) ? Status() : file.error();
         checked_.bytes = boundedSum(checked_.bytes, (*file)->bytes().size());
         const std::string_view text(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
         if (path.extension() == ".gz")
