@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
+#include "core/data/cells/cell_split.h"
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/grid_cells.h"
 #include "core/data/dataset_checks.h"
@@ -7,8 +8,13 @@
 #include <tan/build.h>
 #include <tan/data.h>
 
+#include <Eigen/Geometry>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
-#include <memory>
+#include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -35,19 +41,24 @@ Status checkMemory(const Dataset& grid)
                      grid.lattice.cellCount(), neededBytesText(bytes), neededBytesText(usable))};
 }
 
-/// On how many places the points lie; an error if two on one place have different values.
-Result<std::uint64_t> countPlaces(const Dataset& grid)
+/// For each point the first on its place; an error if two on one place have different values.
+Result<std::vector<std::uint32_t>> firstOnPlaces(const Dataset& grid)
 {
-    const std::vector<std::uint32_t> first =
-        firstOnPlace(*grid.positions, std::vector<bool>(grid.positions->size(), true));
-    std::uint64_t places = 0, conflicting = 0;
-    for (std::uint32_t point = 0; point < first.size(); ++point) {
-        places += first[point] == point ? 1 : 0;
+    std::vector<std::uint32_t> first = firstOnPlace(*grid.positions, std::vector<bool>(grid.positions->size(), true));
+    std::uint64_t conflicting = 0;
+    for (std::uint32_t point = 0; point < first.size(); ++point)
         conflicting += grid.values.at(point) != grid.values.at(first[point]) ? 1 : 0;
-    }
     if (conflicting > 0)
         return noMesh(grid, Message::say("%1 of its points lie on the place of another one and have another value.",
                                          conflicting));
+    return first;
+}
+
+std::uint64_t countPlaces(const std::vector<std::uint32_t>& first)
+{
+    std::uint64_t places = 0;
+    for (std::uint32_t point = 0; point < first.size(); ++point)
+        places += first[point] == point ? 1 : 0;
     return places;
 }
 
@@ -77,9 +88,10 @@ std::vector<double> valuesOf(const Dataset& grid)
 
 Result<Dataset> meshOf(const Dataset& grid, const Progress& progress)
 {
-    const auto places = countPlaces(grid);
-    if (!places)
-        return places.error();
+    const auto first = firstOnPlaces(grid);
+    if (!first)
+        return first.error();
+    const std::uint64_t places = countPlaces(*first);
     Repairs repairs;
     repairs.ofGrid = true;
     auto mesh = irregularDatasetBeside(repairs, hexahedraOf(grid), {valuesOf(grid), false, grid.values.type()},
@@ -92,14 +104,48 @@ Result<Dataset> meshOf(const Dataset& grid, const Progress& progress)
         return noMesh(grid, Message::say("%1 of its cells are folded, overlap others, or are so warped that no "
                                          "tetrahedra fill them.",
                                          mesh->faultyCells->size()));
-    if (mesh->pointCount() != *places)
+    if (mesh->pointCount() != places)
         return noMesh(
-            grid, Message::say("%1 of its points belong to cells without volume alone.", *places - mesh->pointCount()));
+            grid, Message::say("%1 of its points belong to cells without volume alone.", places - mesh->pointCount()));
     mesh->source = grid.source;
     mesh->space = grid.space;
     mesh->lengthUnit = grid.lengthUnit;
     mesh->remarks.insert(mesh->remarks.begin(), grid.remarks.begin(), grid.remarks.end());
     return mesh;
+}
+
+/// Whether the rule cuts each cell into tetrahedra that are certainly of the grid's hand. `first`: of each point on its
+/// place.
+bool isCutByTheRule(const Dataset& grid, const std::vector<std::uint32_t>& first, double hand)
+{
+    const auto& positions = *grid.positions;
+    const auto isPositive = [&](const std::array<std::uint32_t, 4>& corners) {
+        constexpr double rounding = 1e-12;
+        const Eigen::Vector3d u = positions[corners[1]] - positions[corners[0]],
+                              v = positions[corners[2]] - positions[corners[0]],
+                              w = positions[corners[3]] - positions[corners[0]];
+        return hand * u.dot(v.cross(w)) > rounding * u.norm() * v.norm() * w.norm();
+    };
+    const auto isCut = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k, CellPieces& pieces) {
+        const auto corners = cornersOfCell(grid.lattice, false, grid.lattice.index(i, j, k));
+        std::array<std::uint32_t, 8> nodes{};
+        std::ranges::transform(corners, nodes.begin(), [&](std::uint64_t corner) { return first[corner]; });
+        pieces.clear();
+        splitCell(CellShape::Hexahedron, nodes, pieces);
+        return std::ranges::all_of(pieces, isPositive);
+    };
+    const auto& size = grid.lattice.size;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, size[2] - 1), true,
+        [&](const auto& layers, bool are) {
+            CellPieces pieces;
+            for (std::uint32_t k = layers.begin(); are && k != layers.end(); ++k)
+                for (std::uint32_t j = 0; are && j + 1 < size[1]; ++j)
+                    for (std::uint32_t i = 0; are && i + 1 < size[0]; ++i)
+                        are = isCut(i, j, k, pieces);
+            return are;
+        },
+        std::logical_and());
 }
 
 } // namespace
@@ -122,8 +168,13 @@ Status checkAsMesh(const Dataset& grid)
     const CellCornerSigns signs = cellCornerSigns(grid);
     if (const std::uint64_t folded = std::min(signs.positive, signs.negative); folded > 0)
         return noMesh(grid, Message::say("%1 corners of its cells are folded.", folded));
-    const auto places = countPlaces(grid);
-    return places ? Status() : places.error();
+    const auto first = firstOnPlaces(grid);
+    if (!first)
+        return first.error();
+    if (isCutByTheRule(grid, *first, signs.negative > 0 ? -1 : 1))
+        return {};
+    const auto mesh = asMesh(grid); // other cuts may do
+    return mesh ? Status() : mesh.error();
 }
 
 } // namespace tetra
