@@ -55,6 +55,19 @@ std::string textOf(int group, int variable, const char* attribute)
     return first;
 }
 
+/// A virtual array has its values in other files, which are not opened: the library gives zeros for them.
+Status checkIsHere(const NetCdfVariable& variable)
+{
+    int storage = NC_CONTIGUOUS;
+    if (nc_inq_var_chunking(variable.group, variable.id, &storage, nullptr) != NC_NOERR || storage != NC_VIRTUAL)
+        return {};
+    return Error{ErrorKind::BadInput,
+                 Message::say("the values of its array '%1' lie in other files or arrays, which are "
+                              "not opened. Copy them into an array of their own, for instance with "
+                              "h5py.",
+                              printable(variable.name))};
+}
+
 } // namespace
 
 std::size_t netCdfTypeBytes(int type) noexcept
@@ -274,6 +287,8 @@ NetCdfPart NetCdfFile::whole(const NetCdfVariable& variable) const
 
 Status NetCdfFile::readStored(const NetCdfVariable& variable, const NetCdfPart& part, void* to) const
 {
+    if (const Status here = checkIsHere(variable); !here)
+        return here;
     if (const int code = nc_get_vara(variable.group, variable.id, part.first.data(), part.count.data(), to);
         code != NC_NOERR)
         return variableError(code, variable);
@@ -285,6 +300,8 @@ Result<std::vector<double>> NetCdfFile::readDoubles(const NetCdfVariable& variab
     std::vector<double> values(tetra::valueCount(part));
     if (values.empty())
         return values;
+    if (const Status here = checkIsHere(variable); !here)
+        return here.error();
     const int code =
         nc_get_vara_double(variable.group, variable.id, part.first.data(), part.count.data(), values.data());
     if (code != NC_NOERR && code != NC_ERANGE)

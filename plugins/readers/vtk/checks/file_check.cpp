@@ -4,6 +4,7 @@
 #include "plugins/readers/vtk/checks/format_checks.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace tetra {
 namespace {
@@ -15,6 +16,11 @@ std::uint64_t fileBytes(const fs::path& path)
     std::error_code problem;
     const auto size = fs::file_size(path, problem);
     return problem ? 0 : size;
+}
+
+std::string_view textOf(const MappedFile& file)
+{
+    return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
 }
 
 } // namespace
@@ -43,6 +49,10 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     case VtkFormat::Fluent: return checkFluent(path);
     case VtkFormat::Hdf: return checkVtkHdf(path);
     case VtkFormat::Cgns:
+        if (const auto file = MappedFile::open(path); !file)
+            return file.error();
+        else if (const Status whole = checkHdfIsWhole(textOf(**file)); !whole)
+            return whole.error();
         return CheckedFile{.bytes = fileBytes(path), .unpackedBytes = boundedProduct(usualPacking, fileBytes(path))};
     default: return CheckedFile{.bytes = fileBytes(path)};
     }

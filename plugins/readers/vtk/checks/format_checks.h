@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetra {
@@ -54,5 +55,9 @@ Result<CheckedFile> checkFoam(const std::filesystem::path& opened);
 /// that stand in them; VTK's own messages say only what it looked for first. Whether a file is whole, the library of
 /// HDF5 sees. Reads up to the name that decides, at most the first megabytes.
 Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path);
+
+/// An HDF5 file must have no virtual arrays: their values lie in other files, which allowOneFile() keeps closed, and
+/// the library gives zeros for them without a word. Linear.
+Status checkHdfIsWhole(std::string_view bytes);
 
 } // namespace tetra

@@ -2,9 +2,59 @@
 // The format: https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html#vtkhdf-file-format
 #include "plugins/readers/vtk/checks/format_checks.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace tetra {
+namespace {
+
+std::uint64_t numberAt(std::string_view bytes, std::size_t place)
+{
+    std::uint64_t number = 0;
+    for (std::size_t byte = 8; byte-- > 0;)
+        number = number << 8U | static_cast<unsigned char>(bytes[place + byte]);
+    return number;
+}
+
+/// Whether it is a list of the parts of a virtual array: a version, how many there are, and of the first the names of a
+/// file and of an array in it.
+bool isListOfParts(std::string_view object)
+{
+    constexpr std::size_t names = 9;
+    constexpr std::uint64_t most = 1U << 20U;
+    if (object.size() < names + 4 || object[0] != 0 || numberAt(object, 1) < 1 || numberAt(object, 1) > most)
+        return false;
+    const std::string_view file = object.substr(names, object.substr(names).find('\0'));
+    const std::string_view array = object.substr(std::min(names + file.size() + 1, object.size()));
+    const auto isText = [](std::string_view text) {
+        return !text.empty() && std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < ' '; });
+    };
+    return isText(file) && isText(array.substr(0, array.find('\0'))) && array.find('\0') != std::string_view::npos;
+}
+
+} // namespace
+
+Status checkHdfIsWhole(std::string_view bytes)
+{
+    using namespace std::string_view_literals;
+    constexpr std::size_t header = 16, sizeAt = 8;
+    for (auto heap = bytes.find("GCOL\1"sv); heap != std::string_view::npos; heap = bytes.find("GCOL\1"sv, heap + 1)) {
+        std::string_view objects = bytes.substr(heap);
+        if (objects.size() < header)
+            break;
+        objects = objects.substr(header, numberAt(objects, sizeAt));
+        while (objects.size() > header && (objects[0] != 0 || objects[1] != 0)) { // number 0 is free room
+            const std::uint64_t size = numberAt(objects, sizeAt);
+            if (isListOfParts(objects.substr(header, size)))
+                return Error{ErrorKind::BadInput,
+                             Message::say("the values of one of its arrays lie in other files or arrays, which are not "
+                                          "opened. Copy them into an array of their own, for instance with h5py.")};
+            objects.remove_prefix(std::min<std::uint64_t>(
+                header + (std::min<std::uint64_t>(size, objects.size()) + 7) / 8 * 8, objects.size()));
+        }
+    }
+    return {};
+}
 
 Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path)
 {
@@ -21,6 +71,8 @@ Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path)
     if (bytes.substr(0, userBlock).find("\x89HDF\r\n\x1a\n"sv) == std::string_view::npos)
         return Error{ErrorKind::BadInput,
                      Message::say("it does not begin as HDF5 files do. It is damaged, or of another format.")};
+    if (const Status whole = checkHdfIsWhole(bytes); !whole)
+        return whole.error();
     const std::string_view names = bytes.substr(0, looked);
     if (names.find("VTKHDF"sv) == std::string_view::npos)
         return Error{ErrorKind::BadInput, Message::say("it is an HDF5 file of another program: it has no group VTKHDF, "
