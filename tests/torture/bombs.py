@@ -7,7 +7,7 @@ import resource
 import shutil
 
 import bomb_files
-from bench import BAD_INPUT, DONE, OUT_OF_RESOURCE
+from bench import BAD_INPUT, DONE, OUT_OF_RESOURCE, USAGE
 from mutants import measured
 
 # A reading program ends after a minute of the processor by itself.
@@ -28,7 +28,7 @@ def wrong(ran, memory, names):
         return problem
     if ran.processor > MOST_SECONDS:
         return "took %d s of the processor" % ran.processor
-    if ran.code not in (DONE, BAD_INPUT, OUT_OF_RESOURCE):
+    if ran.code not in (DONE, USAGE, BAD_INPUT, OUT_OF_RESOURCE):  # of usage: which columns of a table are x, y and z?
         return "exit code %d: %s" % (ran.code, ran.said())
     if ran.code != DONE and not ran.err.strip():
         return "exit code %d without a word" % ran.code
