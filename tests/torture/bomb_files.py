@@ -290,11 +290,14 @@ def hdf5s():
 
 def med(folder, change):
     """A mesh of a tetrahedron as Salome keeps it."""
+    text = numpy.bytes_
     with h5py.File(folder / "a.med", "w") as file:
         info = file.create_group("INFOS_GENERALES")
         info.attrs.update({"MAJ": 3, "MIN": 0, "REL": 0})
+        file.create_group("FAS/mesh")
         mesh = file.create_group("ENS_MAA/mesh")
-        mesh.attrs.update({"DIM": 3, "ESP": 3, "REP": 0, "NOM": b"X Y Z", "UNI": b"", "DES": b"", "SRT": 1, "TYP": 0, "UNT": b"", "NXI": -1, "NXT": -1})
+        mesh.attrs.update({"DIM": 3, "ESP": 3, "REP": 0, "NOM": text("X Y Z"), "UNI": text(" "), "DES": text(" "),
+                           "SRT": 1, "TYP": 0, "UNT": text(" "), "NXI": -1, "NXT": -1})
         step = mesh.create_group("-0000000000000000001-0000000000000000001")
         step.attrs.update({"CGT": 1, "NDT": -1, "NOR": -1, "PDT": -1.0, "NXI": -1, "NXT": -1, "PVI": -1, "PVT": -1})
         places = step.create_group("NOE").create_dataset("COO", data=numpy.array(CORNERS, "f8").T.ravel())
@@ -302,12 +305,12 @@ def med(folder, change):
         cells = step.create_group("MAI/TE4").create_dataset("NOD", data=numpy.array([1, 2, 3, 4]))
         cells.attrs.update({"CGT": 1, "NBR": 1})
         field = file.create_group("CHA/heat")
-        field.attrs.update({"MAI": b"mesh", "NCO": 1, "NOM": b"", "TYP": 6, "UNI": b"", "UNT": b""})
+        field.attrs.update({"MAI": text("mesh"), "NCO": 1, "NOM": text(" "), "TYP": 6, "UNI": text(" "), "UNT": text(" ")})
         place = field.create_group("0000000000000000000100000000000000000001/NOE")
         field["0000000000000000000100000000000000000001"].attrs.update({"NDT": 1, "NOR": 1, "PDT": 0.0, "RDT": -1, "ROR": -1})
-        place.attrs.update({"GAU": b"", "PFL": b"MED_NO_PROFILE_INTERNAL"})
+        place.attrs.update({"GAU": text(" "), "PFL": text("MED_NO_PROFILE_INTERNAL")})
         profile = place.create_group("MED_NO_PROFILE_INTERNAL")
-        profile.attrs.update({"NBR": 4, "NGA": 1, "GAU": b""})
+        profile.attrs.update({"NBR": 4, "NGA": 1, "GAU": text(" ")})
         profile["CO"] = numpy.array([1., 2, 3, 4])
         change(file, step, profile)
 
