@@ -57,7 +57,7 @@ std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset,
     description.builder = builder.id;
     const auto writer = require(ModelWriter::create(path, dataset, description));
     BuildTarget target{*writer};
-    require(builder.plugin->build(dataset, {{"error", errorPercent}}, target, {}));
+    require(builder.plugin->build(dataset, {{"error", errorPercent}, {"error-in", std::string("grid")}}, target, {}));
     return path;
 }
 
