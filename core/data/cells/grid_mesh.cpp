@@ -160,7 +160,7 @@ Result<Dataset> asMesh(const Dataset& grid, const Progress& progress)
 
 Status checkAsMesh(const Dataset& grid)
 {
-    constexpr std::uint64_t mostPoints = 5'000'000; // what decimation of a grid may take: an hour, 8 GB
+    constexpr std::uint64_t mostPoints = 5'000'000; // for which decimation takes some ten minutes and 8 GB
     if (grid.pointCount() > mostPoints)
         return noMesh(grid, Message::say("it has %1 points, and %2 is the most.", grid.pointCount(), mostPoints));
     if (const Status fits = checkMemory(grid); !fits)
