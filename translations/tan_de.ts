@@ -11680,6 +11680,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>its chunks went through %1 codecs, more than %2</source>
         <translation>ihre Blöcke gingen durch %1 Kodierungen, mehr als %2</translation>
     </message>
+    <message>
+        <source>the values of one of its arrays lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
+        <translation>die Werte eines seiner Felder liegen in anderen Dateien oder Feldern, die nicht geöffnet werden. Kopieren Sie sie in ein eigenes Feld, zum Beispiel mit h5py.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

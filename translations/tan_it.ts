@@ -11680,6 +11680,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>its chunks went through %1 codecs, more than %2</source>
         <translation>i suoi blocchi sono passati per %1 codifiche, più di %2</translation>
     </message>
+    <message>
+        <source>the values of one of its arrays lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
+        <translation>i valori di uno dei suoi array si trovano in altri file o array, che non vengono aperti. Copiarli in un array proprio, per esempio con h5py.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
