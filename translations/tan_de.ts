@@ -11682,7 +11682,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>the values of one of its arrays lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
-        <translation>die Werte eines seiner Felder liegen in anderen Dateien oder Feldern, die nicht geöffnet werden. Kopieren Sie sie in ein eigenes Feld, zum Beispiel mit h5py.</translation>
+        <translation>die Werte eines ihrer Arrays liegen in anderen Dateien oder Arrays, die nicht geöffnet werden. Kopieren Sie sie in ein eigenes Array, zum Beispiel mit h5py.</translation>
     </message>
 </context>
 <context>
