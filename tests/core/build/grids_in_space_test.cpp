@@ -203,6 +203,20 @@ private slots:
             QVERIFY2(!quick && !asMesh(folded), name);
             QVERIFY2(quick.error().text().find("folded") != std::string::npos, quick.error().text().c_str());
         }
+        // A square that was made round and twisted: at its edges two sides of a cell lie in line, and no tetrahedra
+        // fill it.
+        const Dataset round = datasetOfGrid(bentGrid({25, 25, 4}, [](double x, double y, double z) {
+            const double a = std::tanh(2.2 * (x / 12 - 1)) / std::tanh(2.2),
+                         b = std::tanh(2.2 * (y / 12 - 1)) / std::tanh(2.2);
+            const double inX = 1000 * a * std::sqrt(1 - b * b / 2), inY = 1000 * b * std::sqrt(1 - a * a / 2);
+            const double turn = 0.015 * z;
+            return Eigen::Vector3d(inX * std::cos(turn) - inY * std::sin(turn),
+                                   inX * std::sin(turn) + inY * std::cos(turn), 130 * z);
+        }));
+        QVERIFY(!asMesh(round));
+        QVERIFY(!checkAsMesh(round));
+        QVERIFY(std::holds_alternative<Refinement>(suitableMethod(round)));
+        QVERIFY(buildModel(round, path()).ok());
         BentGrid jump = oGrid({6, 13, 5}, 1.3, 1); // two values on one place
         jump.values[12 * 6] += 1;
         const Dataset torn = datasetOfGrid(jump);
