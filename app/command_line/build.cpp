@@ -20,8 +20,14 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <functional>
+#include <iterator>
+#include <ranges>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -93,16 +99,38 @@ std::string optionInQuotes(std::string_view option)
     return "'--" + std::string(option) + "'";
 }
 
-/// Where an option is not known: whose it is, if one of those would build this.
-Status withOtherBuilder(PluginHost& host, const Dataset& dataset, const Status& known, const Arguments& arguments)
+/// Those that would build the dataset and know all options that are given, the most suitable first.
+std::vector<Provided<Builder>> buildersThatKnow(const Arguments& arguments, PluginHost& host, const Dataset& dataset)
 {
-    std::string others;
-    for (const auto& builder : host.builders())
-        if (builder.plugin->accepts(dataset).score > 0 &&
-            checkPluginOptions(arguments, allParameters(host.builders()), builder.plugin->parameters(), {}))
-            others += (others.empty() ? "" : " or ") + optionInQuotes("builder " + builder.id);
-    return Error{known.error().kind,
-                 known.error().text() + " Leave it out" + (others.empty() ? "." : ", or build with " + others + ".")};
+    std::vector<std::pair<double, Provided<Builder>>> found;
+    for (auto& builder : host.builders())
+        if (checkPluginOptions(arguments, allParameters(host.builders()), builder.plugin->parameters(), {}))
+            if (const double score = builder.plugin->accepts(dataset).score; score > 0)
+                found.emplace_back(score, std::move(builder));
+    std::ranges::stable_sort(found, std::greater(), [](const auto& scored) { return scored.first; });
+    std::vector<Provided<Builder>> builders;
+    std::ranges::move(found | std::views::values, std::back_inserter(builders));
+    return builders;
+}
+
+/// The builder that is named; else the one that suits the dataset best, of those that know the options.
+Result<Provided<Builder>> builderFor(const Dataset& dataset, const Arguments& arguments, PluginHost& host)
+{
+    const auto named = arguments.value("builder");
+    auto builder = chooseBuilder(host, dataset, named);
+    if (!builder)
+        return builder;
+    const Status known = checkPluginOptions(arguments, allParameters(host.builders()), builder->plugin->parameters(),
+                                            "builder '" + builder->id + "'");
+    if (known)
+        return builder;
+    auto others = buildersThatKnow(arguments, host, dataset);
+    if (!named && !others.empty())
+        return std::move(others.front());
+    std::string choices;
+    for (const Provided<Builder>& other : others)
+        choices += (choices.empty() ? ", or build with " : " or ") + optionInQuotes("builder " + other.id);
+    return Error{known.error().kind, known.error().text() + " Leave it out" + choices + "."};
 }
 
 /// What a build would be able to do in blocks, if its builder knows them.
@@ -242,14 +270,10 @@ Result<Outcome> runBuild(const Invocation& invocation)
     const auto dataset = openDataset(invocation.host, input, *imported, invocation.progress.part(0, 0.05));
     if (!dataset)
         return dataset.error();
-    const auto builder = chooseBuilder(invocation.host, *dataset, arguments.value("builder"));
+    const auto builder = builderFor(*dataset, arguments, invocation.host);
     if (!builder)
         return builder.error();
     const auto parameters = builder->plugin->parameters();
-    if (const Status known = checkPluginOptions(arguments, allParameters(invocation.host.builders()), parameters,
-                                                "builder '" + builder->id + "'");
-        !known)
-        return withOtherBuilder(invocation.host, *dataset, known, arguments).error();
     const auto values = pluginValues(arguments, parameters);
     if (!values)
         return values.error();

@@ -45,8 +45,10 @@ private slots:
             "'--builder refinement'");
         row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
             "'--warping' is for curvilinear or rectilinear or irregular or scattered data only");
-        row("lattice, order", "lattice.nrrd", {"--order", "paper"}, "'--builder decimation'");
-        row("grid, block", "grid.xyz", {"--block", "4"}, "'--builder refinement'");
+        row("lattice refined, order", "lattice.nrrd", {"--builder", "refinement", "--order", "paper"},
+            "'--builder decimation'");
+        row("grid decimated, block", "grid.xyz", decimate + QStringList{"--block", "4"}, "'--builder refinement'");
+        row("grid, options of two builders", "grid.xyz", {"--block", "4", "--order", "paper"}, "Leave it out.");
         row("grid, paper's selection in blocks", "grid.xyz",
             {"--builder", "refinement", "--selection", "paper", "--block", "4"},
             "The paper's selection of points does not go with blocks");
@@ -96,14 +98,14 @@ private slots:
                 if (QByteArray(input) != "mesh.vtu" || QByteArray(builder) != "refinement") // it may not be convex
                     row((QByteArray(input) + " by " + builder + " is resumed").constData(), input,
                         {"--builder", builder, "--resume"});
-        const QStringList refine = {"--builder", "refinement"};
-        row("a grid with the paper's selection is resumed", "grid.xyz",
-            refine + QStringList{"--selection", "paper", "--resume"});
+        row("a grid with the paper's selection is refined, and resumed", "grid.xyz",
+            {"--selection", "paper", "--resume"});
         row("a whole is kept", "lattice.nrrd", {"--keep"});
         row("blocks are kept and resumed", "lattice.nrrd", {"--block", "6", "--keep", "--resume"});
         row("a decimation is kept", "lattice.nrrd", {"--builder", "decimation", "--keep"});
-        row("a grid warps", "grid.xyz", refine + QStringList{"--warping", "2", "--selection", "paper"});
-        row("blocks of a grid are resumed, C7", "grid.xyz", refine + QStringList{"--block", "4", "--resume"});
+        row("an order has the lattice decimated", "lattice.nrrd", {"--order", "paper"});
+        row("a grid warps", "grid.xyz", {"--warping", "2", "--selection", "paper"});
+        row("blocks of a grid are resumed, C7", "grid.xyz", {"--block", "4", "--resume"});
         row("a grid is decimated by its indices", "grid.xyz", {"--space", "computational", "--resume"});
         row("a decimated grid warps", "grid.xyz", {"--builder", "decimation", "--warping", "2"});
         row("a mesh warps", "mesh.vtu", {"--warping", "2"});

@@ -110,7 +110,9 @@ private slots:
                                .background = background,
                                .transfer = &function,
                                .errorAt = [&](double) { return reach; }};
-        QVERIFY(errorRemarks(input).empty());
+        // What is left to see may be fewer values than so large an error: that is told, and true.
+        for (const ErrorRemark& remark : errorRemarks(input))
+            QVERIFY(remark.kind == ErrorRemark::Kind::NarrowOpacity && error > 0.25);
     }
 
     void everyErrorGivesAFunction()
