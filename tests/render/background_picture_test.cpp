@@ -132,7 +132,8 @@ void BackgroundPictureTest::theErrorPaintsNothingIntoTheBackground()
     const double unitDistance = data.bounds.diagonal().norm() / 40;
     const TransferFunction function =
         fittedTransferFunction(volumes, unitDistance, percent / 100 * data.range.extent());
-    const Picture plain = drawn(exact, data.bounds, {{}, {{40, 0}, {41, 0.9F}}, unitDistance, {}});
+    const std::vector<ColourPoint> black = {{0, {0, 0, 0}, {}}};
+    const Picture plain = drawn(exact, data.bounds, {black, {{40, 0}, {41, 0.9F}}, unitDistance, {}});
     const std::vector<bool> empty = backgroundOf(plain);
     QVERIFY(std::ranges::count(empty, true) > pictureSide * pictureSide / 8);
     const Picture approximate = drawn(coarse, data.bounds, function);
@@ -141,7 +142,7 @@ void BackgroundPictureTest::theErrorPaintsNothingIntoTheBackground()
     QVERIFY(!std::ranges::all_of(approximate.pixels, isWhite));
 
     // A function that rises above the background itself would have painted it.
-    const TransferFunction naive{{}, {{background->largest, 0}, {background->largest + 10, 0.5F}}, unitDistance, {}};
+    const TransferFunction naive{black, {{background->largest, 0}, {background->largest + 10, 0.5F}}, unitDistance, {}};
     QVERIFY(largestDifference(drawn(coarse, data.bounds, naive), drawn(exact, data.bounds, naive), empty) > 1);
 }
 
