@@ -68,7 +68,9 @@ private slots:
         QTest::newRow("grid, in space") << "grid.xyz"
                                         << QStringList{"--error-in", "space", "--error", "1", "--warping", "1"}
                                         << int(InSpace);
-        QTest::newRow("grid, decimated") << "grid.xyz" << QStringList{"--builder", "decimation"} << int(InGrid);
+        QTest::newRow("grid, decimated") << "grid.xyz" << QStringList{"--builder", "decimation"} << int(Only);
+        QTest::newRow("grid, decimated by its indices")
+            << "grid.xyz" << QStringList{"--builder", "decimation", "--space", "computational"} << int(InGrid);
         QTest::newRow("irregular") << "part.vtu" << QStringList{"--builder", "decimation"} << int(Only);
         QTest::newRow("points") << "points.csv" << QStringList() << int(Only);
     }

@@ -290,7 +290,7 @@ private:
 
     bool build(const QString& sample, const QString& size, const QString& dataset, const QString& model)
     {
-        const QStringList options = sample == "bent-duct" ? QStringList{"--builder", "refinement"} : QStringList();
+        const QStringList options = sample == "bent-duct" ? QStringList{"--error-in", "grid"} : QStringList();
         return runTan({"sample", sample, "--size", size, "-o", dataset}, place_.path()).exitCode == 0 &&
                runTan(QStringList{"build", dataset, "-o", model} + options, place_.path()).exitCode == 0;
     }
