@@ -571,6 +571,7 @@ void KeepSessionTest::anotherModelOfThatNameIsSeenAsFarAsItFits()
     const QString fresh = modelIn("fresh", 20);
     open(fresh);
     const std::vector<Isovalue> isovalues = session().view().isovalues;
+    session().setError(3.5); // as edit() does, and what is kept of it
     const TransferFunction transfer = session().view().appearance.transfer;
     const Camera camera = window_->viewport().camera();
     startAnew();
