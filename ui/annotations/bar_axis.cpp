@@ -15,7 +15,7 @@ namespace tetra {
 namespace {
 
 /// What a chord may be off: maps that are read as straight pieces are right within 1/255.
-constexpr double chordTolerance = 1.5 / 255;
+constexpr double chordTolerance = 2.0 / 255;
 /// Between two neighbouring points, where a chord over the logarithms is compared.
 constexpr int placesBetween = 8;
 
