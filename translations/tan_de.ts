@@ -11684,6 +11684,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>the values of one of its arrays lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
         <translation>die Werte eines ihrer Arrays liegen in anderen Dateien oder Arrays, die nicht geöffnet werden. Kopieren Sie sie in ein eigenes Array, zum Beispiel mit h5py.</translation>
     </message>
+    <message>
+        <source>xyz</source>
+        <translation>xyz</translation>
+    </message>
+    <message>
+        <source>zyx</source>
+        <translation>zyx</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

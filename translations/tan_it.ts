@@ -11684,6 +11684,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>the values of one of its arrays lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
         <translation>i valori di uno dei suoi array si trovano in altri file o array, che non vengono aperti. Copiarli in un array proprio, per esempio con h5py.</translation>
     </message>
+    <message>
+        <source>xyz</source>
+        <translation>xyz</translation>
+    </message>
+    <message>
+        <source>zyx</source>
+        <translation>zyx</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -169,7 +169,7 @@ private slots:
                 const double apart = i > 0              ? ticks[i] - ticks[i - 1]
                                      : ticks.size() > 1 ? ticks[1] - ticks[0]
                                                         : ticks[i];
-                QVERIFY2(std::abs(read - ticks[i]) < 0.01 * apart, qPrintable(texts[i]));
+                QVERIFY2(std::abs(read - ticks[i]) <= 0.01 * apart, qPrintable(texts[i]));
             }
         }
         QCOMPARE(barTicks({{1, 1000}, true}, 4), (std::vector<double>{1, 10, 100, 1000}));

@@ -15,7 +15,7 @@ namespace tetra {
 namespace {
 
 /// What a chord may be off: maps that are read as straight pieces are right within 1/255.
-constexpr double chordTolerance = 2.0 / 255;
+constexpr double chordTolerance = 1.5 / 255;
 /// Between two neighbouring points, where a chord over the logarithms is compared.
 constexpr int placesBetween = 8;
 
@@ -53,12 +53,13 @@ std::vector<Curve> curvesOf(const TransferFunction& function, const TransferLimi
     const auto placeAt = [&](double value) {
         return CurvePlace{value, evaluateUnmasked(function, value).colour, true};
     };
+    constexpr double rounding = 1e-9; // what lies nearer together is at one place, as a step is
     std::vector<Curve> curves{{placeAt(ends.least)}};
     for (const ColourPoint& point : function.colours) {
-        if (point.value <= ends.least || point.value >= ends.largest)
+        if (point.value <= ends.least * (1 + rounding) || point.value >= ends.largest * (1 - rounding))
             continue;
         const CurvePlace place{point.value, colourOf(point), true};
-        if (curves.back().back().value == point.value)
+        if (point.value <= curves.back().back().value * (1 + rounding))
             curves.push_back({place});
         else
             addStraight(curves.back(), place);

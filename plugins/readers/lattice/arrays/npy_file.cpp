@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr const char *firstDimensionIsX = "xyz", *lastDimensionIsX = "zyx";
+constexpr std::string_view firstDimensionIsX = Message::marked("xyz"), lastDimensionIsX = Message::marked("zyx");
 
 constexpr std::string_view npyMagic = "\x93NUMPY"sv;
 
@@ -279,7 +279,7 @@ Parameter npyAxesParameter()
         Message::marked("NumPy arrays: whether they are indexed as array[x, y, z], or as array[z, y, x], as stacks of "
                         "images by scikit-image, imageio and tifffile are.");
     axes.defaultValue = std::string(firstDimensionIsX);
-    axes.choices = {firstDimensionIsX, lastDimensionIsX};
+    axes.choices = {std::string(firstDimensionIsX), std::string(lastDimensionIsX)};
     return axes;
 }
 
