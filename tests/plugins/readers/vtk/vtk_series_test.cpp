@@ -66,8 +66,7 @@ private slots:
                  QString("array: value; time step: 2 of 2, time 1.5, file 'run & more/b.vti'"));
         const auto third = builtVtkReader().read(path, {{"time", std::int64_t(3)}}, {});
         QVERIFY(!third.ok() && third.error().kind == ErrorKind::WrongUsage);
-        QVERIFY2(third.error().text().find("Give one from 1 to 2") != std::string::npos,
-                 third.error().text().c_str());
+        QVERIFY2(third.error().text().find("Give one from 1 to 2") != std::string::npos, third.error().text().c_str());
         const auto contents = builtVtkReader().probe(path, {}, {});
         QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
         QCOMPARE(contents->timeSteps, (std::vector<double>{0.5, 1.5}));
