@@ -187,7 +187,8 @@ private slots:
              {ParameterValues{{"channel", std::string("RFP")}}, ParameterValues{{"time", std::int64_t(2)}}}) {
             const auto none = readFile(path, wrong);
             QVERIFY(!none.ok() && none.error().kind == ErrorKind::WrongUsage);
-            const char* told = wrong.contains("channel") ? "'DAPI', 'GFP'" : "it has one time step, and number 2 is";
+            const char* told =
+                wrong.contains("channel") ? "'DAPI', 'GFP'" : "it has one time step, and number 2 was asked for";
             QVERIFY2(none.error().text().find(told) != std::string::npos, none.error().text().c_str());
         }
     }
