@@ -379,6 +379,7 @@ private:
     void checkOutside(const Related& related);
     void checkOwn(const Related& related, bool covered);
     bool isGrantedNextToIt(const Related& related) const;
+    double errorAtNearest(const Related& related) const;
     double leastErrorWithin(const Related& related, double radius) const;
     double errorOn(const Related& related, std::uint32_t triangle, double radius) const;
     std::array<double, 3> valuesOf(std::uint32_t triangle) const
@@ -462,12 +463,28 @@ double RelatedCheck::leastErrorWithin(const Related& related, double radius) con
     return least;
 }
 
+/// Of several places that are equally near, as a symmetric boundary has them, the one that comes closest counts.
+double RelatedCheck::errorAtNearest(const Related& related) const
+{
+    constexpr double rounding = 1e-12;
+    const double radius = related.nearest.place.distance * (1 + rounding);
+    const auto errorAt = [&](std::uint32_t triangle, const std::array<double, 3>& weights) {
+        const std::array<double, 3> values = valuesOf(triangle);
+        const double there = weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
+        return related.weight * std::abs(there - related.value);
+    };
+    double least = errorAt(related.nearest.triangle, related.nearest.place.weights);
+    boundary_.tree.visitWithin(related.place, radius, [&](std::uint32_t triangle) {
+        const auto place = nearestPlace(boundary_.tree.corners(triangle), related.place);
+        if (place.distance <= radius)
+            least = std::min(least, errorAt(triangle, place.weights));
+    });
+    return least;
+}
+
 void RelatedCheck::checkOutside(const Related& related)
 {
-    const std::array<double, 3> values = valuesOf(related.nearest.triangle);
-    const std::array<double, 3>& weights = related.nearest.place.weights;
-    const double there = weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
-    double error = related.weight * std::abs(there - related.value);
+    double error = errorAtNearest(related);
     atNearest_.raise(related.point, error);
     const double claimed = error_.claimed(related.point);
     if (error > claimed + error_.allowance) {

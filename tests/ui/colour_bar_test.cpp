@@ -114,14 +114,10 @@ private slots:
                     const TransferFunction linear = linearMap(map, least, largest);
                     QVERIFY2(!followsLogarithm(linear, {least, largest}), name);
                     QVERIFY2(!followsLogarithm(logarithmicMap(map, least, largest), {-least, largest}), name);
-                    if (map.id == "grey" && decades > 3)
-                        QEXPECT_FAIL("", "this one is taken for linear; why is not known yet", Continue);
                     QVERIFY2(followsLogarithm(logarithmicMap(map, least, largest), {least, largest}),
                              name + " from " + QByteArray::number(least));
                     const ColourBarLayout bar = barOf(contentOver(least, largest, logarithmicMap(map, least, largest)));
                     QVERIFY2(bar.ticks.size() > 1, name);
-                    if (map.id == "grey" && decades > 3)
-                        continue;
                     for (const AxisMark& tick : bar.ticks) {
                         if (tick.label.text.isEmpty())
                             continue;
@@ -163,10 +159,8 @@ private slots:
             const auto ticks = barTicks(axis, most);
             const auto texts = barTickTexts(axis, ticks);
             QVERIFY(std::ssize(ticks) <= most && texts.size() == ticks.size());
-            const double room = 1e-9 * (axis.ends.largest - axis.ends.least);
-            QVERIFY(std::ranges::is_sorted(ticks));
-            for (const double tick : ticks)
-                QVERIFY(tick >= axis.ends.least - room && tick <= axis.ends.largest + room);
+            QVERIFY(std::ranges::is_sorted(ticks) &&
+                    std::ranges::all_of(ticks, [&](double tick) { return axis.contains(tick); }));
             for (std::size_t i = 0; i < ticks.size(); ++i) {
                 QVERIFY2(i == 0 || texts[i] != texts[i - 1], qPrintable(texts[i]));
                 const double read = QLocale::c().toDouble(texts[i]);

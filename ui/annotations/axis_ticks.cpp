@@ -30,7 +30,7 @@ std::vector<double> multiples(double least, double largest, double step)
     std::vector<double> ticks;
     const double room = 1e-9 * step;
     for (double count = std::ceil((least - room) / step); count * step <= largest + room; ++count)
-        ticks.push_back(count == 0 ? 0 : std::clamp(count * step, least, largest));
+        ticks.push_back(std::clamp(count == 0 ? 0 : count * step, least, largest));
     return ticks;
 }
 

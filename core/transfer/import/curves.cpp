@@ -149,10 +149,19 @@ template <class Node> std::vector<double> valuesOf(const std::vector<Node>& node
     return values;
 }
 
+/// How a stretch is halved: a logarithmic curve by factors, since over many powers of ten nearly all of it lies in a
+/// part of the values that no halving of the values comes down to.
+enum class Halving { ByDifference, ByFactor };
+
+double valueAlong(double from, double to, double share, Halving halving)
+{
+    return halving == Halving::ByFactor ? from * std::pow(to / from, share) : std::lerp(from, to, share);
+}
+
 /// The points of a curve of ours that is near to `look` everywhere. That has its kinks and steps at `values` alone,
 /// which ascend; those that are no farther apart than `narrow` are the sides of a step.
 template <class Point, class Look>
-std::vector<Point> sampled(const std::vector<double>& values, double narrow, const Look& look)
+std::vector<Point> sampled(const std::vector<double>& values, double narrow, Halving halving, const Look& look)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<Point> points;
@@ -167,7 +176,7 @@ std::vector<Point> sampled(const std::vector<double>& values, double narrow, con
         // Just inside: at the ends themselves the curve may step.
         const double first = std::nextafter(from, to), last = std::nextafter(to, from);
         const auto pointAt = [&](double share) {
-            const double value = share <= 0 ? from : share >= 1 ? to : std::lerp(from, to, share);
+            const double value = share <= 0 ? from : share >= 1 ? to : valueAlong(from, to, share, halving);
             return pointOf(value, look(std::clamp(value, first, last)));
         };
         if (to - from <= narrow) {
@@ -179,8 +188,9 @@ std::vector<Point> sampled(const std::vector<double>& values, double narrow, con
             continue;
         }
         const auto matches = [&](double a, double b, double place) {
-            const double value = std::lerp(from, to, place);
-            return near(lookBetween(pointAt(a), pointAt(b), (place - a) / (b - a)),
+            const Point one = pointAt(a), other = pointAt(b);
+            const double value = valueAlong(from, to, place, halving);
+            return near(lookBetween(one, other, (value - one.value) / (other.value - one.value)),
                         look(std::clamp(value, first, last)), tolerance);
         };
         for (const double share : adaptivePoints(matches))
@@ -193,7 +203,8 @@ std::vector<Point> sampled(const std::vector<double>& values, double narrow, con
 
 std::vector<ColourPoint> coloursOf(const ColourCurve& curve, double narrow)
 {
-    return sampled<ColourPoint>(valuesOf(curve.nodes), narrow,
+    const Halving halving = curve.logarithmic ? Halving::ByFactor : Halving::ByDifference;
+    return sampled<ColourPoint>(valuesOf(curve.nodes), narrow, halving,
                                 [&curve](double value) { return curveColourAt(curve, value); });
 }
 
@@ -205,7 +216,8 @@ std::vector<OpacityPoint> opacitiesOf(const std::vector<OpacityNode>& nodes, dou
         if (nodes[node].sharpness > 0.99)
             values.push_back(std::lerp(nodes[node].value, nodes[node + 1].value, nodes[node].midpoint));
     sortUnique(values);
-    return sampled<OpacityPoint>(values, narrow, [&nodes](double value) { return opacityAt(nodes, value); });
+    return sampled<OpacityPoint>(values, narrow, Halving::ByDifference,
+                                 [&nodes](double value) { return opacityAt(nodes, value); });
 }
 
 /// The largest distance of two values that are the sides of a step, as ParaView has it.

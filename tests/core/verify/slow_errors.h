@@ -88,12 +88,14 @@ struct SlowErrors {
             twice += holding > 1 ? 1 : 0;
             if (std::isinf(least)) {
                 ++outside;
-                std::pair<double, double> best = {std::numeric_limits<double>::infinity(), 0};
+                std::vector<std::pair<double, double>> next;
                 for (const auto& [face, count] : faces)
                     if (const auto& [a, b, c] = face; count == 1)
-                        best =
-                            std::min(best, nextOn({place(a), place(b), place(c)}, {value(a), value(b), value(c)}, at));
-                least = std::abs(best.second - dataset.values.at(point));
+                        next.push_back(nextOn({place(a), place(b), place(c)}, {value(a), value(b), value(c)}, at));
+                const double nearest = std::ranges::min(next).first; // at several places, where these are symmetric
+                for (const auto& [distance, there] : next)
+                    if (distance <= nearest * (1 + 1e-9))
+                        least = std::min(least, std::abs(there - dataset.values.at(point)));
             }
             percents.push_back(100 * least / dataset.values.range().extent());
         }
