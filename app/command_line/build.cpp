@@ -157,6 +157,41 @@ Status checkAbilities(const Arguments& arguments, const Provided<Builder>& build
     return {};
 }
 
+/// A builder, and what the options ask of it.
+struct WayToBuild {
+    Provided<Builder> builder;
+    ParameterValues values;
+};
+
+Result<WayToBuild> wayToBuild(const Dataset& dataset, const Arguments& arguments, Result<Provided<Builder>> builder)
+{
+    if (!builder)
+        return builder.error();
+    const auto parameters = builder->plugin->parameters();
+    auto values = pluginValues(arguments, parameters);
+    if (!values)
+        return values.error();
+    if (const Status used = checkOfUse(parameters, *values, dataset, optionNames(arguments)); !used)
+        return used.error();
+    if (const Status able = checkAbilities(arguments, *builder, dataset, *values); !able)
+        return able.error();
+    return WayToBuild{*std::move(builder), *std::move(values)};
+}
+
+/// Where the builder was TAn's choice, and only met while it built what it has no use for, as a grid that crosses
+/// itself is no mesh: the next most suitable way.
+std::optional<WayToBuild> wayAfter(const Result<ModelBuild>& build, const WayToBuild& tried, const Dataset& dataset,
+                                   const Arguments& arguments, PluginHost& host)
+{
+    if (build.ok() || build.error().kind != ErrorKind::BadInput || arguments.has("builder"))
+        return std::nullopt;
+    for (Provided<Builder>& builder : buildersThatKnow(arguments, host, dataset))
+        if (builder.id != tried.builder.id)
+            if (auto way = wayToBuild(dataset, arguments, std::move(builder)))
+                return *std::move(way);
+    return std::nullopt;
+}
+
 /// Of a build with '--resume': where what is done lies.
 Error withWayOn(const Error& error, const std::filesystem::path& workFolder)
 {
@@ -270,17 +305,9 @@ Result<Outcome> runBuild(const Invocation& invocation)
     const auto dataset = openDataset(invocation.host, input, *imported, invocation.progress.part(0, 0.05));
     if (!dataset)
         return dataset.error();
-    const auto builder = builderFor(*dataset, arguments, invocation.host);
-    if (!builder)
-        return builder.error();
-    const auto parameters = builder->plugin->parameters();
-    const auto values = pluginValues(arguments, parameters);
-    if (!values)
-        return values.error();
-    if (const Status used = checkOfUse(parameters, *values, *dataset, optionNames(arguments)); !used)
-        return used.error();
-    if (const Status able = checkAbilities(arguments, *builder, *dataset, *values); !able)
-        return able.error();
+    auto way = wayToBuild(*dataset, arguments, builderFor(*dataset, arguments, invocation.host));
+    if (!way)
+        return way.error();
     const bool isPacked = arguments.has("packed");
     std::optional<WorkFolder> packing;
     if (isPacked) {
@@ -293,12 +320,21 @@ Result<Outcome> runBuild(const Invocation& invocation)
     const std::filesystem::path target = isPacked ? packing->path() / "model.tan" : std::filesystem::path(output);
     const std::atomic<bool> keep = arguments.has("keep");
     const double builtEnd = isPacked ? 0.4 : 1;
-    const auto build =
-        buildModel(invocation.host, *dataset, builder->id, *values, target, invocation.progress.part(0.05, builtEnd),
-                   {.live = nullptr,
-                    .keepWhenCancelled = keep ? &keep : nullptr,
-                    .resume = arguments.has("resume"),
-                    .imported = toKeep(*std::move(imported), arguments)});
+    const auto buildBy = [&](const WayToBuild& by) {
+        return buildModel(invocation.host, *dataset, by.builder.id, by.values, target,
+                          invocation.progress.part(0.05, builtEnd),
+                          {.live = nullptr,
+                           .keepWhenCancelled = keep ? &keep : nullptr,
+                           .resume = arguments.has("resume"),
+                           .imported = toKeep(*imported, arguments)});
+    };
+    auto build = buildBy(*way);
+    std::vector<Message> detour;
+    if (auto other = wayAfter(build, *way, *dataset, arguments, invocation.host)) {
+        detour = {build.error().message};
+        way = *std::move(other);
+        build = buildBy(*way);
+    }
     if (!build) {
         if (isPacked && arguments.has("resume"))
             packing->keep(); // with what the build left in it
@@ -309,8 +345,9 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (isPacked)
         if (const Status packed = pack(target, output, invocation.progress.part(builtEnd, 1), outcome); !packed)
             return packed.error();
-    tellThreads(arguments, *threads, *builder, *dataset, *values, outcome);
+    tellThreads(arguments, *threads, way->builder, *dataset, way->values, outcome);
     addRemarks(*dataset, outcome);
+    addRemarks(detour, outcome);
     if (logarithmic)
         outcome.text += logarithmText(dataset->source.valueName, dataset->values.range());
     return outcome;

@@ -9,7 +9,6 @@
 #include "core/verify/irregular_original.h"
 
 #include <tan/base.h>
-#include <tan/build.h>
 
 #include <tbb/parallel_for.h>
 

@@ -279,10 +279,24 @@ private slots:
         QVERIFY2(verdict.exitCode == 0, verdict.output);
     }
 
+    /// None of its cells is folded, but the arc goes around more than once and so through itself: it is no mesh, which
+    /// turns out while it is built, and is refined all the same.
+    void gridsThatCrossThemselvesAreBuilt()
+    {
+        writeGrid("crossing.xyz", "crossing.q", 1.2, 0);
+        const Run build = tan({"build", "crossing.xyz", "-o", "crossing.tan", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        QCOMPARE(build.json()["builder"].toString(), QString("refinement"));
+        QVERIFY(build.json()["remarks"].toArray()[0].toString().contains("cannot be taken as a mesh"));
+        const Run verdict = tan({"verify", "crossing.tan", "--against", "crossing.xyz"});
+        QVERIFY2(verdict.exitCode == 0, verdict.output + verdict.messages);
+        QCOMPARE(tan({"build", "crossing.xyz", "--builder", "decimation", "-o", "no.tan"}).exitCode, 3);
+    }
+
     /// S5, C10: where the grid itself is folded inverted cells are counted by all that look, and fail nothing.
     void foldedGridsAreBuiltAndProved()
     {
-        writeFoldedGrid("folded.xyz", "folded.q");
+        writeGrid("folded.xyz", "folded.q", 0.3, 1.6);
         const Run build = tan({"build", "folded.xyz", "-o", "folded.tan", "--json"});
         QVERIFY2(build.exitCode == 0, build.messages);
         const int finest = build.json()["inverted"].toInt();
@@ -317,7 +331,8 @@ private slots:
 
 private:
     /// PLOT3D: a part of a ring, and a point of it pulled through its neighbours.
-    void writeFoldedGrid(const QString& gridName, const QString& solutionName) const
+    /// An arc of so many radians a step, one of whose points is pushed outwards.
+    void writeGrid(const QString& gridName, const QString& solutionName, double step, double push) const
     {
         const std::array<int, 3> size = {8, 7, 6};
         QFile grid(folder_.filePath(gridName)), solution(folder_.filePath(solutionName));
@@ -334,7 +349,7 @@ private:
             for (int k = 0; k < size[2]; ++k)
                 for (int j = 0; j < size[1]; ++j)
                     for (int i = 0; i < size[0]; ++i) {
-                        const double radius = 3 + i + (i == 3 && j == 3 && k == 2 ? 1.6 : 0), angle = 0.3 * j;
+                        const double radius = 3 + i + (i == 3 && j == 3 && k == 2 ? push : 0), angle = step * j;
                         const std::array<double, 3> place = {radius * std::cos(angle), radius * std::sin(angle),
                                                              double(k)};
                         if (component < 3)

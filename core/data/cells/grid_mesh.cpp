@@ -5,7 +5,6 @@
 #include "core/data/cells/grid_cells.h"
 #include "core/data/dataset_checks.h"
 
-#include <tan/build.h>
 #include <tan/data.h>
 
 #include <Eigen/Geometry>

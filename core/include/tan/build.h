@@ -290,18 +290,6 @@ TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& 
 /// Why the dataset cannot be decimated, for the user; success if it can.
 TAN_API Status checkDecimation(const Dataset& dataset);
 
-/// A curvilinear grid as the irregular mesh that its cells make: each is cut into tetrahedra, points on one place are
-/// one, cells without volume are left out. The source stays. All samples are in it, each once and unchanged; a grid of
-/// which that cannot be is refused. Errors (BadInput): cells that are folded, overlap or cannot be cut, points on one
-/// place that have different values, points of cells without volume alone; not enough memory (OutOfResource);
-/// cancelled. The same mesh every time. One thread, some 1 kB a cell while it works.
-TAN_API Result<Dataset> asMesh(const Dataset& grid, const Progress& progress = {});
-
-/// Why a curvilinear grid is not decimated as the mesh of its cells unless that is asked for: it has more than five
-/// million points, a cell of it is folded, or two of its points lie on one place and have different values. Success if
-/// none of that is so; then asMesh() refuses it only if it meets itself. O(points), on all threads.
-TAN_API Status checkAsMesh(const Dataset& grid);
-
 /// Edge collapse of irregular data, lattices and grids into a target (R11, R12), of what takenFor() gives.
 TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimation, BuildTarget& target,
                                       const Progress& progress);

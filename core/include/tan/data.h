@@ -427,6 +427,19 @@ TAN_API Dataset asPoints(const Dataset& dataset);
 /// throw std::bad_alloc.
 TAN_API Result<Dataset> tetrahedrized(const Dataset& points, const Progress& progress = {});
 
+/// A curvilinear grid as the irregular mesh that its cells make: each is cut into tetrahedra, points on one place are
+/// one, cells without volume are left out. The source stays. All samples are in it, each once and unchanged; a grid of
+/// which that cannot be is refused. Errors (BadInput): cells that are folded, overlap or cannot be cut, points on one
+/// place that have different values, points of cells without volume alone; not enough memory (OutOfResource);
+/// cancelled. The same mesh every time. One thread, some 1 kB a cell while it works.
+TAN_API Result<Dataset> asMesh(const Dataset& grid, const Progress& progress = {});
+
+/// Why a curvilinear grid is not taken asMesh() unless that is asked for: it has more than five million points, a cell
+/// of it is folded or cannot be cut, or two of its points lie on one place and have different values. Success if none
+/// of that is so; then asMesh() refuses it only if it meets itself. O(points), on all threads; where the first cut of a
+/// cell has a tetrahedron that is turned over or nearly flat, as slow as asMesh().
+TAN_API Status checkAsMesh(const Dataset& grid);
+
 /// The shape of a cell as files have it; corners are numbered as in VTK. Quadratic cells carry their nodes of order two
 /// after the corners.
 enum class CellShape : std::uint8_t {
