@@ -157,6 +157,16 @@ Status checkAbilities(const Arguments& arguments, const Provided<Builder>& build
     return {};
 }
 
+/// Where the model lies until it is packed.
+Result<std::optional<WorkFolder>> packingFolder(const std::string& output, const Arguments& arguments)
+{
+    auto folder = WorkFolder::open(output + ".packing", arguments.has("resume") ? WorkFolder::Leftovers::Keep
+                                                                                : WorkFolder::Leftovers::Remove);
+    if (!folder)
+        return folder.error();
+    return std::optional<WorkFolder>(*std::move(folder));
+}
+
 /// A builder, and what the options ask of it.
 struct WayToBuild {
     Provided<Builder> builder;
@@ -309,15 +319,10 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (!way)
         return way.error();
     const bool isPacked = arguments.has("packed");
-    std::optional<WorkFolder> packing;
-    if (isPacked) {
-        auto folder = WorkFolder::open(output + ".packing", arguments.has("resume") ? WorkFolder::Leftovers::Keep
-                                                                                    : WorkFolder::Leftovers::Remove);
-        if (!folder)
-            return folder.error();
-        packing.emplace(*std::move(folder));
-    }
-    const std::filesystem::path target = isPacked ? packing->path() / "model.tan" : std::filesystem::path(output);
+    auto packing = isPacked ? packingFolder(output, arguments) : Result<std::optional<WorkFolder>>(std::nullopt);
+    if (!packing)
+        return packing.error();
+    const std::filesystem::path target = isPacked ? (*packing)->path() / "model.tan" : std::filesystem::path(output);
     const std::atomic<bool> keep = arguments.has("keep");
     const double builtEnd = isPacked ? 0.4 : 1;
     const auto buildBy = [&](const WayToBuild& by) {
@@ -337,7 +342,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
     }
     if (!build) {
         if (isPacked && arguments.has("resume"))
-            packing->keep(); // with what the build left in it
+            (*packing)->keep(); // with what the build left in it
         return arguments.has("resume") ? withWayOn(build.error(), output + (isPacked ? ".packing" : ".work"))
                                        : build.error();
     }

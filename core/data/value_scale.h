@@ -43,6 +43,10 @@ inline constexpr std::string_view scaleParameter = "import.scale";
 /// Whether a model with these parameters holds logarithms.
 TAN_INTERNAL bool holdsLogarithms(std::span<const std::pair<std::string, std::string>> parameters);
 
+/// Among the facts in a file of a mesh (core/serve/mesh_facts.h): that its values are logarithms.
+inline constexpr std::string_view scaleFact = "value_scale";
+inline constexpr std::string_view logarithmFact = "log10";
+
 /// 10^x of each, in floats: the values whose logarithms these are.
 TAN_INTERNAL Buffer<float> valuesOfLogarithms(std::span<const float> logarithms);
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/history/query_words.h"
+
 #include <tan/base.h>
 #include <tan/model.h>
 #include <tan/query.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace tetra {
 
@@ -56,6 +61,16 @@ template <std::size_t count>
 constexpr MarkedText textFor(const std::array<MarkedText, count>& texts, ErrorMeaning meaning)
 {
     return texts[static_cast<std::size_t>(meaning)];
+}
+
+/// Adds to the facts of a file (pairs of a name and a number or a text) which error its numbers are, where there are
+/// two, and the largest one in space, in %, if it was measured.
+template <class Facts> void addErrorKind(Facts& facts, ErrorMeaning meaning, const std::optional<double>& errorInSpace)
+{
+    if (meaning != ErrorMeaning::Only)
+        facts.emplace_back("error_kind", wordOf(errorKindWords, meaning));
+    if (errorInSpace)
+        facts.emplace_back("error_in_space", *errorInSpace);
 }
 
 } // namespace tetra

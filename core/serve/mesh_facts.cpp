@@ -26,15 +26,6 @@ void addField(Facts& facts, const std::string& name, const ErrorField& field, do
         facts.emplace_back(name + "_field", toText(field));
 }
 
-/// Which error the numbers are where there are two, and the one that was measured.
-void addErrorKind(Facts& facts, const Model& model, const MeshQuery& query, const std::optional<double>& errorInSpace)
-{
-    if (const ErrorMeaning meaning = errorMeaning(model.description(), query); meaning != ErrorMeaning::Only)
-        facts.emplace_back("error_kind", wordOf(errorKindWords, meaning));
-    if (errorInSpace)
-        facts.emplace_back("error_in_space", *errorInSpace);
-}
-
 std::string sizeFigures(const MeshSize& size)
 {
     return JsonObjectText()
@@ -71,7 +62,7 @@ Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh&
     if (!model.description().valueName.empty())
         facts.emplace_back("array", model.description().valueName);
     if (holdsLogarithms(model.description().parameters))
-        facts.emplace_back("value_scale", "log10");
+        facts.emplace_back(std::string(scaleFact), std::string(logarithmFact));
     if (!model.description().lengthUnit.empty())
         facts.emplace_back("unit", model.description().lengthUnit);
     if (query.range) {
@@ -82,14 +73,14 @@ Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh&
         const double one = errorOf(query.range->one), other = errorOf(query.range->other);
         facts.emplace_back("coarsest_error", std::max(one, other));
         facts.emplace_back("finest_error", std::min(one, other));
-        addErrorKind(facts, model, query, errorInSpace);
+        addErrorKind(facts, errorMeaning(model.description(), query), errorInSpace);
         return facts;
     }
     addField(facts, "error", query.error, mesh.scale);
     if (model.description().warpingWeight > 0)
         addField(facts, "warping", query.warping, mesh.scale);
     facts.emplace_back("error_scale", mesh.scale);
-    addErrorKind(facts, model, query, errorInSpace);
+    addErrorKind(facts, errorMeaning(model.description(), query), errorInSpace);
     return facts;
 }
 

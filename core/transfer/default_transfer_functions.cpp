@@ -152,10 +152,6 @@ std::vector<double> places(const std::vector<double>& weights, const std::vector
     return seen;
 }
 
-} // namespace
-
-namespace {
-
 constexpr double leastFade = 1.0 / 32;   ///< of the range, over which opacities rise beside the background
 constexpr double seenAtLeast = 1.0 / 8;  ///< of the range, whatever the error
 constexpr double errorMargin = 1.0 / 20; ///< of the error, for what rounding adds to it

@@ -11,10 +11,6 @@
 
 namespace tetra {
 
-/// Of MeshFacts: that the values are logarithms, which the text logarithmFact says.
-inline constexpr std::string_view scaleFact = "value_scale";
-inline constexpr std::string_view logarithmFact = "log10";
-
 /// The arrays of a mesh's values as a file has them.
 struct ValueArrays {
     std::vector<NamedArray> arrays;

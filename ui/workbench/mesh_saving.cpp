@@ -31,17 +31,6 @@ void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& fiel
     }
 }
 
-/// Which error the numbers are where there are two, and the largest one in space if it was measured; the names are
-/// those that the command line writes.
-void addErrorKind(MeshFacts& facts, const Model& model, const MeshQuery& query,
-                  const std::optional<double>& errorInSpace)
-{
-    if (const ErrorMeaning meaning = errorMeaning(model.description(), query); meaning != ErrorMeaning::Only)
-        facts.emplace_back("error_kind", wordOf(errorKindWords, meaning));
-    if (errorInSpace)
-        facts.emplace_back("error_in_space", *errorInSpace);
-}
-
 MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale,
                   const std::optional<double>& errorInSpace = {})
 {
@@ -55,13 +44,13 @@ MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale,
     if (query.range) {
         facts.emplace_back("smallest error in percent", std::min(query.range->one.error, query.range->other.error));
         facts.emplace_back("largest error in percent", std::max(query.range->one.error, query.range->other.error));
-        addErrorKind(facts, model, query, errorInSpace);
+        addErrorKind(facts, errorMeaning(model.description(), query), errorInSpace);
         return facts;
     }
     addErrors(facts, "error in percent", query.error, scale);
     if (model.description().warpingWeight > 0)
         addErrors(facts, "warping in percent", query.warping, scale);
-    addErrorKind(facts, model, query, errorInSpace);
+    addErrorKind(facts, errorMeaning(model.description(), query), errorInSpace);
     return facts;
 }
 
