@@ -40,11 +40,20 @@ bool isNameCharacter(char c)
 
 using Headers = std::map<std::string, std::string>; ///< names in small letters
 
+/// What libmicrohttpd calls, and what is a thread's work, must not throw: without memory for a request its connection
+/// ends, and the others go on.
+template <class Value, class Work> Value withoutMemory(Value otherwise, const Work& work) noexcept
+try {
+    return work();
+} catch (const std::exception&) {
+    return otherwise;
+}
+
 /// What libmicrohttpd found in a head, and whether each of it is what it should be: it reads more than the standard
 /// allows.
 struct HeaderList {
     Headers headers{};
-    bool isWrong = false;
+    bool isWrong = false, isWhole = true;
     std::size_t count = 0;
 
     void add(std::string_view name, std::string_view value)
@@ -57,18 +66,22 @@ struct HeaderList {
     }
 };
 
-HeaderList headersOf(MHD_Connection* connection)
+/// Nothing without memory for them.
+std::optional<HeaderList> headersOf(MHD_Connection* connection)
 {
     HeaderList list;
     ::MHD_get_connection_values_n(
         connection, MHD_HEADER_KIND,
         [](void* to, MHD_ValueKind, const char* name, std::size_t nameSize, const char* value, std::size_t valueSize) {
-            static_cast<HeaderList*>(to)->add({name, nameSize}, value == nullptr ? std::string_view()
-                                                                                 : std::string_view(value, valueSize));
-            return MHD_YES;
+            HeaderList& found = *static_cast<HeaderList*>(to);
+            found.isWhole = withoutMemory(false, [&] {
+                found.add({name, nameSize}, value == nullptr ? std::string_view() : std::string_view(value, valueSize));
+                return true;
+            });
+            return found.isWhole ? MHD_YES : MHD_NO;
         },
         &list);
-    return list;
+    return list.isWhole ? std::optional(std::move(list)) : std::nullopt;
 }
 
 /// The status that refuses a head, or 0.
@@ -153,14 +166,6 @@ struct Leaving {
     Clock::time_point until;
 };
 
-/// What libmicrohttpd calls must not throw: without memory for a request its connection ends, and the others go on.
-template <class Value, class Work> Value withoutMemory(Value otherwise, const Work& work) noexcept
-try {
-    return work();
-} catch (const std::exception&) {
-    return otherwise;
-}
-
 bool isStillLeaving(const Leaving& one)
 {
     std::array<char, 4096> unread{};
@@ -237,7 +242,7 @@ struct HttpServer::Server::Request {
     std::string target;
     Clock::time_point begun = Clock::now();
     HttpRecord record{};
-    bool isChecked = false, isLast = false;
+    bool isChecked = false, isBegun = false, isLast = false;
     Headers headers{};
     ServedRequest asked{};
     std::stop_source gone{};
@@ -475,6 +480,8 @@ MHD_Result HttpServer::Server::handle(MHD_Connection* connection, Request& reque
         return send(connection, request); // the work on it is over
     if (!request.isChecked)
         return check(connection, request, method, version);
+    if (request.isBegun)
+        return MHD_NO; // there was no memory for an answer, nor to say so
     return answerSoon(connection, request);
 }
 
@@ -483,21 +490,21 @@ MHD_Result HttpServer::Server::check(MHD_Connection* connection, Request& reques
                                      std::string_view version)
 {
     request.isChecked = true;
-    HeaderList list = headersOf(connection);
+    std::optional<HeaderList> list = headersOf(connection);
     const std::size_t headBytes =
         ::MHD_get_connection_info(connection, MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE)->header_size;
     request.record.peer = request.place.peer;
     request.record.request = shownText(std::string(method) + " " + request.target);
-    if (!places_.beginAnswer(request.place, request.gone))
+    if (!list || !places_.beginAnswer(request.place, request.gone))
         return MHD_NO;
-    if (const int refused = refusalOf(list, method, request.target, version, headBytes, limits_); refused != 0) {
+    if (const int refused = refusalOf(*list, method, request.target, version, headBytes, limits_); refused != 0) {
         request.isLast = true;
         request.answer = errorAnswer(refused, reasonOf(refused));
         if (refused == 405)
             request.answer->headers.emplace_back("Allow", "GET, HEAD");
         return send(connection, request);
     }
-    request.headers = std::move(list.headers);
+    request.headers = std::move(list->headers);
     request.asked = {.method = method == "HEAD"  ? HttpMethod::Head
                                : method == "GET" ? HttpMethod::Get
                                                  : HttpMethod::Options,
@@ -517,15 +524,20 @@ MHD_Result HttpServer::Server::answerSoon(MHD_Connection* connection, Request& r
         request.answer = handler_.answer(request.asked);
         return send(connection, request);
     }
+    using Answer = std::optional<ServedAnswer>;
+    request.isBegun = true;
     ::MHD_suspend_connection(connection);
     try {
         request.worker = std::jthread([this, connection, &request] {
-            request.answer = handler_.answer(request.asked);
+            request.answer = withoutMemory(Answer(), [&] { return Answer(handler_.answer(request.asked)); });
             ::MHD_resume_connection(connection);
         });
-    } catch (const std::system_error&) {
-        request.answer = errorAnswer(503, "The server has no thread for this answer now. Ask again.");
-        request.answer->headers.emplace_back("Retry-After", "1");
+    } catch (const std::exception&) {
+        request.answer = withoutMemory(Answer(), [] {
+            ServedAnswer refused = errorAnswer(503, "The server has no thread for this answer now. Ask again.");
+            refused.headers.emplace_back("Retry-After", "1");
+            return Answer(std::move(refused));
+        });
         ::MHD_resume_connection(connection);
     }
     return MHD_YES;
@@ -542,7 +554,7 @@ MHD_Response* HttpServer::Server::responseOf(Request& request)
         auto* const bytes = static_cast<char*>(std::malloc(answer.size)); // libmicrohttpd frees it
         if (bytes == nullptr)
             return nullptr;
-        if (!answer.read(0, {bytes, answer.size})) {
+        if (!withoutMemory(false, [&] { return answer.read(0, {bytes, answer.size}); })) {
             std::free(bytes);
             return nullptr;
         }
@@ -555,7 +567,7 @@ MHD_Response* HttpServer::Server::responseOf(Request& request)
             Request& from = *static_cast<Request*>(context);
             const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(most, from.answer->size - offset));
             from.server.places_.tookPiece(from.place);
-            if (!from.answer->read(offset, {to, count}))
+            if (!withoutMemory(false, [&] { return from.answer->read(offset, {to, count}); }))
                 return MHD_CONTENT_READER_END_WITH_ERROR;
             from.sent = offset + count;
             return static_cast<ssize_t>(count);

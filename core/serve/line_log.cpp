@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <new>
 #include <string_view>
 
 #include <poll.h>
@@ -36,7 +37,11 @@ LineLog::LineLog(int descriptor, std::size_t mostWaiting)
 LineLog::~LineLog()
 {
     const std::lock_guard lock(mutex_);
-    tellDropped();
+    try {
+        tellDropped();
+    } catch (const std::bad_alloc&) {
+        dropped_ = 0; // nor is there memory to say so
+    }
     ends_ = true;
     changed_.notify_one();
 }

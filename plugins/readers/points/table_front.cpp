@@ -153,6 +153,29 @@ Error openQuote(std::uint64_t line)
             Message::say("%1 has a double quote that is not closed.", Message::say("line %1", line))};
 }
 
+/// Names and what they mean take some hundred bytes a column, in several readings of one line.
+constexpr std::size_t mostColumns = 65'536, longestLine = std::size_t(16) << 20;
+
+/// A table is as wide as its first lines: names, units, a row.
+Result<void> checkWidth(TextLines lines)
+{
+    std::string_view line;
+    Fields fields;
+    for (int count = 0; count < 3 && lines.next(line); ++count) {
+        const Message where = Message::say("line %1", lines.number());
+        if (std::max(line.size(), lines.comment().size()) > longestLine)
+            return Error{ErrorKind::BadInput, Message::say("%1 or a comment before it is longer than %2 bytes, and so "
+                                                           "not one of a table of points.",
+                                                           where, longestLine)};
+        if (splitFields(line, separatorOf(line), fields) && fields.size() > mostColumns)
+            return Error{ErrorKind::BadInput,
+                         Message::say("%1 has %2 columns, and at most %3 are read. Write a file of the columns of "
+                                      "places and values that you need.",
+                                      where, fields.size(), mostColumns)};
+    }
+    return {};
+}
+
 /// GSLIB: a title, the number of columns, their names one a line, and the rows.
 std::optional<TableFront> gslibFront(TextLines lines)
 {
@@ -279,6 +302,8 @@ Result<TableFront> plainFront(std::string_view text, TextLines lines)
 
 Result<TableFront> readTableFront(std::string_view text)
 {
+    if (const auto checked = checkWidth(TextLines(text)); !checked.ok())
+        return checked.error();
     if (auto front = gslibFront(TextLines(text)))
         return *std::move(front);
     if (auto front = countedFront(TextLines(text)))

@@ -35,7 +35,7 @@ struct TableFront {
 
 /// Understands lines of names with or without a line of units, names in the last comment before the rows, a leading
 /// column of R's that has no name, GSLIB's list of names, CFX's sections, and the counts of Leica's scans. Errors: no
-/// line at all, a quote that is not closed.
+/// line at all, a quote that is not closed, more columns than a table of points has.
 Result<TableFront> readTableFront(std::string_view text);
 
 /// Whether these lines begin a table that is no plain one.

@@ -389,7 +389,7 @@ class FarAway(unittest.TestCase):
 
     def test_pictures_of_layers_from_near(self):
         """From a few cells away, of which the first is a ten-millionth of the domain, and a hundred steps of doubles."""
-        walls, surface, volume = ("--boundary", "values", "--isovalue", 900), ("--isovalue", f"{LEVEL}:gold"), ("--mode", "volume")
+        walls, surface, volume = ("--boundary", "values", "--lit", "--isovalue", 900), ("--isovalue", f"{LEVEL}:gold"), ("--mode", "volume")
         for scale, origins in ((1.0, ("1e3", "utm")), (128.0, ("1e8", "1e9"))):
             eye = {"elevation": 0, "target": [scale, scale * 2.0 ** -20, scale / 2], "distance": scale * 2.0 ** -17}
             self.same_pictures("layer", scale, origins, {**eye, "azimuth": 270}, (walls,), 0)

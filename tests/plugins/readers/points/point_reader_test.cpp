@@ -146,6 +146,14 @@ private slots:
         QTest::newRow("a name that controls terminals")
             << QByteArray("x,y,z,\x1bt\n1,2,3,hot\n") << "line 2, \\x1bt: 'hot'";
         QTest::newRow("UTF-16") << QByteArray("\xff\xfex\0,\0", 6) << "UTF-16";
+        QTest::newRow("names without end") << "x,y,z" + QByteArray(",v").repeated(65'534) + "\n1,2,3\n"
+                                           << "line 1 has 65537 columns, and at most 65536 are read";
+        QTest::newRow("a row without end") << "x,y,z,v\n1,2,3" + QByteArray(",4").repeated(65'534) + "\n"
+                                           << "line 2 has 65537 columns";
+        QTest::newRow("a name without end") << "x,y,z," + QByteArray((16 << 20) + 1, 'v') + "\n1,2,3,4\n"
+                                            << "line 1 or a comment before it is longer than 16777216 bytes";
+        QTest::newRow("a comment without end") << "#" + QByteArray((16 << 20) + 1, 'v') + "\n1,2,3,4\n"
+                                               << "line 2 or a comment before it";
     }
     void badTablesAreRefusedWithTheLine()
     {
