@@ -5302,7 +5302,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
-        <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch &apos;;&apos; getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten &apos;,boden&apos;) in der Entfernung &apos;reichweite&apos;; es gilt das größte Gewicht. Beispiele: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
+        <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch „;“ getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten „,boden“) in der Entfernung „reichweite“; es gilt das größte Gewicht. Beispiele: „point:16,16,8,10“, „value:120,15,0.05“.</translation>
     </message>
     <message>
         <source>rounds</source>
@@ -6362,7 +6362,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
-        <translation>Welche Werte genommen werden, nach Name oder Nummer; &apos;automatic&apos; nimmt die ersten.</translation>
+        <translation>Welche Werte genommen werden, nach Name oder Nummer; „automatic“ nimmt die ersten.</translation>
     </message>
     <message>
         <source>Skip incomplete rows</source>
@@ -7142,7 +7142,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
-        <translation>Wie Flächen und Volumen geordnet werden: &apos;exakt&apos; oder wie im Aufsatz &apos;mit der Zelle&apos;, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
+        <translation>Wie Flächen und Volumen geordnet werden: „exakt“ oder wie im Aufsatz „mit der Zelle“, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
     </message>
     <message>
         <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
@@ -7942,7 +7942,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a packed model. Unpack it first, with &apos;tan unpack&apos;.</source>
-        <translation>&apos;%1&apos; ist ein gepacktes Modell. Entpacken Sie es zuerst mit &apos;tan unpack&apos;.</translation>
+        <translation>„%1“ ist ein gepacktes Modell. Entpacken Sie es zuerst mit „tan unpack“.</translation>
     </message>
     <message>
         <source>section &apos;%1&apos; makes no sense</source>
@@ -7954,11 +7954,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: %2. Copy the file again, or pack the model again.</source>
-        <translation>&apos;%1&apos; ist beschädigt: %2. Kopieren Sie die Datei erneut, oder packen Sie das Modell erneut.</translation>
+        <translation>„%1“ ist beschädigt: %2. Kopieren Sie die Datei erneut, oder packen Sie das Modell erneut.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is packed by method %2, which this version does not know. Install a later version of TAn.</source>
-        <translation>&apos;%1&apos; ist nach Verfahren %2 gepackt, das diese Version nicht kennt. Installieren Sie eine neuere Version von TAn.</translation>
+        <translation>„%1“ ist nach Verfahren %2 gepackt, das diese Version nicht kennt. Installieren Sie eine neuere Version von TAn.</translation>
     </message>
     <message>
         <source>its levels make no sense</source>
@@ -7998,15 +7998,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Not enough memory to unpack &apos;%1&apos;. Close other programs, or unpack it on a larger machine.</source>
-        <translation>Nicht genug Speicher, um &apos;%1&apos; zu entpacken. Schließen Sie andere Programme, oder entpacken Sie es auf einem größeren Rechner.</translation>
+        <translation>Nicht genug Speicher, um „%1“ zu entpacken. Schließen Sie andere Programme, oder entpacken Sie es auf einem größeren Rechner.</translation>
     </message>
     <message>
         <source>Not enough memory to pack &apos;%1&apos;. Close other programs, or pack it on a larger machine.</source>
-        <translation>Nicht genug Speicher, um &apos;%1&apos; zu packen. Schließen Sie andere Programme, oder packen Sie es auf einem größeren Rechner.</translation>
+        <translation>Nicht genug Speicher, um „%1“ zu packen. Schließen Sie andere Programme, oder packen Sie es auf einem größeren Rechner.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 levels, and level %3 is none of them.</source>
-        <translation>&apos;%1&apos; hat %2 Stufen; Stufe %3 ist keine davon.</translation>
+        <translation>„%1“ hat %2 Stufen; Stufe %3 ist keine davon.</translation>
     </message>
     <message>
         <source>Packing the model</source>
@@ -8018,7 +8018,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be packed: most of it is in sections that this version does not know.</source>
-        <translation>&apos;%1&apos; kann nicht gepackt werden: Das meiste liegt in Abschnitten, die diese Version nicht kennt.</translation>
+        <translation>„%1“ kann nicht gepackt werden: Das meiste liegt in Abschnitten, die diese Version nicht kennt.</translation>
     </message>
     <message>
         <source>what it holds is no history</source>
@@ -8026,7 +8026,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
-        <translation>&apos;%1&apos; kann nicht gepackt werden: Die Geschichte ist nicht die eines Netzes. &apos;tan verify&apos; sagt mehr.</translation>
+        <translation>„%1“ kann nicht gepackt werden: Die Geschichte ist nicht die eines Netzes. „tan verify“ sagt mehr.</translation>
     </message>
     <message>
         <source>Packing</source>
@@ -8086,7 +8086,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
-        <translation>&apos;%1&apos; sendet mehr als %2; mehr wird nicht angenommen.</translation>
+        <translation>„%1“ sendet mehr als %2; mehr wird nicht angenommen.</translation>
     </message>
     <message>
         <source>Not enough memory for what the server sends. Ask for less.</source>
@@ -8266,7 +8266,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has positions or values that are not finite.</source>
-        <translation>&apos;%1&apos; hat Positionen oder Werte, die nicht endlich sind.</translation>
+        <translation>„%1“ hat Positionen oder Werte, die nicht endlich sind.</translation>
     </message>
     <message>
         <source>Unpacking the mesh</source>
@@ -8558,11 +8558,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>it has a section &apos;%1&apos;, which only a regular lattice has</source>
-        <translation>sie hat einen Abschnitt &apos;%1&apos;, den nur ein regelmäßiges Gitter hat</translation>
+        <translation>sie hat einen Abschnitt „%1“, den nur ein regelmäßiges Gitter hat</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; makes no sense. Copy the file again, or build it again.</source>
-        <translation>&apos;%1&apos; ist beschädigt: Ihr Abschnitt &apos;%2&apos; ergibt keinen Sinn. Kopieren Sie die Datei neu, oder erstellen Sie sie neu.</translation>
+        <translation>„%1“ ist beschädigt: Ihr Abschnitt „%2“ ergibt keinen Sinn. Kopieren Sie die Datei neu, oder erstellen Sie sie neu.</translation>
     </message>
     <message>
         <source>Copying the model</source>
@@ -8570,7 +8570,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would lie elsewhere than they were meant. Build it again from data that say where they lie.</source>
-        <translation>&apos;%1&apos; wurde mit Gewichten an bestimmten Stellen erstellt (&apos;%2&apos;), die dann anderswo lägen, als sie gemeint waren. Erstellen Sie es neu aus Daten, die sagen, wo sie liegen.</translation>
+        <translation>„%1“ wurde mit Gewichten an bestimmten Stellen erstellt („%2“), die dann anderswo lägen, als sie gemeint waren. Erstellen Sie es neu aus Daten, die sagen, wo sie liegen.</translation>
     </message>
     <message>
         <source>The model cannot lie there: %1</source>
@@ -8594,7 +8594,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>its section &apos;%1&apos; makes no sense</source>
-        <translation>ihr Abschnitt &apos;%1&apos; ergibt keinen Sinn</translation>
+        <translation>ihr Abschnitt „%1“ ergibt keinen Sinn</translation>
     </message>
     <message>
         <source>Closing the surface</source>
@@ -8610,23 +8610,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has coordinates in single precision, which cannot hold this surface: it is too large or too small. Write a .vtp or .ply file.</source>
-        <translation>&apos;%1&apos; hat Koordinaten in einfacher Genauigkeit, die diese Fläche nicht fassen kann: Sie ist zu groß oder zu klein. Schreiben Sie eine .vtp- oder .ply-Datei.</translation>
+        <translation>„%1“ hat Koordinaten in einfacher Genauigkeit, die diese Fläche nicht fassen kann: Sie ist zu groß oder zu klein. Schreiben Sie eine .vtp- oder .ply-Datei.</translation>
     </message>
     <message>
         <source>Cannot write &apos;%1&apos;: whoever was to read it has ended. See what that program says.</source>
-        <translation>&apos;%1&apos; kann nicht geschrieben werden: Das Programm, das es lesen sollte, wurde beendet. Sehen Sie nach, was jenes Programm meldet.</translation>
+        <translation>„%1“ kann nicht geschrieben werden: Das Programm, das es lesen sollte, wurde beendet. Sehen Sie nach, was jenes Programm meldet.</translation>
     </message>
     <message>
         <source>Cannot write &apos;%1&apos;: %2.</source>
-        <translation>&apos;%1&apos; kann nicht geschrieben werden: %2.</translation>
+        <translation>„%1“ kann nicht geschrieben werden: %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would be a second file beside &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
-        <translation>&apos;%1&apos; wäre eine zweite Datei neben &apos;%2&apos;. Geben Sie der Ausgabe einen Namen statt &apos;-&apos;.</translation>
+        <translation>„%1“ wäre eine zweite Datei neben „%2“. Geben Sie der Ausgabe einen Namen statt „-“.</translation>
     </message>
     <message>
         <source>&apos;data file: %1&apos; in its header %2</source>
-        <translation>&apos;data file: %1&apos; in ihrem Kopf %2</translation>
+        <translation>„data file: %1“ in ihrem Kopf %2</translation>
     </message>
     <message>
         <source>must end with the number of dimensions that each file holds, from 1 to %1, or without it.</source>
@@ -8634,7 +8634,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>must be a name with a number such as &apos;%03d&apos;, and the number of the first file, of the last, and the step.</source>
-        <translation>muss ein Name mit einer Zahl wie &apos;%03d&apos; sein, dann die Nummern der ersten und der letzten Datei und die Schrittweite.</translation>
+        <translation>muss ein Name mit einer Zahl wie „%03d“ sein, dann die Nummern der ersten und der letzten Datei und die Schrittweite.</translation>
     </message>
     <message>
         <source>names %1 files, which is not the number that its sizes ask for. Correct the numbers of the first and the last file.</source>
@@ -8650,19 +8650,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
-        <translation>Ihr Kopf nennt die Ausrichtung &apos;%1&apos;, die nach ihrer Matrix &apos;%2&apos; ist. Die Matrix wurde genommen.</translation>
+        <translation>Ihr Kopf nennt die Ausrichtung „%1“, die nach ihrer Matrix „%2“ ist. Die Matrix wurde genommen.</translation>
     </message>
     <message>
         <source>its Direction is &apos;%1&apos; and not nine numbers.</source>
-        <translation>ihre Direction ist &apos;%1&apos; und nicht neun Zahlen.</translation>
+        <translation>ihre Direction ist „%1“ und nicht neun Zahlen.</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
-        <translation>In &apos;%1&apos; sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist; der erste Knoten der Datei addiert diese Zahlen.</translation>
+        <translation>In „%1“ sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist; der erste Knoten der Datei addiert diese Zahlen.</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
-        <translation>In &apos;%1&apos; sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist: Addieren Sie diese Zahlen, um Orte der Daten zu erhalten.</translation>
+        <translation>In „%1“ sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist: Addieren Sie diese Zahlen, um Orte der Daten zu erhalten.</translation>
     </message>
     <message>
         <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or fetch the model.</source>
@@ -8690,7 +8690,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
-        <translation>ihr %1 ist &apos;%2&apos; und nicht %3 endliche Zahlen.</translation>
+        <translation>ihr %1 ist „%2“ und nicht %3 endliche Zahlen.</translation>
     </message>
     <message>
         <source>Unit of length</source>
@@ -8718,7 +8718,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
-        <translation>Die Datei gibt ihren Abstand nicht an: %1 wird angenommen. Geben Sie ihn mit &apos;--spacing&apos; oder unter Importoptionen an, oder nachträglich mit &apos;tan set-frame&apos;.</translation>
+        <translation>Die Datei gibt ihren Abstand nicht an: %1 wird angenommen. Geben Sie ihn mit „--spacing“ oder unter Importoptionen an, oder nachträglich mit „tan set-frame“.</translation>
     </message>
     <message>
         <source>names %1 files. Put the samples into fewer.</source>
@@ -8726,7 +8726,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs take them as right-handed: they show the mirror image.</source>
-        <translation>Ihr Raum &apos;%1&apos; ist linkshändig. Seine Koordinaten bleiben, und Bilder und andere Programme nehmen sie als rechtshändig: Sie zeigen das Spiegelbild.</translation>
+        <translation>Ihr Raum „%1“ ist linkshändig. Seine Koordinaten bleiben, und Bilder und andere Programme nehmen sie als rechtshändig: Sie zeigen das Spiegelbild.</translation>
     </message>
     <message>
         <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
@@ -8738,15 +8738,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; one triangle is left out, as two of its corners are the same in single precision.</source>
-        <translation>In &apos;%1&apos; fehlt ein Dreieck, da zwei seiner Ecken in einfacher Genauigkeit gleich sind.</translation>
+        <translation>In „%1“ fehlt ein Dreieck, da zwei seiner Ecken in einfacher Genauigkeit gleich sind.</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; %2 triangles are left out, as two corners of each are the same in single precision.</source>
-        <translation>In &apos;%1&apos; fehlen %2 Dreiecke, da je zwei ihrer Ecken in einfacher Genauigkeit gleich sind.</translation>
+        <translation>In „%1“ fehlen %2 Dreiecke, da je zwei ihrer Ecken in einfacher Genauigkeit gleich sind.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not have the triangles&apos; values (%2), as many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
-        <translation>&apos;%1&apos; hat die Werte der Dreiecke (%2) nicht, da viele Programme keine PLY-Datei mit solchen Werten lesen können. Um sie zu behalten, schreiben Sie eine .vtp-Datei.</translation>
+        <translation>„%1“ hat die Werte der Dreiecke (%2) nicht, da viele Programme keine PLY-Datei mit solchen Werten lesen können. Um sie zu behalten, schreiben Sie eine .vtp-Datei.</translation>
     </message>
     <message>
         <source>The finest mesh has the surface of %1 and this mesh does not, so no deviation is stated.</source>
@@ -8766,15 +8766,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give &apos;--unit&apos; when you build the model.</source>
-        <translation>&apos;%1&apos; ist kein Modell eines regelmäßigen Gitters: Seine Punkte liegen, wo die Daten es sagen, jeder für sich. Nur bei einem regelmäßigen Gitter lassen sich Abstand, Ursprung und Einheit nachträglich setzen; bei anderen Daten geben Sie &apos;--unit&apos; beim Bau des Modells an.</translation>
+        <translation>„%1“ ist kein Modell eines regelmäßigen Gitters: Seine Punkte liegen, wo die Daten es sagen, jeder für sich. Nur bei einem regelmäßigen Gitter lassen sich Abstand, Ursprung und Einheit nachträglich setzen; bei anderen Daten geben Sie „--unit“ beim Bau des Modells an.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in %3.</source>
-        <translation>&apos;%1&apos; für &apos;%2&apos; ist nicht verständlich. Geben Sie drei Zahlen an, entlang x, y und z, etwa %3.</translation>
+        <translation>„%1“ für „%2“ ist nicht verständlich. Geben Sie drei Zahlen an, entlang x, y und z, etwa %3.</translation>
     </message>
     <message>
         <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
-        <translation>sie nennt ihr %1 selbst. Lassen Sie &apos;--%1&apos; weg; &apos;tan set-frame&apos; gibt dem Modell eines regelmäßigen Gitters ein anderes.</translation>
+        <translation>sie nennt ihr %1 selbst. Lassen Sie „--%1“ weg; „tan set-frame“ gibt dem Modell eines regelmäßigen Gitters ein anderes.</translation>
     </message>
     <message>
         <source>1 polyhedron was cut into tetrahedra.</source>
@@ -11691,6 +11691,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>zyx</source>
         <translation>zyx</translation>
+    </message>
+    <message>
+        <source>%1 or a comment before it is longer than %2 bytes, and so not one of a table of points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -309,7 +309,7 @@
     </message>
     <message>
         <source>There is nothing to close</source>
-        <translation>Non c’è nulla da chiudere</translation>
+        <translation>Non c&apos;è nulla da chiudere</translation>
     </message>
     <message>
         <source>Open Samp&amp;le</source>
@@ -533,7 +533,7 @@
     <name>Desktop</name>
     <message>
         <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” says what else works without a window.</source>
-        <translation>Non c&apos;è uno schermo per la finestra: né DISPLAY né WAYLAND_DISPLAY è impostata. “tan render” disegna invece le immagini in file; “tan --help” dice che cos&apos;altro funziona senza finestra.</translation>
+        <translation>Non c&apos;è uno schermo per la finestra: né DISPLAY né WAYLAND_DISPLAY è impostata. «tan render» disegna invece le immagini in file; «tan --help» dice che cos&apos;altro funziona senza finestra.</translation>
     </message>
     <message>
         <source>Shows volume data at any accuracy.</source>
@@ -3103,7 +3103,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Its model is being built. The panel on the left shows the progress.</source>
-        <translation>Il suo modello è in costruzione. Il pannello a sinistra mostra l’avanzamento.</translation>
+        <translation>Il suo modello è in costruzione. Il pannello a sinistra mostra l&apos;avanzamento.</translation>
     </message>
     <message>
         <source>Making the sample</source>
@@ -3262,7 +3262,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
-        <translation>Per dati curvilinei: &apos;normalised&apos; prende il punto più lontano per errore o deformazione; &apos;paper&apos; confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
+        <translation>Per dati curvilinei: «normalised» prende il punto più lontano per errore o deformazione; «paper» confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
     </message>
     <message>
         <source>found</source>
@@ -5302,7 +5302,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
-        <translation>Dove conta l&apos;accuratezza: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach o value:q,reach, più di uno separati da &apos;;&apos;. Lì gli errori contano per intero e calano linearmente a un decimo (o a &apos;,floor&apos; alla fine) alla distanza &apos;reach&apos;; vale il peso maggiore. Esempi: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
+        <translation>Dove conta l&apos;accuratezza: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach o value:q,reach, più di uno separati da «;». Lì gli errori contano per intero e calano linearmente a un decimo (o a «,floor» alla fine) alla distanza «reach»; vale il peso maggiore. Esempi: «point:16,16,8,10», «value:120,15,0.05».</translation>
     </message>
     <message>
         <source>rounds</source>
@@ -5314,7 +5314,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
-        <translation>Quale punto togliere per primo: &apos;exact&apos; quello la cui perdita fa meno danno, per il minor numero di punti; &apos;paper&apos; lo stima con gradienti e piani, come faceva l&apos;articolo; &apos;rounds&apos; toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
+        <translation>Quale punto togliere per primo: «exact» quello la cui perdita fa meno danno, per il minor numero di punti; «paper» lo stima con gradienti e piani, come faceva l&apos;articolo; «rounds» toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
     </message>
     <message>
         <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
@@ -6362,7 +6362,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
-        <translation>I valori da prendere, per nome o numero; &apos;automatic&apos; prende i primi che ci sono.</translation>
+        <translation>I valori da prendere, per nome o numero; «automatic» prende i primi che ci sono.</translation>
     </message>
     <message>
         <source>Skip incomplete rows</source>
@@ -7122,7 +7122,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
-        <translation>Di vettori con più componenti: il numero di una, da 0, o &apos;magnitude&apos;.</translation>
+        <translation>Di vettori con più componenti: il numero di una, da 0, o «magnitude».</translation>
     </message>
     <message>
         <source>Time step</source>
@@ -7142,7 +7142,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
-        <translation>Come si ordinano superfici e volume: &apos;exact&apos;, oppure come faceva l&apos;articolo &apos;with-cell&apos;, dove la parte di superficie in una cella si disegna prima della cella.</translation>
+        <translation>Come si ordinano superfici e volume: «exact», oppure come faceva l&apos;articolo «with-cell», dove la parte di superficie in una cella si disegna prima della cella.</translation>
     </message>
     <message>
         <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
@@ -7582,7 +7582,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;--%1&apos; describes raw files, and the header of &apos;%2&apos; tells it. Leave it out.</source>
-        <translation>«--%1» descrive i file grezzi, e l’intestazione di «%2» lo dice già. Toglierlo.</translation>
+        <translation>«--%1» descrive i file grezzi, e l&apos;intestazione di «%2» lo dice già. Toglierlo.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is of use only without &apos;%2&apos;. Leave one of them out.</source>
@@ -7826,7 +7826,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
-        <translation>Per dati il cui dominio può deformarsi: &apos;both&apos; ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; &apos;error&apos; o &apos;warping&apos; secondo questo solo, per il minor numero di punti dove l&apos;altro non conta.</translation>
+        <translation>Per dati il cui dominio può deformarsi: «both» ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; «error» o «warping» secondo questo solo, per il minor numero di punti dove l&apos;altro non conta.</translation>
     </message>
     <message>
         <source>both</source>
@@ -7914,7 +7914,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Cannot use the cache folder &apos;%1&apos;: %2. %3</source>
-        <translation>Impossibile usare la cartella cache &apos;%1&apos;: %2. %3</translation>
+        <translation>Impossibile usare la cartella cache «%1»: %2. %3</translation>
     </message>
     <message>
         <source>grid</source>
@@ -7926,7 +7926,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was cut short or changed while it was read. Copy the file again.</source>
-        <translation>&apos;%1&apos; è stato troncato o modificato durante la lettura. Copiare di nuovo il file.</translation>
+        <translation>«%1» è stato troncato o modificato durante la lettura. Copiare di nuovo il file.</translation>
     </message>
     <message>
         <source>The error in space is kept in whole grids only, as a point may lie in a tetrahedron of another block. Set the block to &quot;none&quot;.</source>
@@ -7942,23 +7942,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a packed model. Unpack it first, with &apos;tan unpack&apos;.</source>
-        <translation>&apos;%1&apos; è un modello compresso. Decomprimerlo prima con &apos;tan unpack&apos;.</translation>
+        <translation>«%1» è un modello compresso. Decomprimerlo prima con «tan unpack».</translation>
     </message>
     <message>
         <source>section &apos;%1&apos; makes no sense</source>
-        <translation>la sezione &apos;%1&apos; non ha senso</translation>
+        <translation>la sezione «%1» non ha senso</translation>
     </message>
     <message>
         <source>Not enough memory to open &apos;%1&apos;. Close other programs.</source>
-        <translation>La memoria non basta per aprire &apos;%1&apos;. Chiudere altri programmi.</translation>
+        <translation>La memoria non basta per aprire «%1». Chiudere altri programmi.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: %2. Copy the file again, or pack the model again.</source>
-        <translation>&apos;%1&apos; è danneggiato: %2. Copiare di nuovo il file o comprimere di nuovo il modello.</translation>
+        <translation>«%1» è danneggiato: %2. Copiare di nuovo il file o comprimere di nuovo il modello.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is packed by method %2, which this version does not know. Install a later version of TAn.</source>
-        <translation>&apos;%1&apos; è compresso con il metodo %2, che questa versione non conosce. Installare una versione più recente di TAn.</translation>
+        <translation>«%1» è compresso con il metodo %2, che questa versione non conosce. Installare una versione più recente di TAn.</translation>
     </message>
     <message>
         <source>its levels make no sense</source>
@@ -7998,15 +7998,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Not enough memory to unpack &apos;%1&apos;. Close other programs, or unpack it on a larger machine.</source>
-        <translation>Memoria insufficiente per decomprimere &apos;%1&apos;. Chiudere altri programmi o decomprimerlo su una macchina più grande.</translation>
+        <translation>Memoria insufficiente per decomprimere «%1». Chiudere altri programmi o decomprimerlo su una macchina più grande.</translation>
     </message>
     <message>
         <source>Not enough memory to pack &apos;%1&apos;. Close other programs, or pack it on a larger machine.</source>
-        <translation>Memoria insufficiente per comprimere &apos;%1&apos;. Chiudere altri programmi o comprimerlo su una macchina più grande.</translation>
+        <translation>Memoria insufficiente per comprimere «%1». Chiudere altri programmi o comprimerlo su una macchina più grande.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 levels, and level %3 is none of them.</source>
-        <translation>&apos;%1&apos; ha %2 livelli, e il livello %3 non è tra questi.</translation>
+        <translation>«%1» ha %2 livelli, e il livello %3 non è tra questi.</translation>
     </message>
     <message>
         <source>Packing the model</source>
@@ -8018,7 +8018,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be packed: most of it is in sections that this version does not know.</source>
-        <translation>&apos;%1&apos; non può essere compresso: gran parte è in sezioni che questa versione non conosce.</translation>
+        <translation>«%1» non può essere compresso: gran parte è in sezioni che questa versione non conosce.</translation>
     </message>
     <message>
         <source>what it holds is no history</source>
@@ -8026,7 +8026,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
-        <translation>&apos;%1&apos; non può essere compresso: la sua storia non è quella di una mesh. &apos;tan verify&apos; dice di più.</translation>
+        <translation>«%1» non può essere compresso: la sua storia non è quella di una mesh. «tan verify» dice di più.</translation>
     </message>
     <message>
         <source>Packing</source>
@@ -8066,7 +8066,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>TAN_CACHE_MB is &apos;%1&apos;. Give the most megabytes that the cache folder may take.</source>
-        <translation>TAN_CACHE_MB è &apos;%1&apos;. Indicare quanti megabyte può occupare al massimo la cartella cache.</translation>
+        <translation>TAN_CACHE_MB è «%1». Indicare quanti megabyte può occupare al massimo la cartella cache.</translation>
     </message>
     <message>
         <source>There is no cache folder, as this user has no home. Set XDG_CACHE_HOME to a folder.</source>
@@ -8078,15 +8078,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The cache folder &apos;%1&apos; has no room for %2 more: its limit is %3, and what is in use stays. Set TAN_CACHE_MB to more megabytes.</source>
-        <translation>Nella cartella cache &apos;%1&apos; non c&apos;è posto per altri %2: il limite è %3, e ciò che è in uso resta. Impostare TAN_CACHE_MB su più megabyte.</translation>
+        <translation>Nella cartella cache «%1» non c&apos;è posto per altri %2: il limite è %3, e ciò che è in uso resta. Impostare TAN_CACHE_MB su più megabyte.</translation>
     </message>
     <message>
         <source>Not enough memory to look into the cache folder &apos;%1&apos;. Close other programs.</source>
-        <translation>Memoria insufficiente per esaminare la cartella cache &apos;%1&apos;. Chiudere altri programmi.</translation>
+        <translation>Memoria insufficiente per esaminare la cartella cache «%1». Chiudere altri programmi.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
-        <translation>&apos;%1&apos; invia più di %2, il massimo accettato.</translation>
+        <translation>«%1» invia più di %2, il massimo accettato.</translation>
     </message>
     <message>
         <source>Not enough memory for what the server sends. Ask for less.</source>
@@ -8182,7 +8182,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Reading &apos;%1&apos;</source>
-        <translation>Lettura di &apos;%1&apos;</translation>
+        <translation>Lettura di «%1»</translation>
     </message>
     <message>
         <source>it ends before what was looked for. It is no whole model: ask whoever put it there.</source>
@@ -8266,7 +8266,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has positions or values that are not finite.</source>
-        <translation>&apos;%1&apos; contiene posizioni o valori non finiti.</translation>
+        <translation>«%1» contiene posizioni o valori non finiti.</translation>
     </message>
     <message>
         <source>Unpacking the mesh</source>
@@ -8558,11 +8558,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>it has a section &apos;%1&apos;, which only a regular lattice has</source>
-        <translation>ha una sezione &apos;%1&apos;, che solo un reticolo regolare ha</translation>
+        <translation>ha una sezione «%1», che solo un reticolo regolare ha</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; makes no sense. Copy the file again, or build it again.</source>
-        <translation>&apos;%1&apos; è danneggiato: la sua sezione &apos;%2&apos; non ha senso. Copiare di nuovo il file, o costruirlo di nuovo.</translation>
+        <translation>«%1» è danneggiato: la sua sezione «%2» non ha senso. Copiare di nuovo il file, o costruirlo di nuovo.</translation>
     </message>
     <message>
         <source>Copying the model</source>
@@ -8570,7 +8570,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would lie elsewhere than they were meant. Build it again from data that say where they lie.</source>
-        <translation>&apos;%1&apos; è stato costruito con pesi in certi luoghi (&apos;%2&apos;), che si troverebbero altrove da dove erano intesi. Costruirlo di nuovo da dati che dicono dove si trovano.</translation>
+        <translation>«%1» è stato costruito con pesi in certi luoghi («%2»), che si troverebbero altrove da dove erano intesi. Costruirlo di nuovo da dati che dicono dove si trovano.</translation>
     </message>
     <message>
         <source>The model cannot lie there: %1</source>
@@ -8594,7 +8594,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>its section &apos;%1&apos; makes no sense</source>
-        <translation>la sua sezione &apos;%1&apos; non ha senso</translation>
+        <translation>la sua sezione «%1» non ha senso</translation>
     </message>
     <message>
         <source>Closing the surface</source>
@@ -8610,23 +8610,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has coordinates in single precision, which cannot hold this surface: it is too large or too small. Write a .vtp or .ply file.</source>
-        <translation>&apos;%1&apos; ha coordinate in precisione singola, che non possono contenere questa superficie: è troppo grande o troppo piccola. Scrivere un file .vtp o .ply.</translation>
+        <translation>«%1» ha coordinate in precisione singola, che non possono contenere questa superficie: è troppo grande o troppo piccola. Scrivere un file .vtp o .ply.</translation>
     </message>
     <message>
         <source>Cannot write &apos;%1&apos;: whoever was to read it has ended. See what that program says.</source>
-        <translation>Impossibile scrivere &apos;%1&apos;: il programma che doveva leggerlo è terminato. Vedere che cosa dice quel programma.</translation>
+        <translation>Impossibile scrivere «%1»: il programma che doveva leggerlo è terminato. Vedere che cosa dice quel programma.</translation>
     </message>
     <message>
         <source>Cannot write &apos;%1&apos;: %2.</source>
-        <translation>Impossibile scrivere &apos;%1&apos;: %2.</translation>
+        <translation>Impossibile scrivere «%1»: %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would be a second file beside &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
-        <translation>&apos;%1&apos; sarebbe un secondo file accanto a &apos;%2&apos;. Dare all&apos;uscita un nome invece di &apos;-&apos;.</translation>
+        <translation>«%1» sarebbe un secondo file accanto a «%2». Dare all&apos;uscita un nome invece di «-».</translation>
     </message>
     <message>
         <source>&apos;data file: %1&apos; in its header %2</source>
-        <translation>&apos;data file: %1&apos; nella sua intestazione %2</translation>
+        <translation>«data file: %1» nella sua intestazione %2</translation>
     </message>
     <message>
         <source>must end with the number of dimensions that each file holds, from 1 to %1, or without it.</source>
@@ -8634,7 +8634,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>must be a name with a number such as &apos;%03d&apos;, and the number of the first file, of the last, and the step.</source>
-        <translation>deve essere un nome con un numero come &apos;%03d&apos;, e i numeri del primo file, dell&apos;ultimo, e il passo.</translation>
+        <translation>deve essere un nome con un numero come «%03d», e i numeri del primo file, dell&apos;ultimo, e il passo.</translation>
     </message>
     <message>
         <source>names %1 files, which is not the number that its sizes ask for. Correct the numbers of the first and the last file.</source>
@@ -8650,19 +8650,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
-        <translation>La sua intestazione chiama l&apos;orientamento &apos;%1&apos;, che secondo la matrice è &apos;%2&apos;. È stata usata la matrice.</translation>
+        <translation>La sua intestazione chiama l&apos;orientamento «%1», che secondo la matrice è «%2». È stata usata la matrice.</translation>
     </message>
     <message>
         <source>its Direction is &apos;%1&apos; and not nine numbers.</source>
-        <translation>la sua Direction è &apos;%1&apos; e non nove numeri.</translation>
+        <translation>la sua Direction è «%1» e non nove numeri.</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
-        <translation>In &apos;%1&apos; x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine; il primo nodo del file aggiunge questi numeri.</translation>
+        <translation>In «%1» x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine; il primo nodo del file aggiunge questi numeri.</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
-        <translation>In &apos;%1&apos; x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine: aggiungere questi numeri per ottenere luoghi dei dati.</translation>
+        <translation>In «%1» x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine: aggiungere questi numeri per ottenere luoghi dei dati.</translation>
     </message>
     <message>
         <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or fetch the model.</source>
@@ -8690,7 +8690,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>its %1 is &apos;%2&apos; and not %3 finite numbers.</source>
-        <translation>il suo %1 è &apos;%2&apos; e non %3 numeri finiti.</translation>
+        <translation>il suo %1 è «%2» e non %3 numeri finiti.</translation>
     </message>
     <message>
         <source>Unit of length</source>
@@ -8718,7 +8718,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
-        <translation>Il file non indica la sua spaziatura: si suppone %1. La si indichi con &apos;--spacing&apos; o nelle opzioni di importazione, oppure in seguito con &apos;tan set-frame&apos;.</translation>
+        <translation>Il file non indica la sua spaziatura: si suppone %1. La si indichi con «--spacing» o nelle opzioni di importazione, oppure in seguito con «tan set-frame».</translation>
     </message>
     <message>
         <source>names %1 files. Put the samples into fewer.</source>
@@ -8726,7 +8726,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs take them as right-handed: they show the mirror image.</source>
-        <translation>Il suo spazio &apos;%1&apos; è sinistrorso. Le sue coordinate restano, e le immagini e gli altri programmi le prendono per destrorse: mostrano l&apos;immagine speculare.</translation>
+        <translation>Il suo spazio «%1» è sinistrorso. Le sue coordinate restano, e le immagini e gli altri programmi le prendono per destrorse: mostrano l&apos;immagine speculare.</translation>
     </message>
     <message>
         <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
@@ -8738,15 +8738,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; one triangle is left out, as two of its corners are the same in single precision.</source>
-        <translation>In &apos;%1&apos; è omesso un triangolo, perché due dei suoi vertici sono uguali in precisione singola.</translation>
+        <translation>In «%1» è omesso un triangolo, perché due dei suoi vertici sono uguali in precisione singola.</translation>
     </message>
     <message>
         <source>In &apos;%1&apos; %2 triangles are left out, as two corners of each are the same in single precision.</source>
-        <translation>In &apos;%1&apos; sono omessi %2 triangoli, perché due vertici di ciascuno sono uguali in precisione singola.</translation>
+        <translation>In «%1» sono omessi %2 triangoli, perché due vertici di ciascuno sono uguali in precisione singola.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not have the triangles&apos; values (%2), as many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
-        <translation>&apos;%1&apos; non ha i valori dei triangoli (%2), perché molti programmi non sanno leggere un file PLY con tali valori. Per conservarli, scrivere un file .vtp.</translation>
+        <translation>«%1» non ha i valori dei triangoli (%2), perché molti programmi non sanno leggere un file PLY con tali valori. Per conservarli, scrivere un file .vtp.</translation>
     </message>
     <message>
         <source>The finest mesh has the surface of %1 and this mesh does not, so no deviation is stated.</source>
@@ -8766,15 +8766,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give &apos;--unit&apos; when you build the model.</source>
-        <translation>&apos;%1&apos; non è il modello di un reticolo: i suoi punti giacciono dove dicono i dati, ciascuno per sé. Solo di un reticolo si possono impostare in seguito spaziatura, origine e unità; di altri dati si dia &apos;--unit&apos; alla costruzione del modello.</translation>
+        <translation>«%1» non è il modello di un reticolo: i suoi punti giacciono dove dicono i dati, ciascuno per sé. Solo di un reticolo si possono impostare in seguito spaziatura, origine e unità; di altri dati si dia «--unit» alla costruzione del modello.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in %3.</source>
-        <translation>&apos;%1&apos; per &apos;%2&apos; non è comprensibile. Dare tre numeri, lungo x, y e z, come in %3.</translation>
+        <translation>«%1» per «%2» non è comprensibile. Dare tre numeri, lungo x, y e z, come in %3.</translation>
     </message>
     <message>
         <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
-        <translation>dice da sé il suo valore di %1. Omettere &apos;--%1&apos;; &apos;tan set-frame&apos; ne dà un altro al modello di un reticolo.</translation>
+        <translation>dice da sé il suo valore di %1. Omettere «--%1»; «tan set-frame» ne dà un altro al modello di un reticolo.</translation>
     </message>
     <message>
         <source>1 polyhedron was cut into tetrahedra.</source>
@@ -11614,7 +11614,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is none.</source>
-        <translation>Solo le griglie curvilinee possono essere decimate in uno spazio o nell’altro, e «%1» non lo è.</translation>
+        <translation>Solo le griglie curvilinee possono essere decimate in uno spazio o nell&apos;altro, e «%1» non lo è.</translation>
     </message>
     <message>
         <source>The grid &apos;%1&apos; cannot be taken as a mesh: %2 Refine it instead.</source>
@@ -11646,7 +11646,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
-        <translation>Per griglie i cui punti si trovano ovunque: «physical» costruisce dove si trovano, per decimazione dalla mesh delle celle della griglia, per raffinamento (di griglie rettilinee) dai soli punti; «computational» secondo i loro indici, come nell’articolo, il che richiede meno memoria e permette i blocchi.</translation>
+        <translation>Per griglie i cui punti si trovano ovunque: «physical» costruisce dove si trovano, per decimazione dalla mesh delle celle della griglia, per raffinamento (di griglie rettilinee) dai soli punti; «computational» secondo i loro indici, come nell&apos;articolo, il che richiede meno memoria e permette i blocchi.</translation>
     </message>
     <message>
         <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
@@ -11654,7 +11654,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps it of grids of up to a million points that are refined as a whole, by both thresholds.</source>
-        <translation>Per dati curvilinei: «grid» mantiene l’errore agli indici dei punti, come nell’articolo; «space» anche l’errore dove si trovano i punti, cioè quello che si vede. Ciò richiede più vertici e tempo, e tutta la griglia in memoria. «automatic» lo mantiene per griglie fino a un milione di punti raffinate per intero e secondo entrambe le soglie.</translation>
+        <translation>Per dati curvilinei: «grid» mantiene l&apos;errore agli indici dei punti, come nell&apos;articolo; «space» anche l&apos;errore dove si trovano i punti, cioè quello che si vede. Ciò richiede più vertici e tempo, e tutta la griglia in memoria. «automatic» lo mantiene per griglie fino a un milione di punti raffinate per intero e secondo entrambe le soglie.</translation>
     </message>
     <message>
         <source>A curvilinear grid: refinement in computational space bounds both error and warping, also where cells of the grid are folded.</source>
@@ -11691,6 +11691,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>zyx</source>
         <translation>zyx</translation>
+    </message>
+    <message>
+        <source>%1 or a comment before it is longer than %2 bytes, and so not one of a table of points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11805,7 +11813,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Turn the picture by 90° clockwise</source>
-        <translation>Ruota l’immagine di 90° in senso orario</translation>
+        <translation>Ruota l&apos;immagine di 90° in senso orario</translation>
     </message>
     <message>
         <source>Roll Anticlockwise</source>
@@ -11813,7 +11821,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Turn the picture by 90° anticlockwise</source>
-        <translation>Ruota l’immagine di 90° in senso antiorario</translation>
+        <translation>Ruota l&apos;immagine di 90° in senso antiorario</translation>
     </message>
     <message>
         <source>Level</source>
@@ -11829,7 +11837,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Dragging turns the model freely, in any direction, instead of around the up axis</source>
-        <translation>Trascinando, il modello ruota liberamente in ogni direzione anziché intorno all’asse verticale</translation>
+        <translation>Trascinando, il modello ruota liberamente in ogni direzione anziché intorno all&apos;asse verticale</translation>
     </message>
     <message>
         <source>Show the model with this axis upright</source>
@@ -11841,7 +11849,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The picture is not rolled</source>
-        <translation>L’immagine non è inclinata</translation>
+        <translation>L&apos;immagine non è inclinata</translation>
     </message>
 </context>
 <context>
@@ -12912,7 +12920,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
-        <translation>Salva la funzione di trasferimento come file JSON, accettato anche da “tan render”</translation>
+        <translation>Salva la funzione di trasferimento come file JSON, accettato anche da «tan render»</translation>
     </message>
     <message>
         <source>Load Transfer Function</source>
@@ -13150,7 +13158,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
-        <translation>Salva la camera come file JSON, accettato anche da “tan render --camera”</translation>
+        <translation>Salva la camera come file JSON, accettato anche da «tan render --camera»</translation>
     </message>
     <message>
         <source>Bac&amp;kground</source>
@@ -13198,11 +13206,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Direction around the up axis, in degrees</source>
-        <translation>Direzione intorno all’asse verticale, in gradi</translation>
+        <translation>Direzione intorno all&apos;asse verticale, in gradi</translation>
     </message>
     <message>
         <source>Height above the plane across the up axis, in degrees</source>
-        <translation>Altezza sul piano perpendicolare all’asse verticale, in gradi</translation>
+        <translation>Altezza sul piano perpendicolare all&apos;asse verticale, in gradi</translation>
     </message>
     <message>
         <source>Roll</source>
@@ -13218,7 +13226,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Which axis of the data points up</source>
-        <translation>Quale asse dei dati punta verso l’alto</translation>
+        <translation>Quale asse dei dati punta verso l&apos;alto</translation>
     </message>
     <message>
         <source>Turntable</source>
@@ -13234,7 +13242,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Whether dragging turns the model around the up axis, or freely in any direction (Ctrl+T)</source>
-        <translation>Se trascinando il modello ruota intorno all’asse verticale o liberamente in ogni direzione (Ctrl+T)</translation>
+        <translation>Se trascinando il modello ruota intorno all&apos;asse verticale o liberamente in ogni direzione (Ctrl+T)</translation>
     </message>
     <message>
         <source>&amp;Roll</source>
