@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>&amp;Help on This Control</source>
-        <translation>&amp;Hilfe zu diesem Feld</translation>
+        <translation>&amp;Hilfe zu diesem Bedienelement</translation>
     </message>
     <message>
         <source>Explain the focused control</source>
@@ -257,7 +257,7 @@
     </message>
     <message>
         <source>Click on a control to read what it does</source>
-        <translation>Auf ein Bedienfeld klicken, um zu lesen, was es tut</translation>
+        <translation>Auf ein Bedienelement klicken, um zu lesen, was es tut</translation>
     </message>
     <message>
         <source>Open a model first</source>
@@ -440,7 +440,7 @@
     </message>
     <message>
         <source>%1 %2 at the target</source>
-        <translation>%1 %2 in der Entfernung des Ziels</translation>
+        <translation>%1 %2 am Blickziel</translation>
     </message>
 </context>
 <context>
@@ -816,7 +816,7 @@
     </message>
     <message>
         <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
-        <translation>Gezeigt: Tetraeder der Netze mit %1. %2 von %3 sind ausgewählt.</translation>
+        <translation>Gezeigt: Tetraeder der Netze (%1). %2 von %3 sind ausgewählt.</translation>
     </message>
     <message>
         <source>Shown: %1, warping %2.</source>
@@ -943,7 +943,7 @@
     <name>PluginChoice</name>
     <message>
         <source>Boundary: %1</source>
-        <translation>Rand: %1</translation>
+        <translation>Berandung: %1</translation>
     </message>
 </context>
 <context>
@@ -1021,7 +1021,7 @@
     </message>
     <message>
         <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
-        <translation>Spannung in einer Platte mit fünf Löchern und einem Hohlraum; unregelmäßiges Netz, von TAn berechnet. Sehenswert: der Rand, der seine Löcher in jeder Genauigkeit behält.</translation>
+        <translation>Spannung in einer Platte mit fünf Löchern und einem Hohlraum; unregelmäßiges Netz, von TAn berechnet. Sehenswert: die Berandung, die ihre Löcher in jeder Genauigkeit behält.</translation>
     </message>
     <message>
         <source>Scattered points</source>
@@ -1175,11 +1175,11 @@
     </message>
     <message>
         <source>%1 vertices</source>
-        <translation>%1 Eckpunkte</translation>
+        <translation>%1 Knoten</translation>
     </message>
     <message>
         <source>1 vertex</source>
-        <translation>1 Eckpunkt</translation>
+        <translation>1 Knoten</translation>
     </message>
 </context>
 <context>
@@ -1431,7 +1431,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Turntable, or a camera path through key frames</source>
-        <translation>Drehtisch oder Kamerafahrt durch Schlüsselbilder</translation>
+        <translation>Drehteller oder Kamerafahrt durch Schlüsselbilder</translation>
     </message>
     <message>
         <source> frames/s</source>
@@ -1451,7 +1451,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Ra&amp;te</source>
-        <translation>&amp;Tempo</translation>
+        <translation>Bildra&amp;te</translation>
     </message>
     <message>
         <source>Around the vertical axis</source>
@@ -1640,7 +1640,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Stop the build and discard the result</source>
-        <translation>Den Aufbau anhalten und das Ergebnis verwerfen</translation>
+        <translation>Den Bau anhalten und das Ergebnis verwerfen</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
@@ -1708,7 +1708,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
-        <translation>Aus einigen Tausend Werten des Datensatzes geschätzt; kann um den Faktor zwei abweichen</translation>
+        <translation>Aus einigen Tausend Abtastwerten des Datensatzes geschätzt; kann um den Faktor zwei abweichen</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2176,7 +2176,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>It has no frames yet: add at least two views in the Animation panel.</source>
-        <translation>Er hat noch keine Bilder: Fügen Sie im Bereich Animation zwei oder mehr Ansichten hinzu.</translation>
+        <translation>Er hat noch keine Bilder: Fügen Sie im Feld Animation zwei oder mehr Ansichten hinzu.</translation>
     </message>
     <message>
         <source>%1; writing takes about %2</source>
@@ -2287,7 +2287,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Reset place, size, error and fall-off</source>
-        <translation>Ort, Größe, Fehler und Abfall zurücksetzen</translation>
+        <translation>Ort, Größe, Fehler und Übergang zurücksetzen</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -2399,7 +2399,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
-        <translation>Der Abstand, über den der Fehler vom inneren, am dem Betrachter nächsten Teil der Daten, auf den äußeren wächst, in Einheiten der Daten</translation>
+        <translation>Der Abstand, über den der Fehler von dem inneren, der an dem Teil der Daten gilt, der dem Betrachter am nächsten ist, auf den äußeren wächst, in Einheiten der Daten</translation>
     </message>
     <message>
         <source>Range of values</source>
@@ -2930,7 +2930,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>None</source>
-        <translation>Keines</translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>No lens</source>
@@ -3131,11 +3131,11 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Showing %L1 of %L2 vertices, more is coming</source>
-        <translation>Zeigt %L1 von %L2 Punkten, weitere kommen</translation>
+        <translation>Zeigt %L1 von %L2 Knoten, weitere kommen</translation>
     </message>
     <message>
         <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.</source>
-        <translation>%1 wird mit %L2 seiner %L3 Punkte gezeigt: %4 von %5 wurden geholt.</translation>
+        <translation>%1 wird mit %L2 seiner %L3 Knoten gezeigt: %4 von %5 wurden geholt.</translation>
     </message>
     <message>
         <source>&amp;Fetch All</source>
@@ -3222,7 +3222,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>The runs of the blocks do not fit together. Start the build again.</source>
-        <translation>Die Läufe der Blöcke passen nicht zusammen. Starten Sie den Aufbau noch einmal.</translation>
+        <translation>Die Läufe der Blöcke passen nicht zusammen. Starten Sie den Bau noch einmal.</translation>
     </message>
     <message>
         <source>Extracting the mesh</source>
@@ -3262,7 +3262,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
-        <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt; „paper“ vergleicht beide in den Einheiten der Daten, wie der Aufsatz, zum Vergleich mit ihm. Beide bewahren Zellen vor dem Umklappen.</translation>
+        <translation>Bei krummlinigen Daten: „normiert“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt; „Aufsatz“ vergleicht beide in den Einheiten der Daten, wie der Aufsatz, zum Vergleich mit ihm. Beide bewahren Zellen vor dem Umklappen.</translation>
     </message>
     <message>
         <source>found</source>
@@ -3642,7 +3642,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>The build</source>
-        <translation>Der Aufbau</translation>
+        <translation>Der Bau</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -3650,7 +3650,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Blocks cannot be built into this target. Set the block to &quot;none&quot;.</source>
-        <translation>In dieses Ziel kann nicht in Blöcken gebaut werden. Setzen Sie „block“ auf „none“.</translation>
+        <translation>In dieses Ziel kann nicht in Blöcken gebaut werden. Setzen Sie den Block auf „keine“.</translation>
     </message>
     <message>
         <source>Point %1 of &apos;%2&apos; has a position or a value that is not a finite number. Leave it out.</source>
@@ -3658,7 +3658,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>A lattice of %1 points is too large: a model holds at most 4294967296. Crop or subsample it.</source>
-        <translation>Ein Gitter aus %1 Punkten ist zu groß: Ein Modell fasst höchstens 4294967296. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+        <translation>Ein regelmäßiges Gitter aus %1 Punkten ist zu groß: Ein Modell fasst höchstens 4294967296. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
     </message>
     <message>
         <source>A tetrahedral mesh needs four points or more.</source>
@@ -3758,11 +3758,11 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>1 cell was left out: too warped to be cut into tetrahedra without a new point.</source>
-        <translation>1 Zelle wurde weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
+        <translation>1 Zelle wurde weggelassen: zu verzogen, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
     </message>
     <message>
         <source>%1 cells were left out: too warped to be cut into tetrahedra without a new point.</source>
-        <translation>%1 Zellen wurden weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
+        <translation>%1 Zellen wurden weggelassen: zu verzogen, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
     </message>
     <message>
         <source>1 tetrahedron was there twice.</source>
@@ -4082,7 +4082,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Collapsing</source>
-        <translation>Kanten schrumpfen</translation>
+        <translation>Kanten werden kontrahiert</translation>
     </message>
     <message>
         <source>Collapsing in rounds</source>
@@ -4174,15 +4174,15 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>%1. Start the build again.</source>
-        <translation>%1. Starten Sie den Aufbau noch einmal.</translation>
+        <translation>%1. Starten Sie den Bau noch einmal.</translation>
     </message>
     <message>
         <source>it is not what was written. Start the build again.</source>
-        <translation>Sie ist nicht, was geschrieben wurde. Starten Sie den Aufbau noch einmal.</translation>
+        <translation>Sie ist nicht, was geschrieben wurde. Starten Sie den Bau noch einmal.</translation>
     </message>
     <message>
         <source>Cannot read &apos;%1&apos;, which this build had written: %2</source>
-        <translation>„%1“, das dieser Aufbau geschrieben hatte, kann nicht gelesen werden: %2</translation>
+        <translation>„%1“, das dieser Bau geschrieben hatte, kann nicht gelesen werden: %2</translation>
     </message>
     <message>
         <source>Refining the blocks</source>
@@ -4290,11 +4290,11 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>a lattice of %1 x %2 x %3 points is impossible</source>
-        <translation>ein Gitter aus %1 x %2 x %3 Punkten ist unmöglich</translation>
+        <translation>ein regelmäßiges Gitter aus %1 x %2 x %3 Punkten ist unmöglich</translation>
     </message>
     <message>
         <source>the spacing or the origin of its lattice makes no sense</source>
-        <translation>der Abstand oder der Ursprung seines Gitters ergibt keinen Sinn</translation>
+        <translation>der Abstand oder der Ursprung seines regelmäßigen Gitters ergibt keinen Sinn</translation>
     </message>
     <message>
         <source>%1 points cannot have %2 sites and %3 tetrahedra</source>
@@ -4610,7 +4610,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>a site is no point of its lattice</source>
-        <translation>eine Stützstelle ist kein Punkt seines Gitters</translation>
+        <translation>eine Stützstelle ist kein Punkt seines regelmäßigen Gitters</translation>
     </message>
     <message>
         <source>The error in the focus is larger than that outside. Swap them.</source>
@@ -4702,7 +4702,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um dieses krummlinige Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
     </message>
     <message>
         <source>%1 A tetrahedral mesh needs four points that do not lie in one plane.</source>
@@ -4770,7 +4770,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>The lattice has too many points to be refined as a whole. Crop or subsample it.</source>
-        <translation>Das Gitter hat zu viele Punkte, um als Ganzes verfeinert zu werden. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+        <translation>Das regelmäßige Gitter hat zu viele Punkte, um als Ganzes verfeinert zu werden. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
     </message>
     <message>
         <source>the tetrahedra of the refinement</source>
@@ -4778,15 +4778,15 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>A block of the lattice needs two points along each axis and must not stick out. Choose another block size.</source>
-        <translation>Ein Block des Gitters braucht zwei Punkte entlang jeder Achse und darf nicht überstehen. Wählen Sie eine andere Blockgröße.</translation>
+        <translation>Ein Block des regelmäßigen Gitters braucht zwei Punkte entlang jeder Achse und darf nicht überstehen. Wählen Sie eine andere Blockgröße.</translation>
     </message>
     <message>
         <source>A block of the lattice is too large to be refined with exact arithmetic. Choose a smaller block size.</source>
-        <translation>Ein Block des Gitters ist zu groß, um mit exakter Arithmetik verfeinert zu werden. Wählen Sie eine kleinere Blockgröße.</translation>
+        <translation>Ein Block des regelmäßigen Gitters ist zu groß, um mit exakter Arithmetik verfeinert zu werden. Wählen Sie eine kleinere Blockgröße.</translation>
     </message>
     <message>
         <source>Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um dieses Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses regelmäßige Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
     </message>
     <message>
         <source>the lists of the refinement&apos;s points</source>
@@ -4794,7 +4794,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>A lattice of %1 x %2 x %3 points is too large to be refined as a whole with exact arithmetic (512 x 512 x 512 is about the limit). Crop or subsample it.</source>
-        <translation>Ein Gitter aus %1 x %2 x %3 Punkten ist zu groß, um als Ganzes mit exakter Arithmetik verfeinert zu werden (etwa 512 x 512 x 512 ist die Grenze). Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+        <translation>Ein regelmäßiges Gitter aus %1 x %2 x %3 Punkten ist zu groß, um als Ganzes mit exakter Arithmetik verfeinert zu werden (etwa 512 x 512 x 512 ist die Grenze). Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
     </message>
     <message>
         <source>More than %1 points cannot be refined at once. Crop or subsample the data.</source>
@@ -5222,7 +5222,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
-        <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, so dass man sieht, was darin ist, oder in den Farben, die die Transferfunktion den „Werten“ dort gibt.</translation>
+        <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, sodass man sieht, was darin ist, oder in den Farben, die die Transferfunktion den „Werten“ dort gibt.</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -5238,7 +5238,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
-        <translation>Zeigt nur die hinteren Wände des Randes, von innen, und lässt die der Kamera zugewandten weg.</translation>
+        <translation>Zeigt nur die hinteren Wände der Berandung, von innen, und lässt die der Kamera zugewandten weg.</translation>
     </message>
     <message>
         <source>Isovalues</source>
@@ -5314,7 +5314,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
-        <translation>Welcher Punkt als nächster geht: „exact“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „paper“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „rounds“ nimmt viele Punkte auf einmal, die einander nicht berühren, so dass ein Fokusbereich am wenigsten sonst braucht.</translation>
+        <translation>Welcher Punkt als nächster geht: „exakt“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „Aufsatz“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „Runden“ nimmt viele Punkte auf einmal, die einander nicht berühren, sodass ein Fokusbereich um sich herum am wenigsten braucht.</translation>
     </message>
     <message>
         <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
@@ -5326,7 +5326,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Decimation stops at this error; 0 goes on to the coarsest mesh.</source>
-        <translation>Die Dezimierung hält bei diesem Fehler an; 0 geht bis zum gröbsten Netz.</translation>
+        <translation>Die Vergröberung hält bei diesem Fehler an; 0 geht bis zum gröbsten Netz.</translation>
     </message>
     <message>
         <source>Finest error</source>
@@ -5354,7 +5354,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
-        <translation>Die Blockgröße „%1“ ist weder „automatic“ noch „none“ noch eine Zahl von Zellen ab 1.</translation>
+        <translation>Die Blockgröße „%1“ ist weder „automatisch“ noch „keine“ noch eine Zahl von Zellen ab 1.</translation>
     </message>
     <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
@@ -5362,7 +5362,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Scattered points: refinement fills their convex hull.</source>
-        <translation>Verstreute Punkte: die Verfeinerung füllt ihre konvexe Hülle.</translation>
+        <translation>Verstreute Punkte: Die Verfeinerung füllt ihre konvexe Hülle.</translation>
     </message>
     <message>
         <source>Refinement stops at this error; 0 keeps everything, so that any accuracy can be shown later.</source>
@@ -6906,7 +6906,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
-        <translation>Was ihre Punkte verbindet (Linien, Polygone), wurde weggelassen: Es sind verstreute Punkte.</translation>
+        <translation>Was ihre Punkte verbindet (Linien, Vielecke), wurde weggelassen: Es sind verstreute Punkte.</translation>
     </message>
     <message>
         <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
@@ -7158,7 +7158,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>white noise, the worst case: no sample tells of its neighbour</source>
-        <translation>weißes Rauschen, der schlimmste Fall: Kein Wert sagt etwas über seinen Nachbarn</translation>
+        <translation>weißes Rauschen, der schlimmste Fall: Kein Abtastwert sagt etwas über seinen Nachbarn</translation>
     </message>
     <message>
         <source>flow in front of a hemisphere: a curvilinear grid whose axis is collapsed</source>
@@ -7322,7 +7322,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
-        <translation>Wählen Sie eine dieser Endungen: %1; oder, für den Rand des Netzes allein, %2.</translation>
+        <translation>Wählen Sie eine dieser Endungen: %1; oder, für die Berandung des Netzes allein, %2.</translation>
     </message>
     <message>
         <source>Choose one of these endings: %1.</source>
@@ -7614,11 +7614,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Only irregular data have a boundary that moves, so that there is a distance from both sides to limit. Leave that out.</source>
-        <translation>Nur unregelmäßige Daten haben einen Rand, der sich bewegt, sodass es einen Abstand von beiden Seiten zu begrenzen gibt. Lassen Sie das weg.</translation>
+        <translation>Nur unregelmäßige Daten haben eine Berandung, die sich bewegt, sodass es einen Abstand von beiden Seiten zu begrenzen gibt. Lassen Sie das weg.</translation>
     </message>
     <message>
         <source>The paper&apos;s selection of points does not go with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
-        <translation>Die Auswahl der Punkte wie im Artikel ist mit Blöcken nicht möglich: Unabhängig verfeinerte Blöcke könnten sich über ihre Seitenflächen nicht einigen. Setzen Sie den Block auf „none“.</translation>
+        <translation>Die Auswahl der Punkte wie im Aufsatz ist mit Blöcken nicht möglich: Unabhängig verfeinerte Blöcke könnten sich über ihre Seitenflächen nicht einigen. Setzen Sie den Block auf „keine“.</translation>
     </message>
     <message>
         <source>Looking at the cells</source>
@@ -7626,11 +7626,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Take the normalised selection, or order by both.</source>
-        <translation>Die Auswahl des Aufsatzes vergleicht Fehler und Verwerfung, ein Aufbau kann daher nicht nach einem von beiden allein geordnet sein. Nehmen Sie die normierte Auswahl, oder ordnen Sie nach beiden.</translation>
+        <translation>Die Auswahl des Aufsatzes vergleicht Fehler und Verwerfung, ein Bau kann daher nicht nach einem von beiden allein geordnet sein. Nehmen Sie die normierte Auswahl, oder ordnen Sie nach beiden.</translation>
     </message>
     <message>
         <source>The domain of this mesh is not convex, and refinement would fill what its boundary leaves out. Decimation keeps it.</source>
-        <translation>Das Gebiet dieses Netzes ist nicht konvex, und die Verfeinerung würde füllen, was sein Rand auslässt. Die Vergröberung erhält es.</translation>
+        <translation>Das Gebiet dieses Netzes ist nicht konvex, und die Verfeinerung würde füllen, was seine Berandung auslässt. Die Vergröberung erhält es.</translation>
     </message>
     <message>
         <source>Refining a rectilinear grid of %1 points in physical space takes about %2 of memory, and this machine has %3. Refine it in computational space, as a curvilinear grid, or take a region of it or fewer samples.</source>
@@ -7658,11 +7658,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Ordered by the error alone, a build has no threshold of warping. Leave that out, or order by both.</source>
-        <translation>Nach dem Fehler allein geordnet, hat ein Aufbau keine Schwelle der Verwerfung. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
+        <translation>Nach dem Fehler allein geordnet, hat ein Bau keine Schwelle der Verwerfung. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
     </message>
     <message>
         <source>Ordered by the warping alone, a build has no threshold of error. Leave that out, or order by both.</source>
-        <translation>Nach der Verwerfung allein geordnet, hat ein Aufbau keine Schwelle des Fehlers. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
+        <translation>Nach der Verwerfung allein geordnet, hat ein Bau keine Schwelle des Fehlers. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
     </message>
     <message>
         <source>it has a value that is not finite</source>
@@ -7718,7 +7718,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
-        <translation>Es hat Löcher, Punkte, die ausgeblendet sind oder keinen endlichen Wert haben, und ist deshalb ein irreguläres Netz: bis zu %1 Tetraeder, die %2 Speicher brauchen, von %3. Nehmen Sie einen Bereich oder jeden n-ten Punkt davon, oder ersetzen Sie diese Werte durch Zahlen.</translation>
+        <translation>Es hat Löcher, Punkte, die ausgeblendet sind oder keinen endlichen Wert haben, und ist deshalb ein unregelmäßiges Netz: bis zu %1 Tetraeder, die %2 Speicher brauchen, von %3. Nehmen Sie einen Bereich oder jeden n-ten Punkt davon, oder ersetzen Sie diese Werte durch Zahlen.</translation>
     </message>
     <message>
         <source>No cell of the grid has a finite value at each of its corners, or all are blanked out: nothing is left.</source>
@@ -7726,7 +7726,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The grid has become an irregular mesh with holes.</source>
-        <translation>Das Gitter ist zu einem irregulären Netz mit Löchern geworden.</translation>
+        <translation>Das Gitter ist zu einem unregelmäßigen Netz mit Löchern geworden.</translation>
     </message>
     <message>
         <source>%1 Left out with the cells around them: %2 of its %3 points, blanked out or without a finite value.</source>
@@ -7774,7 +7774,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Testing the boundary</source>
-        <translation>Der Rand wird geprüft</translation>
+        <translation>Berandung wird geprüft</translation>
     </message>
     <message>
         <source>the camera&apos;s position</source>
@@ -7790,7 +7790,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error.</source>
-        <translation>Nicht genug Speicher für alle Netze mit bis zu %1 Punkten. Wählen Sie einen größeren Fehler.</translation>
+        <translation>Nicht genug Speicher für alle Netze mit bis zu %1 Stützstellen. Wählen Sie einen größeren Fehler.</translation>
     </message>
     <message>
         <source>Choosing tetrahedra by their lives</source>
@@ -7826,7 +7826,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
-        <translation>Für Daten, deren Gebiet sich verwerfen kann: „both“ ordnet das Modell nach dem größeren von Fehler und Verwerfung im Verhältnis ihrer Schwellen; „error“ oder „warping“ nach diesem allein, für die wenigsten Punkte, wo das andere keine Rolle spielt.</translation>
+        <translation>Für Daten, deren Gebiet sich verwerfen kann: „beide“ ordnet das Modell nach dem größeren von Fehler und Verwerfung im Verhältnis ihrer Schwellen; „Fehler“ oder „Verwerfung“ nach diesem allein, für die wenigsten Punkte, wo das andere keine Rolle spielt.</translation>
     </message>
     <message>
         <source>both</source>
@@ -7850,7 +7850,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place of a mesh&apos;s boundary is from that of the data.</source>
-        <translation>Was die Verformung unregelmäßiger Daten misst: „one-sided“, wie in der Arbeit, wie weit die Punkte des Randes der Daten von dem eines Netzes entfernt sind; „two-sided“ auch, wie weit irgendeine Stelle des Randes eines Netzes von dem der Daten entfernt ist.</translation>
+        <translation>Was die Verwerfung unregelmäßiger Daten misst: „einseitig“, wie im Aufsatz, wie weit die Punkte der Berandung der Daten von der eines Netzes entfernt sind; „beidseitig“ auch, wie weit irgendeine Stelle der Berandung eines Netzes von der der Daten entfernt ist.</translation>
     </message>
     <message>
         <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of them for the same accuracy, but more time and memory.</source>
@@ -7862,7 +7862,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
-        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig voneinander verfeinert werden, im Arbeitsspeicher für wenige davon; „none“ verfeinert den Datensatz als Ganzes; „automatic“ nimmt Blöcke, wenn ein Gitter groß ist.</translation>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig voneinander verfeinert werden, im Arbeitsspeicher für wenige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wenn ein regelmäßiges oder krummliniges Gitter groß ist.</translation>
     </message>
     <message>
         <source>A rectilinear grid: refinement in physical space keeps the exact domain.</source>
@@ -7930,11 +7930,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The error in space is kept in whole grids only, as a point may lie in a tetrahedron of another block. Set the block to &quot;none&quot;.</source>
-        <translation>Der Fehler im Raum wird nur in ganzen Gittern eingehalten, da ein Punkt in einem Tetraeder eines anderen Blocks liegen kann. Setzen Sie den Block auf „none“.</translation>
+        <translation>Der Fehler im Raum wird nur in ganzen Gittern eingehalten, da ein Punkt in einem Tetraeder eines anderen Blocks liegen kann. Setzen Sie den Block auf „keine“.</translation>
     </message>
     <message>
         <source>To keep the error in space, a build is ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
-        <translation>Um den Fehler im Raum einzuhalten, wird ein Aufbau nach Fehler und Verwerfung geordnet, mit der normierten Auswahl. Lassen Sie die andere Wahl weg.</translation>
+        <translation>Um den Fehler im Raum einzuhalten, wird ein Bau nach Fehler und Verwerfung geordnet, mit der normierten Auswahl. Lassen Sie die andere Wahl weg.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is refined in the space where its points lie, so its error is the error in space. Leave this choice out.</source>
@@ -8034,11 +8034,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>its sites make no sense</source>
-        <translation>seine Punkte ergeben keinen Sinn</translation>
+        <translation>seine Stützstellen ergeben keinen Sinn</translation>
     </message>
     <message>
         <source>a lattice of %1 points cannot be replayed</source>
-        <translation>ein Gitter von %1 Punkten kann nicht wiederholt werden</translation>
+        <translation>ein regelmäßiges Gitter aus %1 Punkten kann nicht wiederholt werden</translation>
     </message>
     <message>
         <source>its text does not tell how it is built</source>
@@ -8046,7 +8046,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>its samples are not those that it was packed with</source>
-        <translation>seine Werte sind nicht die, mit denen es gepackt wurde</translation>
+        <translation>seine Abtastwerte sind nicht die, mit denen es gepackt wurde</translation>
     </message>
     <message>
         <source>Writing the model</source>
@@ -8058,7 +8058,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The lattice is too large to be packed as a whole.</source>
-        <translation>Das Gitter ist zu groß, um als Ganzes gepackt zu werden.</translation>
+        <translation>Das regelmäßige Gitter ist zu groß, um als Ganzes gepackt zu werden.</translation>
     </message>
     <message>
         <source>A point lies in no tetrahedron of the mesh.</source>
@@ -8202,15 +8202,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Error in</source>
-        <translation>Fehler</translation>
+        <translation>Fehler gilt</translation>
     </message>
     <message>
         <source>What an interrupted build left in &apos;%1&apos; is damaged. Build from the beginning.</source>
-        <translation>Was ein unterbrochener Aufbau in „%1“ hinterlassen hat, ist beschädigt. Beginnen Sie den Aufbau von vorn.</translation>
+        <translation>Was ein unterbrochener Bau in „%1“ hinterlassen hat, ist beschädigt. Beginnen Sie den Bau von vorn.</translation>
     </message>
     <message>
         <source>What an interrupted build left in &apos;%1&apos; is of other data, of other options, or of another version of TAn. Give the same ones, or build from the beginning.</source>
-        <translation>Was ein unterbrochener Aufbau in „%1“ hinterlassen hat, gehört zu anderen Daten, anderen Optionen oder einer anderen Version von TAn. Geben Sie dieselben an, oder beginnen Sie den Aufbau von vorn.</translation>
+        <translation>Was ein unterbrochener Bau in „%1“ hinterlassen hat, gehört zu anderen Daten, anderen Optionen oder einer anderen Version von TAn. Geben Sie dieselben an, oder beginnen Sie den Bau von vorn.</translation>
     </message>
     <message>
         <source>Refining all blocks coarsely</source>
@@ -8262,7 +8262,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The sites make more than they should.</source>
-        <translation>Die Punkte ergeben mehr, als sie sollten.</translation>
+        <translation>Die Stützstellen ergeben mehr, als sie sollten.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has positions or values that are not finite.</source>
@@ -8722,7 +8722,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>names %1 files. Put the samples into fewer.</source>
-        <translation>nennt %1 Dateien. Verteilen Sie die Werte auf weniger.</translation>
+        <translation>nennt %1 Dateien. Verteilen Sie die Abtastwerte auf weniger.</translation>
     </message>
     <message>
         <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs take them as right-handed: they show the mirror image.</source>
@@ -8930,7 +8930,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; gives those that cannot be cut so a point in their middle.</source>
-        <translation>Netze mit Polyedern: „corners“ zerlegt jedes in Tetraeder zwischen seinen eigenen Punkten; „centre“ gibt denen, bei denen das nicht geht, einen Punkt in der Mitte.</translation>
+        <translation>Netze mit Polyedern: „Ecken“ zerlegt jedes in Tetraeder zwischen seinen eigenen Punkten; „Mitte“ gibt denen, bei denen das nicht geht, einen Punkt in der Mitte.</translation>
     </message>
     <message>
         <source>corners</source>
@@ -9954,15 +9954,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>its elements are records of several fields. Save one field by itself: numpy.save(name, array[&apos;field&apos;]).</source>
-        <translation>ihre Elemente sind Datensätze aus mehreren Feldern. Speichern Sie ein Feld für sich: numpy.save(name, array[„field“]).</translation>
+        <translation>ihre Elemente sind Datensätze aus mehreren Feldern. Speichern Sie ein Feld für sich: numpy.save(name, array[&apos;field&apos;]).</translation>
     </message>
     <message>
         <source>its elements are objects of Python, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
-        <translation>ihre Elemente sind Python-Objekte, die nur Python lesen kann. Speichern Sie ein Array aus Zahlen: array.astype(„float32“).</translation>
+        <translation>ihre Elemente sind Python-Objekte, die nur Python lesen kann. Speichern Sie ein Array aus Zahlen: array.astype(&apos;float32&apos;).</translation>
     </message>
     <message>
         <source>its elements have the type &apos;%1&apos;, which is not read. Save numbers of a usual type: array.astype(&apos;float64&apos;).</source>
-        <translation>ihre Elemente haben den Typ „%1“, der nicht gelesen wird. Speichern Sie Zahlen eines üblichen Typs: array.astype(„float64“).</translation>
+        <translation>ihre Elemente haben den Typ „%1“, der nicht gelesen wird. Speichern Sie Zahlen eines üblichen Typs: array.astype(&apos;float64&apos;).</translation>
     </message>
     <message>
         <source>its array has the shape (%1), and a volume needs three dimensions of more than one element. Save a part that has them, such as array[0] or array[..., 0].</source>
@@ -10058,7 +10058,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>NumPy array (*.npy)</source>
-        <translation>NumPy-Feld (*.npy)</translation>
+        <translation>NumPy-Array (*.npy)</translation>
     </message>
     <message>
         <source>Gaussian cube (*.cube *.cub)</source>
@@ -10514,7 +10514,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The patches of its boundary are not read: %1.</source>
-        <translation>Die Patches ihres Randes werden nicht gelesen: %1.</translation>
+        <translation>Die Patches ihrer Berandung werden nicht gelesen: %1.</translation>
     </message>
     <message>
         <source>Its zones of cells are not told apart: %1.</source>
@@ -10902,7 +10902,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The series holds %1 volumes; the others are not read.</source>
-        <translation>Die Serie enthält %1 Volumina; die anderen werden nicht gelesen.</translation>
+        <translation>Die Serie enthält %1 Volumen; die anderen werden nicht gelesen.</translation>
     </message>
     <message>
         <source>Of a folder with several DICOM series, or an OME file with several images: which one, by number from 1, by its description or name, or by its SeriesInstanceUID; without it that of the file, or the first.</source>
@@ -11574,7 +11574,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The series holds %1 volumes; the others are not read. Choose one with &apos;--time&apos;.</source>
-        <translation>Die Serie enthält %1 Volumina; die anderen werden nicht gelesen. Wählen Sie eines mit „--time“.</translation>
+        <translation>Die Serie enthält %1 Volumen; die anderen werden nicht gelesen. Wählen Sie eines mit „--time“.</translation>
     </message>
     <message>
         <source>It has %1 time steps; the others are not read. Choose one with &apos;--time&apos;.</source>
@@ -11646,7 +11646,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
-        <translation>Für Gitter, deren Punkte irgendwo liegen: „physical“ baut dort, wo sie liegen, durch Vergröberung aus dem Netz der Zellen des Gitters, durch Verfeinerung (von rechtwinkligen Gittern) aus den Punkten allein; „computational“ nach ihren Indizes, wie in der Veröffentlichung, was weniger Speicher braucht und Blöcke erlaubt.</translation>
+        <translation>Für Gitter, deren Punkte irgendwo liegen: „im physikalischen Raum“ baut dort, wo sie liegen, durch Vergröberung aus dem Netz der Zellen des Gitters, durch Verfeinerung (von rechtwinkligen Gittern) aus den Punkten allein; „im Rechenraum“ nach ihren Indizes, wie im Aufsatz, was weniger Speicher braucht und Blöcke erlaubt.</translation>
     </message>
     <message>
         <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
@@ -11678,7 +11678,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>its chunks went through %1 codecs, more than %2</source>
-        <translation>ihre Blöcke gingen durch %1 Kodierungen, mehr als %2</translation>
+        <translation>ihre Stücke (Chunks) gingen durch %1 Codecs, mehr als %2</translation>
     </message>
     <message>
         <source>the values of one of its arrays lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
@@ -11694,11 +11694,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>%1 or a comment before it is longer than %2 bytes, and so not one of a table of points.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 oder ein Kommentar davor ist länger als %2 Bytes und so nicht aus einer Tabelle von Punkten.</translation>
     </message>
     <message>
         <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat %2 Spalten, und höchstens %3 werden gelesen. Schreiben Sie eine Datei aus den Spalten der Orte und Werte, die Sie brauchen.</translation>
     </message>
 </context>
 <context>
@@ -12803,7 +12803,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>part may be error</source>
-        <translation>ein Teil ist vielleicht Fehler</translation>
+        <translation>ein Teil kann Fehler sein</translation>
     </message>
 </context>
 <context>

@@ -498,7 +498,7 @@
     </message>
     <message>
         <source>Change Budget</source>
-        <translation>Modifica limite</translation>
+        <translation>Modifica budget</translation>
     </message>
     <message>
         <source>Change Accuracy</source>
@@ -522,7 +522,7 @@
     </message>
     <message>
         <source>Change Warping</source>
-        <translation>Cambia deformazione</translation>
+        <translation>Modifica deformazione</translation>
     </message>
     <message>
         <source>Change Lens</source>
@@ -612,7 +612,7 @@
     </message>
     <message>
         <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
-        <translation>Filmati del modello: un giro completo, o un percorso tra fotogrammi chiave scelti da voi.</translation>
+        <translation>Filmati del modello: un giro completo, o un percorso tra fotogrammi chiave a scelta.</translation>
     </message>
     <message>
         <source>Transfer</source>
@@ -816,7 +816,7 @@
     </message>
     <message>
         <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
-        <translation>Mostrati: tetraedri delle griglie di %1. Scelti %2 su %3.</translation>
+        <translation>Mostrati: tetraedri delle mesh (%1). Scelti %2 su %3.</translation>
     </message>
     <message>
         <source>Shown: %1, warping %2.</source>
@@ -981,7 +981,7 @@
     </message>
     <message>
         <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.</source>
-        <translation>Densità elettronica di una molecola C60; griglia regolare, %1, calcolata da TAn. Da guardare: la gabbia di atomi come isosuperficie, e quanti pochi tetraedri bastano per un errore dell&apos;1 %.</translation>
+        <translation>Densità elettronica di una molecola C60; reticolo regolare, %1, calcolato da TAn. Da guardare: la gabbia di atomi come isosuperficie, e quanti pochi tetraedri bastano per un errore dell&apos;1 %.</translation>
     </message>
     <message>
         <source>Hydrogen atom</source>
@@ -989,7 +989,7 @@
     </message>
     <message>
         <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two lobes and the ring, as a volume or as isosurfaces.</source>
-        <translation>Densità di probabilità dell&apos;elettrone 3d; griglia regolare, %1, calcolata da TAn. Da guardare: i due lobi e l&apos;anello, come volume o come isosuperfici.</translation>
+        <translation>Densità di probabilità dell&apos;elettrone 3d; reticolo regolare, %1, calcolato da TAn. Da guardare: i due lobi e l&apos;anello, come volume o come isosuperfici.</translation>
     </message>
     <message>
         <source>Supersonic flow</source>
@@ -1021,7 +1021,7 @@
     </message>
     <message>
         <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
-        <translation>Tensione in una piastra con cinque fori e una cavità chiusa; mesh irregolare, calcolata da TAn. Da guardare: il bordo, che conserva i fori a ogni accuratezza.</translation>
+        <translation>Tensione in una piastra con cinque fori e una cavità chiusa; mesh irregolare, calcolata da TAn. Da guardare: il contorno, che conserva i fori a ogni accuratezza.</translation>
     </message>
     <message>
         <source>Scattered points</source>
@@ -1037,7 +1037,7 @@
     </message>
     <message>
         <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine ripples, which vanish first when the error grows.</source>
-        <translation>Il segnale di prova di Marschner e Lobb; griglia regolare, %1, calcolata da TAn. Da guardare: le increspature fini, le prime a sparire quando l&apos;errore cresce.</translation>
+        <translation>Il segnale di prova di Marschner e Lobb; reticolo regolare, %1, calcolato da TAn. Da guardare: le increspature fini, le prime a sparire quando l&apos;errore cresce.</translation>
     </message>
     <message>
         <source>Boundary layer</source>
@@ -1053,7 +1053,7 @@
     </message>
     <message>
         <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
-        <translation>Valori casuali, il caso peggiore per ogni metodo; griglia regolare, %1, calcolata da TAn. Da guardare: le statistiche, perché anche con un errore grande servono quasi tutti i punti.</translation>
+        <translation>Valori casuali, il caso peggiore per ogni metodo; reticolo regolare, %1, calcolato da TAn. Da guardare: le statistiche, perché anche con un errore grande servono quasi tutti i punti.</translation>
     </message>
 </context>
 <context>
@@ -1132,7 +1132,7 @@
     </message>
     <message>
         <source>A frame</source>
-        <translation>Un&apos;immagine</translation>
+        <translation>Un fotogramma</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -1258,7 +1258,7 @@
     </message>
     <message>
         <source>Bu&amp;dget</source>
-        <translation>&amp;Limite</translation>
+        <translation>&amp;Budget</translation>
     </message>
     <message>
         <source>The smallest mesh with this error</source>
@@ -1435,11 +1435,11 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Turntable, or a camera path through key frames</source>
-        <translation>Piattaforma girevole, o percorso della camera per fotogrammi chiave</translation>
+        <translation>Giro completo, o percorso della camera per fotogrammi chiave</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation> immagini/s</translation>
+        <translation> fotogrammi/s</translation>
     </message>
     <message>
         <source>Frames per second of the film</source>
@@ -2287,7 +2287,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Reset place, size, error and fall-off</source>
-        <translation>Reimposta posizione, dimensioni, errore e decadimento</translation>
+        <translation>Reimposta posizione, dimensioni, errore e transizione</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -2319,15 +2319,15 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>With the budget the error outside is %1 times this one.</source>
-        <translation>Con il limite l&apos;errore esterno è %1 volte questo.</translation>
+        <translation>Con il budget l&apos;errore esterno è %1 volte questo.</translation>
     </message>
     <message>
         <source>A focus is not coarser than what is around it, so it gets the same error.</source>
-        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
+        <translation>Un focus non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
     </message>
     <message>
         <source>A focus is not coarser than what is around it, so it gets %1.</source>
-        <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
+        <translation>Un focus non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
     </message>
     <message>
         <source>A&amp;dd</source>
@@ -2347,7 +2347,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
-        <translation>Dove la griglia è più accurata che altrove. Scegliete un parallelepipedo o una sfera, poi trascinatene le maniglie nell&apos;immagine; un doppio clic su una superficie li sposta lì. Oppure fate crescere l&apos;errore con la distanza dall&apos;osservatore o dagli isovalori, o dove si vede poco.</translation>
+        <translation>Dove la mesh è più accurata che altrove. Scegliere un parallelepipedo o una sfera, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie li sposta lì. Oppure far crescere l&apos;errore con la distanza dall&apos;osservatore o dagli isovalori, o dove si vede poco.</translation>
     </message>
     <message>
         <source>Accuracy varies with</source>
@@ -2359,7 +2359,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The error grows with the distance from the viewer. While you move the camera, the mesh stays as it is.</source>
-        <translation>L&apos;errore cresce con la distanza dall&apos;osservatore. Mentre muovete la camera, la griglia resta com&apos;è.</translation>
+        <translation>L&apos;errore cresce con la distanza dall&apos;osservatore. Mentre si muove la camera, la mesh resta com&apos;è.</translation>
     </message>
     <message>
         <source>Isovalues</source>
@@ -2453,7 +2453,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Reader used for this file</source>
-        <translation>Lettore usato per questo file</translation>
+        <translation>Plugin di lettura usato per questo file</translation>
     </message>
     <message>
         <source>R&amp;eader</source>
@@ -2930,7 +2930,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>None</source>
-        <translation>Nessuno</translation>
+        <translation>Nessuna</translation>
     </message>
     <message>
         <source>No lens</source>
@@ -2966,7 +2966,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Half the width of the lens, in percent of the picture&apos;s shorter side</source>
-        <translation>Metà della larghezza della lente, in percentuale del lato minore dell&apos;immagine</translation>
+        <translation>Metà della larghezza della lente, in percento del lato minore dell&apos;immagine</translation>
     </message>
     <message>
         <source>Error in the lens</source>
@@ -2974,7 +2974,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Error of the mesh in the lens, in percent of the value range; it is never coarser than the mesh of the picture</source>
-        <translation>Errore della mesh nella lente, in percentuale dell&apos;intervallo dei valori; non è mai più grossolana della mesh dell&apos;immagine</translation>
+        <translation>Errore della mesh nella lente, in percento dell&apos;intervallo dei valori; non è mai più grossolana della mesh dell&apos;immagine</translation>
     </message>
     <message>
         <source>Magnificati&amp;on</source>
@@ -3234,7 +3234,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
-        <translation>La mesh ha troppi tetraedri perché se ne mostri il contorno. Ridurre la precisione della mesh.</translation>
+        <translation>La mesh ha troppi tetraedri perché se ne mostri il contorno. Ridurre la accuratezza della mesh.</translation>
     </message>
     <message>
         <source>the text</source>
@@ -3262,7 +3262,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
-        <translation>Per dati curvilinei: «normalised» prende il punto più lontano per errore o deformazione; «paper» confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
+        <translation>Per dati curvilinei: «normalizzata» prende il punto più lontano per errore o deformazione; «articolo» confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
     </message>
     <message>
         <source>found</source>
@@ -3614,7 +3614,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything.</source>
-        <translation>L&apos;errore minimo (%1 %) è maggiore dell&apos;errore a cui fermarsi (%2 %). Scegliere un errore minimo più piccolo, o 0 per tenere tutto.</translation>
+        <translation>L&apos;errore più fine (%1 %) è maggiore dell&apos;errore a cui fermarsi (%2 %). Scegliere un errore più fine minore, o 0 per tenere tutto.</translation>
     </message>
     <message>
         <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
@@ -3650,7 +3650,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Blocks cannot be built into this target. Set the block to &quot;none&quot;.</source>
-        <translation>In questa destinazione non si può costruire a blocchi. Impostare «block» su «none».</translation>
+        <translation>In questa destinazione non si può costruire a blocchi. Impostare il blocco su «nessuno».</translation>
     </message>
     <message>
         <source>Point %1 of &apos;%2&apos; has a position or a value that is not a finite number. Leave it out.</source>
@@ -3686,7 +3686,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>%1 cells are blanked out in the file: holes.</source>
-        <translation>%1 celle sono escluse nel file: buchi.</translation>
+        <translation>%1 celle sono escluse nel file: fori.</translation>
     </message>
     <message>
         <source>1 cell has a value that is not finite and became a hole.</source>
@@ -3694,7 +3694,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>%1 cells have a value that is not finite and became holes.</source>
-        <translation>%1 celle hanno un valore non finito e sono diventate buchi.</translation>
+        <translation>%1 celle hanno un valore non finito e sono diventate fori.</translation>
     </message>
     <message>
         <source>1 cell names a corner twice, has no volume and was left out.</source>
@@ -4586,7 +4586,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
-        <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un focus più piccolo o un limite.</translation>
+        <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un focus più piccolo o un budget.</translation>
     </message>
     <message>
         <source>The smallest %1 of the crop box, %2, is larger than its largest, %3. Swap them.</source>
@@ -4814,7 +4814,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.</source>
-        <translation>La memoria non basta per il contorno della mesh. Ridurre la precisione della mesh.</translation>
+        <translation>La memoria non basta per il contorno della mesh. Ridurre la accuratezza della mesh.</translation>
     </message>
     <message>
         <source>The boundary&apos;s opacity must be above 0 and at most 1.</source>
@@ -5238,7 +5238,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
-        <translation>Mostra solo le pareti lontane del bordo, dall&apos;interno, e tralascia quelle rivolte verso la camera.</translation>
+        <translation>Mostra solo le pareti lontane del contorno, dall&apos;interno, e tralascia quelle rivolte verso la camera.</translation>
     </message>
     <message>
         <source>Isovalues</source>
@@ -5314,7 +5314,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
-        <translation>Quale punto togliere per primo: «exact» quello la cui perdita fa meno danno, per il minor numero di punti; «paper» lo stima con gradienti e piani, come faceva l&apos;articolo; «rounds» toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
+        <translation>Quale punto togliere per primo: «esatto» quello la cui perdita fa meno danno, per il minor numero di punti; «articolo» lo stima con gradienti e piani, come faceva l&apos;articolo; «a turni» toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
     </message>
     <message>
         <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
@@ -5354,7 +5354,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
-        <translation>La dimensione «%1» dei blocchi non è né «automatic» né «none» né un numero di celle da 1.</translation>
+        <translation>La dimensione «%1» dei blocchi non è né «automatico» né «nessuno» né un numero di celle da 1.</translation>
     </message>
     <message>
         <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
@@ -6310,7 +6310,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
-        <translation>Quale scalare della soluzione: automatico prende la densità o, se questa è ovunque uguale, il primo che varia.</translation>
+        <translation>Quale scalare della soluzione: «automatico» prende la densità o, se questa è ovunque uguale, il primo che varia.</translation>
     </message>
     <message>
         <source>Solution file</source>
@@ -7142,7 +7142,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
-        <translation>Come si ordinano superfici e volume: «exact», oppure come faceva l&apos;articolo «with-cell», dove la parte di superficie in una cella si disegna prima della cella.</translation>
+        <translation>Come si ordinano superfici e volume: «esatto», oppure come faceva l&apos;articolo «con la cella», dove la parte di superficie in una cella si disegna prima della cella.</translation>
     </message>
     <message>
         <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
@@ -7618,7 +7618,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The paper&apos;s selection of points does not go with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
-        <translation>La selezione dei punti come nell&apos;articolo non è possibile con i blocchi: blocchi raffinati indipendentemente non potrebbero accordarsi sulle loro facce. Impostate il blocco su «none».</translation>
+        <translation>La selezione dei punti come nell&apos;articolo non è possibile con i blocchi: blocchi raffinati indipendentemente non potrebbero accordarsi sulle loro facce. Impostare il blocco su «nessuno».</translation>
     </message>
     <message>
         <source>Looking at the cells</source>
@@ -7626,11 +7626,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Take the normalised selection, or order by both.</source>
-        <translation>La selezione dell&apos;articolo confronta errore e deformazione, quindi una costruzione non può essere ordinata in base a uno solo dei due. Scegli la selezione normalizzata, oppure ordina in base a entrambi.</translation>
+        <translation>La selezione dell&apos;articolo confronta errore e deformazione, quindi una costruzione non può essere ordinata in base a uno solo dei due. Scegliere la selezione normalizzata, oppure ordinare in base a entrambi.</translation>
     </message>
     <message>
         <source>The domain of this mesh is not convex, and refinement would fill what its boundary leaves out. Decimation keeps it.</source>
-        <translation>Il dominio di questa mesh non è convesso e il raffinamento riempirebbe ciò che il suo bordo lascia fuori. La decimazione lo conserva.</translation>
+        <translation>Il dominio di questa mesh non è convesso e il raffinamento riempirebbe ciò che il suo contorno lascia fuori. La decimazione lo conserva.</translation>
     </message>
     <message>
         <source>Refining a rectilinear grid of %1 points in physical space takes about %2 of memory, and this machine has %3. Refine it in computational space, as a curvilinear grid, or take a region of it or fewer samples.</source>
@@ -7658,11 +7658,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Ordered by the error alone, a build has no threshold of warping. Leave that out, or order by both.</source>
-        <translation>Ordinata in base al solo errore, una costruzione non ha soglia di deformazione. Omettila, oppure ordina in base a entrambi.</translation>
+        <translation>Ordinata in base al solo errore, una costruzione non ha soglia di deformazione. Ometterla, oppure ordinare in base a entrambi.</translation>
     </message>
     <message>
         <source>Ordered by the warping alone, a build has no threshold of error. Leave that out, or order by both.</source>
-        <translation>Ordinata in base alla sola deformazione, una costruzione non ha soglia di errore. Omettila, oppure ordina in base a entrambi.</translation>
+        <translation>Ordinata in base alla sola deformazione, una costruzione non ha soglia di errore. Ometterla, oppure ordinare in base a entrambi.</translation>
     </message>
     <message>
         <source>it has a value that is not finite</source>
@@ -7718,11 +7718,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
-        <translation>Ha dei fori, punti nascosti o senza un valore finito, perciò è una mesh irregolare: fino a %1 tetraedri, che occupano %2 di memoria, su %3. Prendete una regione o un punto ogni n, oppure sostituite quei valori con numeri.</translation>
+        <translation>Ha dei fori, punti esclusi o senza un valore finito, perciò è una mesh irregolare: fino a %1 tetraedri, che occupano %2 di memoria, su %3. Prendere una regione o un punto ogni n, oppure sostituire quei valori con numeri.</translation>
     </message>
     <message>
         <source>No cell of the grid has a finite value at each of its corners, or all are blanked out: nothing is left.</source>
-        <translation>Nessuna cella della griglia ha un valore finito in ogni vertice, oppure sono tutte nascoste: non resta nulla.</translation>
+        <translation>Nessuna cella della griglia ha un valore finito in ogni vertice, oppure sono tutte escluse: non resta nulla.</translation>
     </message>
     <message>
         <source>The grid has become an irregular mesh with holes.</source>
@@ -7730,11 +7730,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>%1 Left out with the cells around them: %2 of its %3 points, blanked out or without a finite value.</source>
-        <translation>%1 Tralasciati con le celle attorno: %2 dei suoi %3 punti, nascosti o senza un valore finito.</translation>
+        <translation>%1 Tralasciati con le celle attorno: %2 dei suoi %3 punti, esclusi o senza un valore finito.</translation>
     </message>
     <message>
         <source>It says of %1 cells whether they are blanked out, and has %2. It is damaged.</source>
-        <translation>Indica per %1 celle se sono nascoste, e ne ha %2. È danneggiato.</translation>
+        <translation>Indica per %1 celle se sono escluse, e ne ha %2. È danneggiato.</translation>
     </message>
     <message>
         <source>1 pair of tetrahedra that overlap, one at %1</source>
@@ -7746,7 +7746,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>the position of point %1 is no finite number, or too large. Leave it out.</source>
-        <translation>la posizione del punto %1 non è un numero finito, o è troppo grande. Tralasciatelo.</translation>
+        <translation>la posizione del punto %1 non è un numero finito, o è troppo grande. Ometterlo.</translation>
     </message>
     <message>
         <source>none of its values is a finite number.</source>
@@ -7774,7 +7774,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Testing the boundary</source>
-        <translation>Controllo del bordo</translation>
+        <translation>Controllo del contorno</translation>
     </message>
     <message>
         <source>the camera&apos;s position</source>
@@ -7790,7 +7790,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error.</source>
-        <translation>Memoria insufficiente per tutte le griglie fino a %1 siti. Scegliete un errore maggiore.</translation>
+        <translation>Memoria insufficiente per tutte le mesh fino a %1 siti. Scegliere un errore maggiore.</translation>
     </message>
     <message>
         <source>Choosing tetrahedra by their lives</source>
@@ -7798,7 +7798,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>An end of the range of accuracies is not a number. Give both in percent.</source>
-        <translation>Un estremo dell&apos;intervallo di accuratezze non è un numero. Indicateli entrambi in percentuale.</translation>
+        <translation>Un estremo dell&apos;intervallo di accuratezze non è un numero. Indicarli entrambi in percentuale.</translation>
     </message>
     <message>
         <source>A range of births or deaths goes from a smaller error to a larger one: %1 and %2 do not.</source>
@@ -7806,7 +7806,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>A budget is for one mesh, and a range of accuracies has many. Leave one of the two out.</source>
-        <translation>Un budget vale per una griglia, e un intervallo di accuratezze ne ha molte. Omettete uno dei due.</translation>
+        <translation>Un budget vale per una mesh, e un intervallo di accuratezze ne ha molte. Omettere uno dei due.</translation>
     </message>
     <message>
         <source>OpenGL draws at most %1 focus regions. Take fewer, or use the CPU back end.</source>
@@ -7826,7 +7826,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
-        <translation>Per dati il cui dominio può deformarsi: «both» ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; «error» o «warping» secondo questo solo, per il minor numero di punti dove l&apos;altro non conta.</translation>
+        <translation>Per dati il cui dominio può deformarsi: «entrambi» ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; «errore» o «deformazione» secondo questo solo, per il minor numero di punti dove l&apos;altro non conta.</translation>
     </message>
     <message>
         <source>both</source>
@@ -7850,7 +7850,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place of a mesh&apos;s boundary is from that of the data.</source>
-        <translation>Che cosa misura la deformazione dei dati irregolari: «one-sided», come nell&apos;articolo, quanto i punti del contorno dei dati distano da quello di una mesh; «two-sided» anche quanto ogni punto del contorno di una mesh dista da quello dei dati.</translation>
+        <translation>Che cosa misura la deformazione dei dati irregolari: «da un lato», come nell&apos;articolo, quanto i punti del contorno dei dati distano da quello di una mesh; «da entrambi i lati» anche quanto ogni punto del contorno di una mesh dista da quello dei dati.</translation>
     </message>
     <message>
         <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of them for the same accuracy, but more time and memory.</source>
@@ -7862,7 +7862,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
-        <translation>Le celle lungo uno spigolo dei blocchi, che vengono raffinati indipendentemente, con memoria solo per alcuni di essi; «none» raffina i dati come un tutto; «automatic» usa blocchi se un reticolo o una griglia è grande.</translation>
+        <translation>Le celle lungo uno spigolo dei blocchi, che vengono raffinati indipendentemente, con memoria solo per alcuni di essi; «nessuno» raffina i dati come un tutto; «automatico» usa blocchi se un reticolo o una griglia è grande.</translation>
     </message>
     <message>
         <source>A rectilinear grid: refinement in physical space keeps the exact domain.</source>
@@ -7902,7 +7902,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>A range of accuracies has tetrahedra that lie over each other, so their volume cannot be drawn. Choose isosurfaces, or births and deaths that leave one mesh.</source>
-        <translation>Un intervallo di accuratezze ha tetraedri sovrapposti, quindi il loro volume non si può disegnare. Scegliete le isosuperfici, o limiti che lascino una sola griglia.</translation>
+        <translation>Un intervallo di accuratezze ha tetraedri sovrapposti, quindi il loro volume non si può disegnare. Scegliere le isosuperfici, o limiti che lascino una sola mesh.</translation>
     </message>
     <message>
         <source>Reading the model</source>
@@ -7930,15 +7930,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The error in space is kept in whole grids only, as a point may lie in a tetrahedron of another block. Set the block to &quot;none&quot;.</source>
-        <translation>L&apos;errore nello spazio è mantenuto solo in griglie intere, perché un punto può trovarsi in un tetraedro di un altro blocco. Impostate il blocco su «none».</translation>
+        <translation>L&apos;errore nello spazio è mantenuto solo in griglie intere, perché un punto può trovarsi in un tetraedro di un altro blocco. Impostare il blocco su «nessuno».</translation>
     </message>
     <message>
         <source>To keep the error in space, a build is ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
-        <translation>Per mantenere l&apos;errore nello spazio, una costruzione è ordinata in base a errore e deformazione, con la selezione normalizzata. Tralasciate l&apos;altra scelta.</translation>
+        <translation>Per mantenere l&apos;errore nello spazio, una costruzione è ordinata in base a errore e deformazione, con la selezione normalizzata. Omettere l&apos;altra scelta.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is refined in the space where its points lie, so its error is the error in space. Leave this choice out.</source>
-        <translation>«%1» viene raffinato nello spazio in cui si trovano i suoi punti, quindi il suo errore è l&apos;errore nello spazio. Tralasciate questa scelta.</translation>
+        <translation>«%1» viene raffinato nello spazio in cui si trovano i suoi punti, quindi il suo errore è l&apos;errore nello spazio. Omettere questa scelta.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a packed model. Unpack it first, with &apos;tan unpack&apos;.</source>
@@ -7982,7 +7982,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>This mesh cannot be packed: its arrays do not belong together, or it has more than %1 tetrahedra.</source>
-        <translation>Questa mesh non può essere compressa: i suoi array non vanno insieme, o ha più di %1 tetraedri.</translation>
+        <translation>Questa mesh non può essere compressa: i suoi vettori non vanno insieme, o ha più di %1 tetraedri.</translation>
     </message>
     <message>
         <source>What was received is no packed mesh of this version, or is damaged.</source>
@@ -8202,7 +8202,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Error in</source>
-        <translation>Errore</translation>
+        <translation>L&apos;errore vale</translation>
     </message>
     <message>
         <source>What an interrupted build left in &apos;%1&apos; is damaged. Build from the beginning.</source>
@@ -8702,7 +8702,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The model lies as the directions of its data say, and was seen without them, as TAn up to version 0.1 read such data: its places were other ones. The camera shows all of it; choose regions anew.</source>
-        <translation>Il modello giace come dicono le direzioni dei suoi dati, ed era visto senza di esse, come TAn fino alla versione 0.1 leggeva tali dati: i suoi luoghi erano altri. La telecamera lo mostra tutto; scegliere di nuovo le regioni.</translation>
+        <translation>Il modello giace come dicono le direzioni dei suoi dati, ed era visto senza di esse, come TAn fino alla versione 0.1 leggeva tali dati: i suoi luoghi erano altri. La camera lo mostra tutto; scegliere di nuovo le regioni.</translation>
     </message>
     <message>
         <source>its origin %1 and spacing %2 are not finite, or too large or small to compute with. Check both.</source>
@@ -8930,7 +8930,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; gives those that cannot be cut so a point in their middle.</source>
-        <translation>Mesh con poliedri: «corners» suddivide ciascuno in tetraedri tra i suoi punti; «centre» dà a quelli che così non si possono suddividere un punto al centro.</translation>
+        <translation>Mesh con poliedri: «vertici» suddivide ciascuno in tetraedri tra i suoi punti; «centro» dà a quelli che così non si possono suddividere un punto al centro.</translation>
     </message>
     <message>
         <source>corners</source>
@@ -9954,15 +9954,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>its elements are records of several fields. Save one field by itself: numpy.save(name, array[&apos;field&apos;]).</source>
-        <translation>i suoi elementi sono record di più campi. Salvare un solo campo: numpy.save(name, array[«field»]).</translation>
+        <translation>i suoi elementi sono record di più campi. Salvare un solo campo: numpy.save(name, array[&apos;field&apos;]).</translation>
     </message>
     <message>
         <source>its elements are objects of Python, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
-        <translation>i suoi elementi sono oggetti di Python, che solo Python sa leggere. Salvare un array di numeri: array.astype(«float32»).</translation>
+        <translation>i suoi elementi sono oggetti di Python, che solo Python sa leggere. Salvare un array di numeri: array.astype(&apos;float32&apos;).</translation>
     </message>
     <message>
         <source>its elements have the type &apos;%1&apos;, which is not read. Save numbers of a usual type: array.astype(&apos;float64&apos;).</source>
-        <translation>i suoi elementi sono di tipo «%1», che non si legge. Salvare numeri di un tipo usuale: array.astype(«float64»).</translation>
+        <translation>i suoi elementi sono di tipo «%1», che non si legge. Salvare numeri di un tipo usuale: array.astype(&apos;float64&apos;).</translation>
     </message>
     <message>
         <source>its array has the shape (%1), and a volume needs three dimensions of more than one element. Save a part that has them, such as array[0] or array[..., 0].</source>
@@ -10058,7 +10058,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>NumPy array (*.npy)</source>
-        <translation>Vettore NumPy (*.npy)</translation>
+        <translation>Array NumPy (*.npy)</translation>
     </message>
     <message>
         <source>Gaussian cube (*.cube *.cub)</source>
@@ -11546,7 +11546,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Lit</source>
-        <translation>Illuminazione</translation>
+        <translation>Illuminato</translation>
     </message>
     <message>
         <source>Lights surfaces in the colours of values, so that their shape is seen better; their colours are then no longer those of the colour bar.</source>
@@ -11646,7 +11646,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
-        <translation>Per griglie i cui punti si trovano ovunque: «physical» costruisce dove si trovano, per decimazione dalla mesh delle celle della griglia, per raffinamento (di griglie rettilinee) dai soli punti; «computational» secondo i loro indici, come nell&apos;articolo, il che richiede meno memoria e permette i blocchi.</translation>
+        <translation>Per griglie i cui punti si trovano ovunque: «fisico» costruisce dove si trovano, per decimazione dalla mesh delle celle della griglia, per raffinamento (di griglie rettilinee) dai soli punti; «computazionale» secondo i loro indici, come nell&apos;articolo, il che richiede meno memoria e permette i blocchi.</translation>
     </message>
     <message>
         <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
@@ -11678,7 +11678,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>its chunks went through %1 codecs, more than %2</source>
-        <translation>i suoi blocchi sono passati per %1 codifiche, più di %2</translation>
+        <translation>i suoi blocchi (chunk) sono passati per %1 codec, più di %2</translation>
     </message>
     <message>
         <source>the values of one of its arrays lie in other files or arrays, which are not opened. Copy them into an array of their own, for instance with h5py.</source>
@@ -11694,11 +11694,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>%1 or a comment before it is longer than %2 bytes, and so not one of a table of points.</source>
-        <translation type="unfinished"></translation>
+        <translation>la %1 o un commento che la precede supera %2 byte, perciò non è di una tabella di punti.</translation>
     </message>
     <message>
         <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
-        <translation type="unfinished"></translation>
+        <translation>la %1 ha %2 colonne, e se ne leggono al massimo %3. Scrivere un file con le colonne delle posizioni e dei valori che servono.</translation>
     </message>
 </context>
 <context>
@@ -12224,7 +12224,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Presets</source>
-        <translation>Preset</translation>
+        <translation>Preimpostazioni</translation>
     </message>
     <message>
         <source>Keep the transfer function as it is now, for this and for other models</source>
@@ -12232,15 +12232,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Delete the chosen preset, if it is one of your own</source>
-        <translation>Elimina la preimpostazione scelta, se è una delle vostre</translation>
+        <translation>Elimina la preimpostazione scelta, se è propria</translation>
     </message>
     <message>
         <source>One of your own</source>
-        <translation>Una delle vostre</translation>
+        <translation>Propria</translation>
     </message>
     <message>
         <source>Save as Preset</source>
-        <translation>Salva come preset</translation>
+        <translation>Salva come preimpostazione</translation>
     </message>
     <message>
         <source>Name of the preset:</source>
@@ -12295,7 +12295,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Enlarge a part of the picture, at its own accuracy</source>
-        <translation>Ingrandire una parte dell&apos;immagine, con una precisione propria</translation>
+        <translation>Ingrandisce una parte dell&apos;immagine, con un&apos;accuratezza propria</translation>
     </message>
 </context>
 <context>
@@ -12386,11 +12386,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
-        <translation>Al posto di una griglia mostra i tetraedri di tutte le griglie tra due errori, sovrapposti, come superfici. Una finestra li lascia interi.</translation>
+        <translation>Al posto di una mesh mostra i tetraedri di tutte le mesh tra due errori, sovrapposti, come superfici. Una finestra li lascia interi.</translation>
     </message>
     <message>
         <source>in percent of the value range; 100 is no limit</source>
-        <translation>in percentuale dell&apos;intervallo di valori; 100 non è un limite</translation>
+        <translation>in percento dell&apos;intervallo dei valori; 100 non pone limiti</translation>
     </message>
     <message>
         <source>F&amp;inest</source>
@@ -12402,7 +12402,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The mesh of this error is the finest of the range, in percent of the value range</source>
-        <translation>La griglia di questo errore è la più fine dell&apos;intervallo, in percentuale dell&apos;intervallo di valori</translation>
+        <translation>La mesh di questo errore è la più fine dell&apos;intervallo, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
         <source>&amp;Coarsest</source>
@@ -12414,7 +12414,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The mesh of this error is the coarsest of the range, in percent of the value range</source>
-        <translation>La griglia di questo errore è la più grossolana dell&apos;intervallo, in percentuale dell&apos;intervallo di valori</translation>
+        <translation>La mesh di questo errore è la più grossolana dell&apos;intervallo, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
         <source>Bor&amp;n above</source>
@@ -12426,7 +12426,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
-        <translation>Solo i tetraedri presenti nelle griglie a partire da un errore maggiore di questo, in percentuale dell&apos;intervallo di valori</translation>
+        <translation>Solo i tetraedri presenti nelle mesh a partire da un errore maggiore di questo, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
         <source>Born &amp;up to</source>
@@ -12438,7 +12438,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only tetrahedra that are in no mesh of a larger error than this, %1</source>
-        <translation>Solo i tetraedri che non sono in griglie di errore maggiore di questo, %1</translation>
+        <translation>Solo i tetraedri che non sono in mesh di errore maggiore di questo, %1</translation>
     </message>
     <message>
         <source>Replace&amp;d from</source>
@@ -12450,7 +12450,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
-        <translation>Solo i tetraedri sostituiti a questo errore o prima, in percentuale dell&apos;intervallo di valori</translation>
+        <translation>Solo i tetraedri sostituiti a questo errore o prima, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
         <source>Re&amp;placed up to</source>
@@ -12462,7 +12462,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only tetrahedra that are still in the mesh of this error, %1</source>
-        <translation>Solo i tetraedri ancora presenti nella griglia di questo errore, %1</translation>
+        <translation>Solo i tetraedri ancora presenti nella mesh di questo errore, %1</translation>
     </message>
 </context>
 <context>
@@ -12473,11 +12473,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Automatic (%1 frames/s)</source>
-        <translation>Automatica (%1 immagini/s)</translation>
+        <translation>Automatica (%1 fotogrammi/s)</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation> immagini/s</translation>
+        <translation> fotogrammi/s</translation>
     </message>
     <message>
         <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the picture at rest is always complete.</source>
@@ -12779,7 +12779,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>%1 frames/s</source>
-        <translation>%1 immagini/s</translation>
+        <translation>%1 fotogrammi/s</translation>
     </message>
     <message>
         <source>size 1/%1</source>
@@ -12880,7 +12880,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Transfer-function presets</source>
-        <translation>Preset di funzioni di trasferimento</translation>
+        <translation>Preimpostazioni di funzioni di trasferimento</translation>
     </message>
     <message>
         <source>Change</source>
@@ -13074,7 +13074,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>From the camera to the target, in data units</source>
-        <translation>Dalla camera al bersaglio, nelle unità dei dati</translation>
+        <translation>Dalla camera al punto mirato, nelle unità dei dati</translation>
     </message>
     <message>
         <source>View angle</source>
@@ -13102,7 +13102,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation>Bersaglio</translation>
+        <translation>Punto mirato</translation>
     </message>
     <message>
         <source>The camera&apos;s target, in data units</source>
