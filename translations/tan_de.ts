@@ -1321,8 +1321,8 @@ any warping</source>
 beliebige Verwerfung</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data that lie just outside of the mesh are compared with a place of its boundary nearby.</source>
-        <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese. Abtastwerte unregelmäßiger Daten, die knapp außerhalb des Netzes liegen, werden mit einer nahen Stelle seines Randes verglichen.</translation>
+        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
+        <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese. Abtastwerte unregelmäßiger Daten und als Netz vergröberter Gitter, die knapp außerhalb des Netzes liegen, werden mit einer Stelle seiner Berandung innerhalb der Verwerfung verglichen; am nächsten Ort kann der Fehler größer sein, und „tan verify“ misst ihn.</translation>
     </message>
     <message>
         <source>This model was built down to an %1 of %2; it contains nothing finer.</source>
@@ -11649,16 +11649,16 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Für Gitter, deren Punkte irgendwo liegen: „im physikalischen Raum“ baut dort, wo sie liegen, durch Vergröberung aus dem Netz der Zellen des Gitters, durch Verfeinerung (von rechtwinkligen Gittern) aus den Punkten allein; „im Rechenraum“ nach ihren Indizes, wie im Aufsatz, was weniger Speicher braucht und Blöcke erlaubt.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
-        <translation>Ein krummliniges Gitter: Die Vergröberung nimmt das Netz seiner Zellen und braucht die wenigsten Tetraeder für einen Fehler, der dort gilt, wo die Punkte liegen.</translation>
+        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error in space, where the points lie.</source>
+        <translation>Ein krummliniges Gitter: Die Vergröberung nimmt das Netz seiner Zellen und braucht die wenigsten Tetraeder für einen Fehler im Raum, also dort, wo die Punkte liegen.</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps it of grids of up to a million points that are refined as a whole, by both thresholds.</source>
-        <translation>Für krummlinige Daten: „grid“ hält den Fehler bei den Indizes der Punkte ein, wie in der Veröffentlichung; „space“ auch den Fehler dort, wo die Punkte liegen, also den, den Sie sehen. Das braucht mehr Ecken und Zeit und das ganze Gitter im Speicher. „automatic“ hält ihn bei Gittern bis zu einer Million Punkten ein, die als Ganzes und nach beiden Schwellen verfeinert werden.</translation>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error in the grid, at the points&apos; indices, as the paper did; &apos;space&apos; also the error in space, where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps both of grids of up to a million points that are refined as a whole, by both thresholds.</source>
+        <translation>Für krummlinige Daten: „im Gitter“ hält den Fehler im Gitter ein, bei den Indizes der Punkte, wie im Aufsatz; „im Raum“ auch den Fehler im Raum, dort, wo die Punkte liegen, also den, den Sie sehen. Das braucht mehr Knoten und Zeit und das ganze Gitter im Speicher. „automatisch“ hält beide bei Gittern bis zu einer Million Punkten ein, die als Ganzes und nach beiden Schwellen verfeinert werden.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: refinement in computational space bounds both error and warping, also where cells of the grid are folded.</source>
-        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung, auch wo Zellen des Gitters gefaltet sind.</translation>
+        <source>A curvilinear grid: refinement in computational space bounds the error in the grid and the warping, also where cells of the grid are folded, and can bound the error in space.</source>
+        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt den Fehler im Gitter und die Verwerfung, auch wo Zellen des Gitters gefaltet sind, und kann den Fehler im Raum begrenzen.</translation>
     </message>
     <message>
         <source>it is a list of EnSight cases, which VTK 9.1 does not read. Open one of the cases that it names.</source>

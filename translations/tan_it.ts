@@ -1321,8 +1321,8 @@ any warping</source>
 deformazione qualsiasi</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data that lie just outside of the mesh are compared with a place of its boundary nearby.</source>
-        <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi. I campioni di dati irregolari che si trovano appena fuori dalla mesh si confrontano con un punto vicino del suo contorno.</translation>
+        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
+        <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi. I campioni di dati irregolari, e di griglie decimate come mesh, che si trovano appena fuori dalla mesh si confrontano con un punto del suo contorno entro la deformazione; nel punto più vicino l&apos;errore può essere maggiore, e «tan verify» lo misura.</translation>
     </message>
     <message>
         <source>This model was built down to an %1 of %2; it contains nothing finer.</source>
@@ -11649,16 +11649,16 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Per griglie i cui punti si trovano ovunque: «fisico» costruisce dove si trovano, per decimazione dalla mesh delle celle della griglia, per raffinamento (di griglie rettilinee) dai soli punti; «computazionale» secondo i loro indici, come nell&apos;articolo, il che richiede meno memoria e permette i blocchi.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error that holds where the points lie.</source>
-        <translation>Una griglia curvilinea: la decimazione prende la mesh delle sue celle e richiede il minor numero di tetraedri per un errore che vale dove si trovano i punti.</translation>
+        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error in space, where the points lie.</source>
+        <translation>Una griglia curvilinea: la decimazione prende la mesh delle sue celle e richiede il minor numero di tetraedri per un errore nello spazio, cioè dove si trovano i punti.</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps it of grids of up to a million points that are refined as a whole, by both thresholds.</source>
-        <translation>Per dati curvilinei: «grid» mantiene l&apos;errore agli indici dei punti, come nell&apos;articolo; «space» anche l&apos;errore dove si trovano i punti, cioè quello che si vede. Ciò richiede più vertici e tempo, e tutta la griglia in memoria. «automatic» lo mantiene per griglie fino a un milione di punti raffinate per intero e secondo entrambe le soglie.</translation>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error in the grid, at the points&apos; indices, as the paper did; &apos;space&apos; also the error in space, where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps both of grids of up to a million points that are refined as a whole, by both thresholds.</source>
+        <translation>Per dati curvilinei: «nella griglia» mantiene l&apos;errore nella griglia, agli indici dei punti, come nell&apos;articolo; «nello spazio» anche l&apos;errore nello spazio, dove si trovano i punti, cioè quello che si vede. Ciò richiede più vertici e tempo, e tutta la griglia in memoria. «automatico» li mantiene entrambi per griglie fino a un milione di punti raffinate per intero e secondo entrambe le soglie.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: refinement in computational space bounds both error and warping, also where cells of the grid are folded.</source>
-        <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita errore e deformazione, anche dove le celle della griglia sono piegate.</translation>
+        <source>A curvilinear grid: refinement in computational space bounds the error in the grid and the warping, also where cells of the grid are folded, and can bound the error in space.</source>
+        <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita l&apos;errore nella griglia e la deformazione, anche dove le celle della griglia sono piegate, e può limitare l&apos;errore nello spazio.</translation>
     </message>
     <message>
         <source>it is a list of EnSight cases, which VTK 9.1 does not read. Open one of the cases that it names.</source>
@@ -13102,7 +13102,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation>Punto mirato</translation>
+        <translation>Mira</translation>
     </message>
     <message>
         <source>The camera&apos;s target, in data units</source>

@@ -64,11 +64,12 @@ std::string reachedText(const QJsonObject& figures)
 {
     if (!figures.contains("reached_error"))
         return "";
-    std::string text = ", with " + errorsUpTo(figures["reached_error"].toDouble(), figures);
+    const std::string errors = errorsUpTo(figures["reached_error"].toDouble(), figures);
+    std::string text = ", with " + errors;
     if (figures.contains("reached_factor"))
         text += " (a factor of " + factorText(figures["reached_factor"].toDouble()) + ")";
     if (const double warping = figures["reached_warping"].toDouble(); warping > 0)
-        text += (figures.contains("error_in_space") ? ", and a warping of up to " : " and a warping of up to ") +
+        text += (errors.find(',') != std::string::npos ? ", and a warping of up to " : " and a warping of up to ") +
                 rounded(warping) + " %";
     return text;
 }

@@ -282,12 +282,17 @@ std::string jsonOf(const Level& level)
 
 std::string levelsAsCsv(const Model& model, std::span<const Accuracy> levels)
 {
-    std::string text = "error_percent,warping_percent,sites,tetrahedra,reached_error_percent,reached_warping_percent\n";
+    // Which error it is stands there where there are two, as in the facts of files.
+    const ErrorMeaning meaning = errorMeaning(model.description());
+    const bool saysKind = meaning != ErrorMeaning::Only;
+    std::string text = "error_percent,warping_percent,sites,tetrahedra,reached_error_percent,reached_warping_percent";
+    text += saysKind ? ",error_kind\n" : "\n";
     for (const Accuracy& asked : levels) {
         const Level level = levelAt(model, asked);
         text += formatNumber(level.asked.error) + "," + formatNumber(level.asked.warping) + "," +
                 std::to_string(level.size.sites) + "," + std::to_string(level.size.tetrahedra) + "," +
-                formatNumber(level.size.error) + "," + formatNumber(level.size.warping) + "\n";
+                formatNumber(level.size.error) + "," + formatNumber(level.size.warping);
+        text += saysKind ? "," + std::string(wordOf(errorKindWords, meaning)) + "\n" : "\n";
     }
     return text;
 }

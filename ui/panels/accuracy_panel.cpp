@@ -60,7 +60,9 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     inUnits_->setToolTip(
         tr("What the percentages mean in units of the data. The warping of curvilinear and irregular data is the "
            "distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of "
-           "irregular data that lie just outside of the mesh are compared with a place of its boundary nearby."));
+           "irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared "
+           "with a place of its boundary within the warping; at the nearest place the error may be larger, and "
+           "'tan verify' measures it."));
     errorPlace_->setObjectName("accuracy.errorPlace");
     errorPlace_->setWordWrap(true);
     errorPlace_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -69,7 +69,7 @@ Message reasonFor(const Dataset& dataset)
     case DomainClass::Irregular: return Message::say("An irregular mesh: decimation keeps its shape and its cavities.");
     case DomainClass::Curvilinear:
         return Message::say("A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest "
-                            "tetrahedra for an error that holds where the points lie.");
+                            "tetrahedra for an error in space, where the points lie.");
     case DomainClass::RegularLattice:
         return Message::say(
             "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.");

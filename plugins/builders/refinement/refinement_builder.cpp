@@ -52,10 +52,10 @@ Parameter errorInParameter()
     errorIn.id = "error-in";
     errorIn.label = Message::marked("Error in");
     errorIn.explanation = Message::marked(
-        "For curvilinear data: 'grid' keeps the error at the points' indices, as the paper did; 'space' "
-        "also the error where the points lie, which is what you see. That takes more vertices and "
-        "time, and the whole grid in memory. 'automatic' keeps it of grids of up to a million points that are refined "
-        "as a whole, by both thresholds.");
+        "For curvilinear data: 'grid' keeps the error in the grid, at the points' indices, as the paper did; 'space' "
+        "also the error in space, where the points lie, which is what you see. That takes more vertices and "
+        "time, and the whole grid in memory. 'automatic' keeps both of grids of up to a million points that are "
+        "refined as a whole, by both thresholds.");
     errorIn.defaultValue = std::string(automatic);
     errorIn.choices = {std::string(automatic), std::string(inGrid), std::string(inSpace)};
     return inComputationalSpace(std::move(errorIn));
@@ -114,8 +114,8 @@ Message reasonFor(const Dataset& dataset)
     case DomainClass::Curvilinear:
         if (dataset.convex)
             return Message::say("A rectilinear grid: refinement in physical space keeps the exact domain.");
-        return Message::say("A curvilinear grid: refinement in computational space bounds both error and warping, also "
-                            "where cells of the grid are folded.");
+        return Message::say("A curvilinear grid: refinement in computational space bounds the error in the grid and the "
+                            "warping, also where cells of the grid are folded, and can bound the error in space.");
     case DomainClass::Scattered: return Message::say("Scattered points: refinement fills their convex hull.");
     case DomainClass::Irregular: break;
     }

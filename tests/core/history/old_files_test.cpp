@@ -124,9 +124,10 @@ void OldFilesTest::levelsAreWhatTheyWere()
     const std::filesystem::path path = fileOf(model.toStdString(), ".tan");
     const auto opened = Model::open(path);
     QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());
-    const std::string levels =
-        levelsAsCsv(**opened, std::vector<Accuracy>{{10, 10}, {4, 4}, {1, 1}, {0.1, 0.1}, {0, 0}});
-    QCOMPARE(QByteArray::fromStdString(levels), textOf(fileOf(model.toStdString(), ".csv")));
+    QByteArray levels = QByteArray::fromStdString(
+        levelsAsCsv(**opened, std::vector<Accuracy>{{10, 10}, {4, 4}, {1, 1}, {0.1, 0.1}, {0, 0}}));
+    levels.replace(",error_kind\n", "\n").replace(",grid\n", "\n"); // the last column, which came later
+    QCOMPARE(levels, textOf(fileOf(model.toStdString(), ".csv")));
     QVERIFY((*opened)->confirm().ok());
     QVERIFY(std::filesystem::file_size(path) < 50'000);
 }
