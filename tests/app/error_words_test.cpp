@@ -63,22 +63,29 @@ private slots:
         QTest::addColumn<QString>("data");
         QTest::addColumn<QStringList>("options");
         QTest::addColumn<int>("meaning");
-        QTest::newRow("lattice") << "c60.nrrd" << QStringList() << int(Only);
-        QTest::newRow("grid") << "grid.xyz" << QStringList{"--error-in", "grid"} << int(InGrid);
-        QTest::newRow("grid, in space") << "grid.xyz"
-                                        << QStringList{"--error-in", "space", "--error", "1", "--warping", "1"}
-                                        << int(InSpace);
-        QTest::newRow("grid, decimated") << "grid.xyz" << QStringList{"--builder", "decimation"} << int(Only);
-        QTest::newRow("grid, decimated by its indices")
-            << "grid.xyz" << QStringList{"--builder", "decimation", "--space", "computational"} << int(InGrid);
-        QTest::newRow("irregular") << "part.vtu" << QStringList{"--builder", "decimation"} << int(Only);
-        QTest::newRow("points") << "points.csv" << QStringList() << int(Only);
+        QTest::addColumn<bool>("isMoving"); // the boundary
+        const auto row = [](const char* name, const char* data, const QStringList& options, Meaning meaning,
+                            bool isMoving = false) {
+            QTest::newRow(name) << data << options << int(meaning) << isMoving;
+        };
+        row("lattice", "c60.nrrd", {}, Only);
+        row("lattice, decimated", "c60.nrrd", {"--builder", "decimation"}, Only);
+        row("grid", "grid.xyz", {}, Only, true); // decimated as a mesh
+        row("grid, refined", "grid.xyz", {"--error-in", "grid"}, InGrid);
+        row("grid, in space", "grid.xyz", {"--error-in", "space", "--error", "1", "--warping", "1"}, InSpace);
+        row("grid, automatically in space", "grid.xyz", {"--builder", "refinement", "--error", "1", "--warping", "1"},
+            InSpace);
+        row("grid, decimated by its indices", "grid.xyz", {"--builder", "decimation", "--space", "computational"},
+            InGrid);
+        row("irregular", "part.vtu", {}, Only, true);
+        row("points", "points.csv", {}, Only);
     }
     void eachPlaceSaysWhichErrorItIs()
     {
         QFETCH(QString, data);
         QFETCH(QStringList, options);
         QFETCH(int, meaning);
+        QFETCH(bool, isMoving);
         const Run built = tan(QStringList{"build", data, "-o", "model.tan"} + options);
         QVERIFY2(built.exitCode == 0, built.messages);
         const QJsonObject info = tan({"info", "model.tan", "--json"}).json();
@@ -88,7 +95,8 @@ private slots:
 
         check("`tan build`", meaning, built);
         check("`tan info`", meaning, tan({"info", "model.tan", "--lod", "4"}));
-        check("`tan verify`", meaning, tan({"verify", "model.tan", "--against", data, "--lod", "4"}));
+        const Run verified = tan({"verify", "model.tan", "--against", data, "--lod", "4"});
+        check("`tan verify`", meaning, verified);
         check("`tan extract`", meaning, tan(extract));
         check("`tan isosurface`", meaning,
               tan({"isosurface", "model.tan", "--error", "4", "--value", middle, "-o", "surface.ply"}));
@@ -105,6 +113,40 @@ private slots:
         QCOMPARE(title.contains("; error_kind: " + kind.toUtf8()), meaning != Only);
         QCOMPARE(title.contains("; error_in_space: "), mesh.contains("error_in_space"));
         QVERIFY(meaning == InGrid || !mesh.contains("error_in_space"));
+
+        const QStringList against{"--against", data};
+        for (const Run& measured :
+             {verified, tan(QStringList{"info", "model.tan", "--lod", "4"} + against), tan(extract + against)}) {
+            QVERIFY2(measured.exitCode == 0, measured.messages);
+            QVERIFY2(measured.output.contains(measuredWord(Only)) == isMoving, measured.output);
+            QVERIFY2(measured.output.contains(measuredWord(InGrid)) == (meaning != Only), measured.output);
+            QVERIFY2(meaning == InGrid || !measured.output.contains("%, and a warping"),
+                     measured.output); // two, no list
+        }
+        QVERIFY(tan({"info", "model.tan", "--lod", "4", "-o", "levels.csv"}).exitCode == 0);
+        const QList<QByteArray> levels = contentOf(folder_.filePath("levels.csv")).split('\n');
+        QCOMPARE(levels.value(0).endsWith(",error_kind"), meaning != Only);
+        QCOMPARE(levels.value(1).endsWith("," + kind.toUtf8()), meaning != Only);
+    }
+
+    /// Of a model that does not have all, a deviation is one from a mesh with an error.
+    void theFinestMeshSaysIt()
+    {
+        struct Case {
+            Meaning meaning;
+            QStringList build;
+        };
+        const QStringList grid{"build", "grid.xyz", "--error", "2", "--warping", "2"};
+        for (const Case& each :
+             {Case{Only, {"build", "c60.nrrd", "--error", "2"}}, Case{InGrid, grid + QStringList{"--error-in", "grid"}},
+              Case{InSpace, grid + QStringList{"--error-in", "space"}}}) {
+            QVERIFY(tan(each.build + QStringList{"-o", "coarse.tan"}).exitCode == 0);
+            const QJsonArray range = tan({"info", "coarse.tan", "--json"}).json()["range"].toArray();
+            const QString middle = QString::number((range[0].toDouble() + range[1].toDouble()) / 2);
+            check("`tan isosurface --deviation`, of the finest mesh", each.meaning,
+                  tan({"isosurface", "coarse.tan", "--error", "8", "--value", middle, "--deviation", "-o",
+                       "surface.ply"}));
+        }
     }
 
     /// What is measured in passing is what the checker measures of the same mesh.
@@ -152,6 +194,14 @@ private slots:
 
 private:
     Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
+
+    /// In what was measured: only of data whose boundary moves, only of grids with two errors.
+    QByteArray measuredWord(Meaning meaning) const
+    {
+        const auto row =
+            rows_["`tan verify`, and with `--against` also `tan info` and `tan extract`: what was measured"];
+        return row[static_cast<std::size_t>(meaning)].toUtf8();
+    }
 
     /// The place has the words of its kind of error, and not those of another.
     void check(const QString& place, int meaning, const Run& run) const

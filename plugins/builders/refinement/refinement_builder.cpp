@@ -114,8 +114,9 @@ Message reasonFor(const Dataset& dataset)
     case DomainClass::Curvilinear:
         if (dataset.convex)
             return Message::say("A rectilinear grid: refinement in physical space keeps the exact domain.");
-        return Message::say("A curvilinear grid: refinement in computational space bounds the error in the grid and the "
-                            "warping, also where cells of the grid are folded, and can bound the error in space.");
+        return Message::say(
+            "A curvilinear grid: refinement in computational space bounds the error in the grid and the "
+            "warping, also where cells of the grid are folded, and can bound the error in space.");
     case DomainClass::Scattered: return Message::say("Scattered points: refinement fills their convex hull.");
     case DomainClass::Irregular: break;
     }
