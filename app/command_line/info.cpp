@@ -441,7 +441,8 @@ Syntax infoSyntax(PluginHost& host)
                     {.name = "against",
                      .placeholder = "IN",
                      .explanation = "Of a model: the dataset that it was built from. Also says how large error and "
-                                    "warping are on the whole at each level, and the error in space; takes as long as "
+                                    "warping are on the whole at each level, with the error in space of curvilinear "
+                                    "grids and the error at the nearest place of irregular data; takes as long as "
                                     "'tan verify'."},
                     {.name = "ranges",
                      .placeholder = "",

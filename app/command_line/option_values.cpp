@@ -109,8 +109,8 @@ Option errorOption()
 {
     return {.name = "error",
             .placeholder = "PERCENT",
-            .explanation = "The largest error that the mesh may have, in % of the data's range of values; 0 takes the "
-                           "finest mesh, 'none' sets no limit.",
+            .explanation = "The largest error that the mesh may have, in % of the data's range of values, of the kind "
+                           "that 'tan info' names; 0 takes the finest mesh, 'none' sets no limit.",
             .byDefault = formatNumber(defaultError)};
 }
 
