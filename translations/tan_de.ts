@@ -5222,7 +5222,7 @@ beliebige Verwerfung</translation>
     </message>
     <message>
         <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
-        <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, sodass man sieht, was darin ist, oder in den Farben, die die Transferfunktion den „Werten“ dort gibt.</translation>
+        <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, sodass man sieht, was darin ist; „Werte“ in den Farben, die die Transferfunktion den Werten dort gibt.</translation>
     </message>
     <message>
         <source>Opacity</source>

@@ -7,11 +7,13 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QUndoStack>
 #include <QXmlStreamReader>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 using namespace tetra;
@@ -25,6 +27,9 @@ private slots:
     void everyTextIsTranslated();
     void everyTextOfAPluginIsTranslated_data() { addTranslations(); }
     void everyTextOfAPluginIsTranslated();
+    void choicesAreCalledAsTheFormsShowThem_data() { addTranslations(); }
+    void choicesAreCalledAsTheFormsShowThem();
+    void quotationMarksAreThoseOfTheLanguage();
     void everyPlaceOfAMessageIsFilled_data() { addLanguageRows(); }
     void everyPlaceOfAMessageIsFilled();
     void germanHasASpaceBeforeAnEllipsis();
@@ -187,6 +192,50 @@ void TranslationTest::everyTextOfAPluginIsTranslated()
         const PluginMetadata& metadata = plugin.metadata;
         QVERIFY2(metadata.names.contains(language.toStdString()), metadata.id.c_str());
         QVERIFY2(metadata.descriptions.contains(language.toStdString()), metadata.id.c_str());
+    }
+}
+
+/// What an explanation has in quotes is found in the form that it explains.
+void TranslationTest::choicesAreCalledAsTheFormsShowThem()
+{
+    QFETCH(QString, language);
+    const Speaking speaking(language);
+    const auto host = hostOfThisBuild();
+    std::vector<Parameter> parameters;
+    for (const auto& builder : host->builders())
+        std::ranges::move(builder.plugin->parameters(), std::back_inserter(parameters));
+    for (const auto& renderer : host->renderers())
+        std::ranges::move(renderer.plugin->parameters({{0, 1}, {}}), std::back_inserter(parameters));
+    int named = 0;
+    for (const Parameter& parameter : parameters) {
+        std::vector<std::string> choices = parameter.choices;
+        std::ranges::copy(parameter.words, std::back_inserter(choices));
+        const QString explanation = translatedText(parameter.explanation);
+        for (const std::string& choice : choices) {
+            if (parameter.explanation.find("'" + choice + "'") == std::string::npos)
+                continue;
+            ++named;
+            const QString shown = translatedText(choice);
+            QVERIFY2(explanation.contains(language == "de" ? "„" + shown + "“" : "«" + shown + "»"),
+                     qPrintable(shown + ": " + explanation));
+        }
+    }
+    QVERIFY(named > 10);
+}
+
+/// Those of code stay: array['field'].
+void TranslationTest::quotationMarksAreThoseOfTheLanguage()
+{
+    static const QRegularExpression english("(^|\\s|\\s\\()'"), notGerman("[«»”]|\""), notItalian("[„“”]|\"");
+    for (const TranslatedText& message : messagesOf(tsFile("de"))) {
+        QVERIFY2(!english.match(message.translation).hasMatch(), qPrintable(message.translation));
+        QVERIFY2(!notGerman.match(message.translation).hasMatch(), qPrintable(message.translation));
+        QVERIFY2(message.translation.count("„") == message.translation.count("“"), qPrintable(message.translation));
+    }
+    for (const TranslatedText& message : messagesOf(tsFile("it"))) {
+        QVERIFY2(!english.match(message.translation).hasMatch(), qPrintable(message.translation));
+        QVERIFY2(!notItalian.match(message.translation).hasMatch(), qPrintable(message.translation));
+        QVERIFY2(message.translation.count("«") == message.translation.count("»"), qPrintable(message.translation));
     }
 }
 
