@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the window names an error in each of its languages is what the table of docs/accuracy.md says (C12).
+#include "core/history/error_meaning.h"
 #include "tests/ui/languages.h"
-#include "ui/panels/model_statistics.h"
+#include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 
 #include <QFile>
@@ -45,6 +46,11 @@ ShownMesh meshOf(ErrorMeaning meaning)
     return mesh;
 }
 
+QString headOf(ErrorMeaning meaning)
+{
+    return translatedText(textFor(errorLabels, meaning));
+}
+
 QMap<QString, QString> wordsOfWindow()
 {
     ShownMesh measured = meshOf(ErrorMeaning::InGrid), focused = meshOf(ErrorMeaning::InGrid);
@@ -58,9 +64,9 @@ QMap<QString, QString> wordsOfWindow()
             {"below the number: in the grid", errorPlaceText(ErrorMeaning::InGrid, {})},
             {"below the number: measured in space", errorPlaceText(ErrorMeaning::InGrid, 7)},
             {"below the number: in space", errorPlaceText(ErrorMeaning::InSpace, {})},
-            {"head of a column: one error", levelColumns(ErrorMeaning::Only).first()},
-            {"head of a column: in the grid", levelColumns(ErrorMeaning::InGrid).first()},
-            {"head of a column: in space", levelColumns(ErrorMeaning::InSpace).first()}};
+            {"head of a column: one error", headOf(ErrorMeaning::Only)},
+            {"head of a column: in the grid", headOf(ErrorMeaning::InGrid)},
+            {"head of a column: in space", headOf(ErrorMeaning::InSpace)}};
 }
 
 } // namespace
