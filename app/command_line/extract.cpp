@@ -106,6 +106,32 @@ Result<ErrorStatistics> measured(const Task& task, const std::string& against, c
     return verdict->measured;
 }
 
+/// In files of logarithms, which array keeps what is promised.
+Message logarithmRemark(std::string_view nameOfLogarithms)
+{
+    return Message("Between vertices interpolate '" + valueArrayName(nameOfLogarithms) +
+                   "', and take the power of ten afterwards: the factor holds for that. '" +
+                   valueArrayName(tetra::nameOfLogarithms(nameOfLogarithms)) +
+                   "', interpolated itself, may be off by much more.");
+}
+
+/// What the numbers of the mesh do not say by themselves.
+std::vector<Message> remarksOn(const ModelDescription& model, const MeshQuery& query, const ExtractedMesh& found,
+                               bool isMeasured)
+{
+    std::vector<Message> remarks;
+    if (found.scale > 1 && !query.budget && !query.range)
+        remarks.emplace_back("The model has no finer mesh than this, which keeps less than what was asked for.");
+    const bool boundaryMoves = model.warpingWeight > 0 && model.domain != DomainClass::Curvilinear;
+    if (boundaryMoves && found.reached && found.reached->warping > 0 && !isMeasured)
+        remarks.emplace_back(
+            "Points that the moved boundary leaves outside of the mesh are compared with a place within "
+            "the warping; at the nearest place they may be off by more, which '--against' measures.");
+    if (holdsLogarithms(model.parameters))
+        remarks.push_back(logarithmRemark(model.valueName));
+    return remarks;
+}
+
 Error noBoundary()
 {
     return {ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
@@ -162,7 +188,9 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
         describeMesh(task.host, task.output, outcome);
     if (statistics)
         outcome.text += "\n" + statisticsText({{"extracted", *statistics}}, domain);
-    return Extraction{std::move(outcome), *written};
+    FileRemarks remarks = remarksOn(task.model.description(), query, found, statistics.has_value());
+    std::ranges::copy(*written, std::back_inserter(remarks));
+    return Extraction{std::move(outcome), std::move(remarks)};
 }
 
 /// --at-server: the mesh that a server finds.
@@ -201,7 +229,10 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     addFigures(outcome, mesh->figures);
     if (!query.range)
         describeMesh(invocation.host, output, outcome);
-    return Extraction{std::move(outcome), *written};
+    FileRemarks remarks = *written;
+    if (mesh->fact(scaleFact) == logarithmFact)
+        remarks.push_back(logarithmRemark(mesh->fact("array")));
+    return Extraction{std::move(outcome), std::move(remarks)};
 }
 
 /// How long it took, in figures and text, and what is to be known of the file.

@@ -80,6 +80,11 @@ Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh&
     if (model.description().warpingWeight > 0)
         addField(facts, "warping", query.warping, mesh.scale);
     facts.emplace_back("error_scale", mesh.scale);
+    if (mesh.reached) {
+        facts.emplace_back("reached_error", mesh.reached->error);
+        if (model.description().warpingWeight > 0)
+            facts.emplace_back("reached_warping", mesh.reached->warping);
+    }
     addErrorKind(facts, errorMeaning(model.description(), query), errorInSpace);
     return facts;
 }

@@ -124,6 +124,8 @@ private slots:
         const QJsonObject facts = reader.told()["facts"].toObject();
         QCOMPARE(facts["error"].toDouble(), 2.0);
         QCOMPARE(facts["error_scale"].toDouble(), 1.0);
+        QVERIFY(facts["reached_error"].toDouble() > 0);
+        QVERIFY(facts["reached_error"].toDouble() <= 2.0);
         const QByteArray head = readFile(path("mesh.vtu")).left(500);
         QVERIFY2(head.contains("<!-- model: c60.tan -->") && head.contains("<!-- source: c60.nrrd -->"), head);
         QFile nrrd(path("c60.nrrd"));

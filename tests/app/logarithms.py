@@ -89,6 +89,7 @@ class Logarithms(unittest.TestCase):
     def test_the_error_is_a_factor_at_every_sample(self):
         found = figures(self.folder, "extract", "nut.tan", "--error", "3", "-o", "coarse.vtu")
         self.assertLess(found["sites"], len(self.values) / 2)
+        self.assertTrue(any("interpolate 'log10(nut)'" in text for text in found["remarks"]), found["remarks"])
         interpolated, inside = self.probed("coarse.vtu", "log10(nut)")
         self.assertGreater(inside.sum(), 0.8 * len(inside))
         factors = 10 ** numpy.abs(interpolated - numpy.log10(self.values))[inside]

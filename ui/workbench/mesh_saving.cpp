@@ -32,7 +32,7 @@ void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& fiel
 }
 
 MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale,
-                  const std::optional<double>& errorInSpace = {})
+                  const std::optional<double>& errorInSpace = {}, const std::optional<Accuracy>& reached = {})
 {
     MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
     if (!model.description().valueName.empty())
@@ -50,6 +50,11 @@ MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale,
     addErrors(facts, "error in percent", query.error, scale);
     if (model.description().warpingWeight > 0)
         addErrors(facts, "warping in percent", query.warping, scale);
+    if (reached) {
+        facts.emplace_back("reached error in percent", reached->error);
+        if (model.description().warpingWeight > 0)
+            facts.emplace_back("reached warping in percent", reached->warping);
+    }
     addErrorKind(facts, errorMeaning(model.description(), query), errorInSpace);
     return facts;
 }
@@ -130,7 +135,7 @@ Result<FileRemarks> writeMesh(PluginHost& host, const MeshOrder& order, const Pr
     if (!measured)
         return measured.error();
     content.facts = factsOf(*order.model, order.query, extracted.scale,
-                            *measured ? std::optional((*measured)->largest) : std::nullopt);
+                            *measured ? std::optional((*measured)->largest) : std::nullopt, extracted.reached);
     if (const Status right = order.model->confirm(progress.withCallback({})); !right)
         return right.error();
     return saveMesh(host, content, order.target, {}, progress.part(0.3, 1));
