@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tetra {
 namespace {
@@ -17,14 +16,6 @@ namespace {
 class LogarithmText {
     Q_DECLARE_TR_FUNCTIONS(LogarithmText)
 };
-
-/// How many digits tell numbers apart that differ by this part of them.
-int digitsFor(double part, int fewest)
-{
-    constexpr int most = 12;
-    const double wanted = part > 0 && part < 1 ? 1 - std::floor(std::log10(part)) : fewest;
-    return static_cast<int>(std::clamp<double>(wanted, fewest, most));
-}
 
 } // namespace
 
@@ -35,9 +26,10 @@ std::optional<ValueRange> logarithmsOf(const ModelDescription& model)
 
 QString factorNumber(double percent, const ValueRange& logarithms)
 {
-    constexpr int fewest = 3;
+    constexpr int fewest = 3, most = 12;
     const double factor = factorOf(percent, logarithms);
-    return QLocale().toString(factor, 'g', digitsFor((factor - 1) / 10, fewest));
+    const double wanted = factor > 1 ? 2 - std::floor(std::log10(factor - 1)) : fewest;
+    return QLocale().toString(factor, 'g', static_cast<int>(std::clamp<double>(wanted, fewest, most)));
 }
 
 QString factorWords(double percent, const ValueRange& logarithms)
@@ -47,9 +39,7 @@ QString factorWords(double percent, const ValueRange& logarithms)
 
 QString antilogarithmText(double logarithm, const ValueRange& logarithms)
 {
-    constexpr int fewest = 3;
-    const double part = std::numbers::ln10 * logarithms.extent() / 1000;
-    return QLocale().toString(std::pow(10.0, logarithm), 'g', digitsFor(part, fewest));
+    return antilogarithmText(logarithm, logarithms.extent());
 }
 
 QString dataValueText(double value, const ModelDescription& model)
