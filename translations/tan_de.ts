@@ -774,6 +774,13 @@
     </message>
 </context>
 <context>
+    <name>LogarithmText</name>
+    <message>
+        <source>a factor of %1</source>
+        <translation>Faktor %1</translation>
+    </message>
+</context>
+<context>
     <name>Manual</name>
     <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>
@@ -849,6 +856,14 @@
     <message>
         <source>in the grid; in space up to %1</source>
         <translation>im Gitter; im Raum bis %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1, in space up to %2</source>
+        <translation>%1, im Raum bis %2</translation>
     </message>
 </context>
 <context>
@@ -1166,6 +1181,18 @@
         <source>Not used of it</source>
         <translation>Nicht daraus benutzt</translation>
     </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>logarithmic; an error of 1 % is %1</source>
+        <translation>logarithmisch; ein Fehler von 1 % entspricht dem %1</translation>
+    </message>
 </context>
 <context>
     <name>ValueReadOut</name>
@@ -1251,12 +1278,6 @@
         <translation>Tetraeder</translation>
     </message>
     <message>
-        <source>of the range
-± %1</source>
-        <translation>des Wertebereichs
-± %1</translation>
-    </message>
-    <message>
         <source>Bu&amp;dget</source>
         <translation>Bud&amp;get</translation>
     </message>
@@ -1275,12 +1296,6 @@
     <message>
         <source>Err&amp;or</source>
         <translation>Fehle&amp;r</translation>
-    </message>
-    <message>
-        <source>± %1 in value
-warping %2</source>
-        <translation>± %1 im Wert
-Verwerfung %2</translation>
     </message>
     <message>
         <source>War&amp;ping</source>
@@ -1315,12 +1330,6 @@ Verwerfung %2</translation>
         <translation>Verwerfung in Prozent der Diagonale des Quaders um die Daten</translation>
     </message>
     <message>
-        <source>± %1 in value
-any warping</source>
-        <translation>± %1 im Wert
-beliebige Verwerfung</translation>
-    </message>
-    <message>
         <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
         <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese. Abtastwerte unregelmäßiger Daten und als Netz vergröberter Gitter, die knapp außerhalb des Netzes liegen, werden mit einer Stelle seiner Berandung innerhalb der Verwerfung verglichen; am nächsten Ort kann der Fehler größer sein, und „tan verify“ misst ihn.</translation>
     </message>
@@ -1329,8 +1338,30 @@ beliebige Verwerfung</translation>
         <translation>Dieses Modell wurde bis zu einem %1 von %2 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
-        <source>%1, ± %2</source>
-        <translation>%1, ± %2</translation>
+        <source>± %1</source>
+        <translation>± %1</translation>
+    </message>
+    <message>
+        <source>%1 in value
+any warping</source>
+        <translation>%1 im Wert
+beliebige Verwerfung</translation>
+    </message>
+    <message>
+        <source>%1 in value
+warping %2</source>
+        <translation>%1 im Wert
+Verwerfung %2</translation>
+    </message>
+    <message>
+        <source>of the range
+%1</source>
+        <translation>des Wertebereichs
+%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -1703,10 +1734,6 @@ beliebige Verwerfung</translation>
         <translation>&amp;Importoptionen …</translation>
     </message>
     <message>
-        <source>Read the file again with other options: other values, a part of it, fewer points</source>
-        <translation>Liest die Datei mit anderen Optionen noch einmal: andere Werte, ein Ausschnitt, weniger Punkte</translation>
-    </message>
-    <message>
         <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
         <translation>Aus einigen Tausend Abtastwerten des Datensatzes geschätzt; kann um den Faktor zwei abweichen</translation>
     </message>
@@ -1813,6 +1840,18 @@ beliebige Verwerfung</translation>
     <message>
         <source>spacing %1</source>
         <translation>Abstand %1</translation>
+    </message>
+    <message>
+        <source>Scale: logarithmic; an error of 1 % is %1</source>
+        <translation>Skala: logarithmisch; ein Fehler von 1 % entspricht dem %1</translation>
+    </message>
+    <message>
+        <source>Scale: linear. The values go over several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
+        <translation>Skala: linear. Die Werte gehen über mehrere Zehnerpotenzen: Mit der logarithmischen Skala unter Importoptionen sind Fehler Faktoren.</translation>
+    </message>
+    <message>
+        <source>Read the file again with other options: other values, another scale, a part of it, fewer points</source>
+        <translation>Liest die Datei mit anderen Optionen noch einmal: andere Werte, eine andere Skala, ein Ausschnitt, weniger Punkte</translation>
     </message>
 </context>
 <context>
@@ -11700,6 +11739,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
         <translation>%1 hat %2 Spalten, und höchstens %3 werden gelesen. Schreiben Sie eine Datei aus den Spalten der Orte und Werte, die Sie brauchen.</translation>
     </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>a factor of %1</source>
+        <translation>Faktor %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -12695,10 +12742,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Netzgrößen</translation>
     </message>
     <message>
-        <source>What the mesh of each error costs: its error in percent of the range of values and in their units, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
-        <translation>Was das Netz jedes Fehlers kostet: der Fehler in Prozent des Wertebereichs und in den Einheiten der Werte, die Größe, die Zeit für die Extraktion, wie hier gemessen, und der Speicher, den es belegt. Eine Zeile wählen, um dieses Netz zu sehen.</translation>
-    </message>
-    <message>
         <source>Cop&amp;y</source>
         <translation>&amp;Kopieren</translation>
     </message>
@@ -12725,6 +12768,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>This model lists no faulty cells: its data have none, or an earlier version of TAn built it</source>
         <translation>Dieses Modell führt keine fehlerhaften Zellen auf: Seine Daten haben keine, oder eine frühere Version von TAn hat es gebaut</translation>
+    </message>
+    <message>
+        <source>What the mesh of each error costs: its error in percent of the range of values and in their units or as a factor, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <translation>Was das Netz jedes Fehlers kostet: der Fehler in Prozent des Wertebereichs und in den Einheiten der Werte oder als Faktor, die Größe, die Zeit für die Extraktion, wie hier gemessen, und der Speicher, den es belegt. Eine Zeile wählen, um dieses Netz zu sehen.</translation>
     </message>
 </context>
 <context>

@@ -774,6 +774,13 @@
     </message>
 </context>
 <context>
+    <name>LogarithmText</name>
+    <message>
+        <source>a factor of %1</source>
+        <translation>fattore %1</translation>
+    </message>
+</context>
+<context>
     <name>Manual</name>
     <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>
@@ -849,6 +856,14 @@
     <message>
         <source>in the grid; in space up to %1</source>
         <translation>nella griglia; nello spazio fino a %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1, in space up to %2</source>
+        <translation>%1, nello spazio fino a %2</translation>
     </message>
 </context>
 <context>
@@ -1166,6 +1181,18 @@
         <source>Not used of it</source>
         <translation>Non usato del file</translation>
     </message>
+    <message>
+        <source>Factor</source>
+        <translation>Fattore</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Scala</translation>
+    </message>
+    <message>
+        <source>logarithmic; an error of 1 % is %1</source>
+        <translation>logaritmica; un errore dell&apos;1 % corrisponde al %1</translation>
+    </message>
 </context>
 <context>
     <name>ValueReadOut</name>
@@ -1251,12 +1278,6 @@
         <translation>Tetraedri</translation>
     </message>
     <message>
-        <source>of the range
-± %1</source>
-        <translation>dell&apos;intervallo
-± %1</translation>
-    </message>
-    <message>
         <source>Bu&amp;dget</source>
         <translation>&amp;Budget</translation>
     </message>
@@ -1275,12 +1296,6 @@
     <message>
         <source>Err&amp;or</source>
         <translation>Err&amp;ore</translation>
-    </message>
-    <message>
-        <source>± %1 in value
-warping %2</source>
-        <translation>± %1 nel valore
-deformazione %2</translation>
     </message>
     <message>
         <source>War&amp;ping</source>
@@ -1315,12 +1330,6 @@ deformazione %2</translation>
         <translation>Deformazione in percento della diagonale del parallelepipedo attorno ai dati</translation>
     </message>
     <message>
-        <source>± %1 in value
-any warping</source>
-        <translation>± %1 nel valore
-deformazione qualsiasi</translation>
-    </message>
-    <message>
         <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
         <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi. I campioni di dati irregolari, e di griglie decimate come mesh, che si trovano appena fuori dalla mesh si confrontano con un punto del suo contorno entro la deformazione; nel punto più vicino l&apos;errore può essere maggiore, e «tan verify» lo misura.</translation>
     </message>
@@ -1329,8 +1338,30 @@ deformazione qualsiasi</translation>
         <translation>Questo modello è stato costruito fino a un %1 di %2; non ha nulla di più fine.</translation>
     </message>
     <message>
-        <source>%1, ± %2</source>
-        <translation>%1, ± %2</translation>
+        <source>± %1</source>
+        <translation>± %1</translation>
+    </message>
+    <message>
+        <source>%1 in value
+any warping</source>
+        <translation>%1 nel valore
+deformazione qualsiasi</translation>
+    </message>
+    <message>
+        <source>%1 in value
+warping %2</source>
+        <translation>%1 nel valore
+deformazione %2</translation>
+    </message>
+    <message>
+        <source>of the range
+%1</source>
+        <translation>dell&apos;intervallo
+%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -1703,10 +1734,6 @@ deformazione qualsiasi</translation>
         <translation>Opzioni di &amp;importazione…</translation>
     </message>
     <message>
-        <source>Read the file again with other options: other values, a part of it, fewer points</source>
-        <translation>Rilegge il file con altre opzioni: altri valori, una sua parte, meno punti</translation>
-    </message>
-    <message>
         <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
         <translation>Stimato da qualche migliaio di campioni; può discostarsi di un fattore due</translation>
     </message>
@@ -1813,6 +1840,18 @@ deformazione qualsiasi</translation>
     <message>
         <source>spacing %1</source>
         <translation>spaziatura %1</translation>
+    </message>
+    <message>
+        <source>Scale: logarithmic; an error of 1 % is %1</source>
+        <translation>Scala: logaritmica; un errore dell&apos;1 % corrisponde al %1</translation>
+    </message>
+    <message>
+        <source>Scale: linear. The values go over several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
+        <translation>Scala: lineare. I valori coprono più potenze di dieci: con la scala logaritmica nelle opzioni di importazione gli errori sono fattori.</translation>
+    </message>
+    <message>
+        <source>Read the file again with other options: other values, another scale, a part of it, fewer points</source>
+        <translation>Rilegge il file con altre opzioni: altri valori, un&apos;altra scala, una sua parte, meno punti</translation>
     </message>
 </context>
 <context>
@@ -11700,6 +11739,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
         <translation>la %1 ha %2 colonne, e se ne leggono al massimo %3. Scrivere un file con le colonne delle posizioni e dei valori che servono.</translation>
     </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>un numero maggiore di 0</translation>
+    </message>
+    <message>
+        <source>a factor of %1</source>
+        <translation>fattore %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -12695,10 +12742,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Dimensioni delle mesh</translation>
     </message>
     <message>
-        <source>What the mesh of each error costs: its error in percent of the range of values and in their units, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
-        <translation>Quanto costa la mesh di ogni errore: l&apos;errore in percento dell&apos;intervallo dei valori e nelle loro unità, la dimensione, il tempo per estrarla, come misurato qui, e la memoria che occupa. Scegliere una riga per vedere quella mesh.</translation>
-    </message>
-    <message>
         <source>Cop&amp;y</source>
         <translation>Co&amp;pia</translation>
     </message>
@@ -12725,6 +12768,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>This model lists no faulty cells: its data have none, or an earlier version of TAn built it</source>
         <translation>Questo modello non elenca celle difettose: i suoi dati non ne hanno, oppure l&apos;ha costruito una versione precedente di TAn</translation>
+    </message>
+    <message>
+        <source>What the mesh of each error costs: its error in percent of the range of values and in their units or as a factor, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <translation>Quanto costa la mesh di ogni errore: l&apos;errore in percento dell&apos;intervallo dei valori e nelle loro unità o come fattore, la dimensione, il tempo per estrarla, come misurato qui, e la memoria che occupa. Scegliere una riga per vedere quella mesh.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "app/command_line/annotation_options.h"
 
 #include "core/base/text.h"
+#include "core/data/value_scale.h"
 
 #include <algorithm>
 #include <optional>
@@ -45,9 +46,9 @@ Result<std::optional<BarEnds>> barEndsOf(const Arguments& arguments)
                      "'--bar-range' says from where to where the colour bar goes: it needs '--colour-bar'."};
     const auto colon = text->find(':');
     const std::string_view words = *text;
-    const auto least = parseNumber<double>(words.substr(0, colon));
+    const auto least = parseFieldValue(words.substr(0, colon));
     const auto largest =
-        colon == std::string::npos ? std::optional<double>() : parseNumber<double>(words.substr(colon + 1));
+        colon == std::string::npos ? std::optional<double>() : parseFieldValue(words.substr(colon + 1));
     const BarEnds ends{least.value_or(0), largest.value_or(0)};
     if (!least || !largest || !isUsable(ends))
         return Error{ErrorKind::WrongUsage, "'" + *text +

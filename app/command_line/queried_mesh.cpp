@@ -3,6 +3,8 @@
 
 #include "app/command_line/error_statistics.h"
 #include "app/command_line/table.h"
+#include "core/data/value_scale.h"
+#include "core/transfer/remark_texts.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -41,13 +43,16 @@ std::string curingField(const ErrorRemark& remark, const TransferLimits& limits)
 
 } // namespace
 
-void warnOfErrors(std::span<const ErrorRemark> remarks, const ValueRange& range, std::ostream& messages,
+void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& model, std::ostream& messages,
                   QJsonObject& figures)
 {
+    const bool ofLogarithms = holdsLogarithms(model.parameters);
+    const ValueRange& range = model.range;
     const TransferLimits limits{range.minimum, range.maximum};
     QJsonArray all = figures["remarks"].toArray();
     for (const ErrorRemark& remark : remarks) {
-        std::string text = errorRemarkText(remark).text() + " " + errorCureText(remark, limits).text();
+        std::string text =
+            errorRemarkText(remark, ofLogarithms).text() + " " + errorCureText(remark, limits, ofLogarithms).text();
         if (const double percent = enoughPercent(remark, limits); percent > 0)
             text += " Ask for it by '--error " + formatNumber(percent) + "', or by '--field \"" +
                     curingField(remark, limits) + "\"'.";

@@ -37,7 +37,7 @@ void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& rang
 
 /// Says what of a picture its mesh's error alone may have made, and by which options it would not: at once, and among
 /// the "remarks" of the figures.
-void warnOfErrors(std::span<const ErrorRemark> remarks, const ValueRange& range, std::ostream& messages,
+void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& model, std::ostream& messages,
                   QJsonObject& figures);
 
 } // namespace tetra

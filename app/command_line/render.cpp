@@ -408,8 +408,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
             parts.append(QString::fromStdString(difference.part));
         figures["session_differs"] = parts;
     }
-    warnOfErrors(errorRemarksOf(view.field, built->mesh, view.scene.values, *built->scene),
-                 view.model->description().range, invocation.messages, figures);
+    warnOfErrors(errorRemarksOf(view.field, built->mesh, view.scene.values, *built->scene), view.model->description(),
+                 invocation.messages, figures);
     if (built->faultyCells)
         figures["faulty_cells_outlined"] = static_cast<qint64>(*built->faultyCells);
     if (built->mesh.isBlended)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/weighting.h"
 #include "core/base/guarded.h"
+#include "core/data/value_scale.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -122,7 +123,8 @@ Result<std::vector<double>> numbersOf(std::string_view term, std::string_view li
 {
     std::vector<double> numbers;
     for (const std::string_view part : parts(list, ',')) {
-        const std::optional<double> number = parseNumber<double>(part);
+        const bool isValue = &kind == &valueKind && numbers.empty();
+        const std::optional<double> number = isValue ? parseFieldValue(part) : parseNumber<double>(part);
         if (!number || !std::isfinite(*number))
             return wrong(term, Message::say("'%1' is not a number", printable(part)));
         numbers.push_back(*number);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/serve/served_query.h"
 
+#include "core/data/value_scale.h"
 #include "core/history/query_words.h"
 #include "core/remote/percent_encoding.h"
 
@@ -248,13 +249,13 @@ private:
             names += (names.empty() ? "" : ", ") + std::string(choice);
         return doesNotFit(word, *given, "one of " + names);
     }
-    /// Two numbers, the smaller one first.
-    Result<ValueRange> orderedPair(std::string_view word, const std::string& given, double least, double most) const
+    /// Two numbers, the smaller one first, each in the words that `read` takes.
+    Result<ValueRange> orderedPair(std::string_view word, const std::string& given, double least, double most,
+                                   std::optional<double> (*read)(std::string_view) = parseNumber<double>) const
     {
         const std::size_t comma = given.find(',');
-        const auto one = parseNumber<double>(std::string_view(given).substr(0, comma));
-        const auto other =
-            comma == std::string::npos ? std::nullopt : parseNumber<double>(std::string_view(given).substr(comma + 1));
+        const auto one = read(std::string_view(given).substr(0, comma));
+        const auto other = comma == std::string::npos ? std::nullopt : read(std::string_view(given).substr(comma + 1));
         if (!one || !other || !(*one >= least && *one <= *other && *other <= most))
             return doesNotFit(word, given, "two numbers, the smaller one first: LO,HI");
         return ValueRange{*one, *other};
@@ -412,7 +413,7 @@ private:
         constexpr double most = std::numeric_limits<double>::max();
         std::vector<ValueRange> ranges;
         for (const std::string& given : words_.values("values")) {
-            const auto ends = orderedPair("values", given, -most, most);
+            const auto ends = orderedPair("values", given, -most, most, parseFieldValue);
             if (!ends)
                 return ends.error();
             ranges.push_back(*ends);

@@ -2,6 +2,10 @@
 // A mesh of error e shows anything between v - e and v + e where the data have the value v. So where most of the domain
 // has one value, whatever is made visible within e of that value may appear anywhere in it; and where the data come
 // nearer than e to their least or their largest value, a surface beside that value may come and go.
+#include "core/transfer/remark_texts.h"
+
+#include "core/data/value_scale.h"
+
 #include <tan/transfer.h>
 
 #include <algorithm>
@@ -117,13 +121,46 @@ std::optional<ErrorRemark> opacityRemark(const TransferFunction& transfer, const
 }
 
 /// In three digits: more of an error, or of where a curve crosses a limit, nobody needs.
-std::string roundedNumber(double number)
+std::string roundedNumber(double number, double significant = 3)
 {
     if (number == 0 || !std::isfinite(number))
         return formatNumber(number);
-    const double digits = 2 - std::floor(std::log10(std::abs(number)));
+    const double digits = significant - 1 - std::floor(std::log10(std::abs(number)));
     const double scale = std::pow(10, std::abs(digits));
     return formatNumber(digits > 0 ? std::round(number * scale) / scale : std::round(number / scale) * scale);
+}
+
+/// The numbers of a remark, of values or of logarithms.
+struct RemarkWords {
+    std::string value{}; ///< rounded
+    std::string other{};
+    std::string exactValue{}; ///< as it was given
+    std::string exactOther{};
+    Message error{};
+};
+
+/// As such a value is typed.
+std::string valueOfLogarithm(double logarithm, double significant)
+{
+    return logarithmName(roundedNumber(std::pow(10, logarithm), significant));
+}
+
+Message factorOfError(double error)
+{
+    constexpr double fewest = 3, most = 12;
+    const double factor = std::pow(10, error);
+    const double digits = factor > 1 ? 2 - std::floor(std::log10(factor - 1)) : fewest;
+    return Message::say("a factor of %1", roundedNumber(factor, std::clamp(digits, fewest, most)));
+}
+
+RemarkWords wordsOf(const ErrorRemark& remark, bool ofLogarithms)
+{
+    constexpr double coarse = 3, fine = 6;
+    if (!ofLogarithms)
+        return {roundedNumber(remark.value), roundedNumber(remark.other), formatNumber(remark.value),
+                formatNumber(remark.other), roundedNumber(remark.error)};
+    return {valueOfLogarithm(remark.value, coarse), valueOfLogarithm(remark.other, coarse),
+            valueOfLogarithm(remark.value, fine), valueOfLogarithm(remark.other, fine), factorOfError(remark.error)};
 }
 
 } // namespace
@@ -144,25 +181,29 @@ std::vector<ErrorRemark> errorRemarks(const ErrorRemarkInput& input)
 
 Message errorRemarkText(const ErrorRemark& remark)
 {
-    const std::string value = roundedNumber(remark.value), other = roundedNumber(remark.other);
-    const std::string error = roundedNumber(remark.error);
+    return errorRemarkText(remark, false);
+}
+
+Message errorRemarkText(const ErrorRemark& remark, bool ofLogarithms)
+{
+    const RemarkWords words = wordsOf(remark, ofLogarithms);
     switch (remark.kind) {
     case ErrorRemark::Kind::IsovalueAtEnd:
         return Message::say("The isovalue %1 is within the error that is shown, %2, of where the data end, %3: what is "
                             "seen of its surface may be error alone.",
-                            formatNumber(remark.value), error, formatNumber(remark.other));
+                            words.exactValue, words.error, words.exactOther);
     case ErrorRemark::Kind::IsovalueAtBackground:
         return Message::say("The isovalue %1 is within the error that is shown, %2, of %3, the value of most of the "
                             "domain: what is seen of its surface may be error alone.",
-                            formatNumber(remark.value), error, other);
+                            words.exactValue, words.error, words.other);
     case ErrorRemark::Kind::OpacityAtBackground:
         return Message::say("The transfer function shows values from %1 on, which is within the error that is shown, "
                             "%2, of %3, the value of most of the domain: what is seen there may be error alone.",
-                            value, error, other);
+                            words.value, words.error, words.other);
     case ErrorRemark::Kind::NarrowOpacity:
         return Message::say("The values that the transfer function shows about %1 are fewer than the error that is "
                             "shown, %2: the mesh cannot tell them from others.",
-                            value, error);
+                            words.value, words.error);
     }
     return {};
 }
@@ -180,11 +221,16 @@ double enoughPercent(const ErrorRemark& remark, const TransferLimits& range)
 
 Message errorCureText(const ErrorRemark& remark, const TransferLimits& range)
 {
+    return errorCureText(remark, range, false);
+}
+
+Message errorCureText(const ErrorRemark& remark, const TransferLimits& range, bool ofLogarithms)
+{
     const double percent = enoughPercent(remark, range);
     if (!(percent > 0))
         return Message::say("Choose other values.");
     return Message::say("An error of at most %1 % would do, everywhere or for values near %2 alone.",
-                        formatNumber(percent), roundedNumber(remark.other));
+                        formatNumber(percent), wordsOf(remark, ofLogarithms).other);
 }
 
 } // namespace tetra

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tetra {
 namespace {
@@ -63,6 +64,15 @@ QString numberInRange(double value, double least, double largest)
     const double wanted = extent > 0 ? 4 + std::ceil(std::log10(size / extent)) : fewest;
     const int digits = std::isfinite(wanted) ? static_cast<int>(std::clamp<double>(wanted, fewest, most)) : fewest;
     return QLocale().toString(value, 'g', digits);
+}
+
+QString antilogarithmText(double logarithm, double extent)
+{
+    constexpr int fewest = 3, most = 12;
+    const double part = std::numbers::ln10 * extent / 1000;
+    const double wanted = part > 0 && part < 1 ? 1 - std::floor(std::log10(part)) : fewest;
+    return QLocale().toString(std::pow(10.0, logarithm), 'g',
+                              static_cast<int>(std::clamp<double>(wanted, fewest, most)));
 }
 
 QString valueText(double value, double extent)

@@ -20,6 +20,9 @@ QString valueText(double value, double extent);
 /// A number in this range, an end of it, say: at least six significant digits, and as many as tell a thousandth of the
 /// range apart.
 QString numberInRange(double value, double least, double largest);
+/// What a logarithm to base 10 is of: three significant digits, and as many as tell a thousandth of a range of
+/// logarithms of this extent apart.
+QString antilogarithmText(double logarithm, double extent);
 /// Decimals after the point that resolve a thousandth of `extent`; none for integers over a wide range.
 int decimalsFor(double extent);
 

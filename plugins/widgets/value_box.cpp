@@ -6,14 +6,10 @@
 #include <QLineEdit>
 #include <QStyleOptionSpinBox>
 
+#include <cmath>
+
 namespace tetra {
 namespace {
-
-/// Between these extents plain decimals are readable.
-bool isPlain(double extent)
-{
-    return extent >= 1e-4 && extent < 1e7;
-}
 
 /// QDoubleSpinBox rounds its value to its decimals; this many keep any double.
 constexpr int allDecimals = 323;
@@ -28,15 +24,30 @@ ValueBox::ValueBox(QWidget* parent) : QDoubleSpinBox(parent)
     connect(lineEdit(), &QLineEdit::textChanged, this, [this] { updateGeometry(); });
 }
 
+/// Between these extents plain decimals are readable.
+bool ValueBox::isPlain() const
+{
+    return !ofLogarithms_ && extent_ >= 1e-4 && extent_ < 1e7;
+}
+
+/// What was typed, as the box counts.
+double ValueBox::number(const QString& text, bool& isNumber) const
+{
+    const double typed = locale().toDouble(QString(text).remove(suffix()).trimmed(), &isNumber);
+    if (!ofLogarithms_ || !isNumber)
+        return typed;
+    isNumber = typed > 0;
+    return isNumber ? std::log10(typed) : 0;
+}
+
 QSize ValueBox::minimumSizeHint() const
 {
     ensurePolished();
     // Room for the usual six digits, so that nothing moves while a value changes.
     const QString usual = prefix() + locale().toString(0.0, 'f', 6) + suffix();
     const QString shortest =
-        isPlain(extent_)
-            ? text()
-            : std::max(usual, text(), [](const QString& a, const QString& b) { return a.size() < b.size(); });
+        isPlain() ? text()
+                  : std::max(usual, text(), [](const QString& a, const QString& b) { return a.size() < b.size(); });
     constexpr int lineMargins = 6; // of QLineEdit beside its text, and the cursor
     QStyleOptionSpinBox option;
     initStyleOption(&option);
@@ -48,27 +59,35 @@ QSize ValueBox::minimumSizeHint() const
 void ValueBox::setValueRange(double minimum, double maximum)
 {
     extent_ = maximum - minimum;
-    setDecimals(isPlain(extent_) ? decimalsFor(extent_) : allDecimals);
+    setDecimals(isPlain() ? decimalsFor(extent_) : allDecimals);
     setRange(minimum, maximum);
     setSingleStep(extent_ / 100);
 }
 
 QString ValueBox::textFromValue(double value) const
 {
-    return isPlain(extent_) ? QDoubleSpinBox::textFromValue(value) : locale().toString(value, 'g', 6);
+    if (isPlain())
+        return QDoubleSpinBox::textFromValue(value);
+    return locale().toString(ofLogarithms_ ? std::pow(10.0, value) : value, 'g', 6);
 }
 
 double ValueBox::valueFromText(const QString& text) const
 {
-    return locale().toDouble(QString(text).remove(suffix()).trimmed());
+    // What is shown has lost digits: nobody who leaves it as it is means another value.
+    if (ofLogarithms_ && QString(text).remove(suffix()).trimmed() == textFromValue(value()))
+        return value();
+    bool isNumber = false;
+    return number(text, isNumber);
 }
 
 QValidator::State ValueBox::validate(QString& text, int& position) const
 {
     Q_UNUSED(position);
     bool isNumber = false;
-    const double value = locale().toDouble(QString(text).remove(suffix()).trimmed(), &isNumber);
-    return isNumber && value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    const double value = number(text, isNumber);
+    const double room = ofLogarithms_ ? 1e-5 : 0; // the ends are shown rounded
+    return isNumber && value >= minimum() - room && value <= maximum() + room ? QValidator::Acceptable
+                                                                              : QValidator::Intermediate;
 }
 
 } // namespace tetra

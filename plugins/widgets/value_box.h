@@ -13,6 +13,9 @@ public:
     explicit ValueBox(QWidget* parent = nullptr);
     /// Steps and decimals follow the extent of the range.
     void setValueRange(double minimum, double maximum);
+    /// Whether its value, the range and the steps are logarithms to base 10, which are shown and typed as what they are
+    /// of. Before setValueRange().
+    void setOfLogarithms(bool ofLogarithms) { ofLogarithms_ = ofLogarithms; }
 
     /// As wide as its value is written, in the letters of the user: it may be narrow, but never cuts a digit.
     QSize minimumSizeHint() const override;
@@ -21,7 +24,11 @@ public:
     QValidator::State validate(QString& text, int& position) const override;
 
 private:
+    bool isPlain() const;
+    double number(const QString& text, bool& isNumber) const;
+
     double extent_ = 100;
+    bool ofLogarithms_ = false;
 };
 
 } // namespace tetra

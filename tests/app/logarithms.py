@@ -144,5 +144,26 @@ class Logarithms(unittest.TestCase):
         tan(self.folder, "render", "nut.tan", "--isovalue", "log10(1e-3)", "--size", "40x30", "-o", "typed.png")
         tan(self.folder, "isosurface", "nut.tan", "--value", "log10(0)", "-o", "typed.vtp", code=2)
 
+    def test_values_of_queries_are_logarithms_or_typed_as_such_of_values(self):
+        for typed, same in ((("--values", "log10(1e-3),log10(100)"), ("--values=-3,2",)),
+                            (("--field", "isovalues(log10(1e-3); 1, 8, 0.5)"), ("--field", "isovalues(-3; 1, 8, 0.5)")),
+                            (("--field", "values(log10(1e-3):1, log10(100):8)"), ("--field", "values(-3:1, 2:8)"))):
+            found = [figures(self.folder, "extract", "nut.tan", *words, "-o", "part.vtu")["tetrahedra"] for words in (typed, same)]
+            self.assertEqual(*found, typed)
+            self.assertGreater(found[0], 0)
+        whole = figures(self.folder, "extract", "nut.tan", "--error", "1", "-o", "part.vtu")["tetrahedra"]
+        part = figures(self.folder, "extract", "nut.tan", "--error", "1", "--values", "log10(1e-3),log10(1e-2)", "-o", "part.vtu")
+        self.assertLess(part["tetrahedra"], whole)
+        for wrong in (("--values", "log10(0),1"), ("--field", "values(log10(-1):1)")):
+            tan(self.folder, "extract", "nut.tan", *wrong, "-o", "part.vtu", code=2)
+
+    def test_values_of_weights_and_bars_are_typed_in_the_same_way(self):
+        for name, value in (("typed.tan", "log10(1e-3)"), ("same.tan", "-3")):
+            tan(self.folder, "build", "nut.csv", "--scale", "log", "--weight", f"value:{value},1", "-o", name)
+            self.assertIn("weights value:-3,1", tan(self.folder, "info", name, "--lod", "2"))
+        for name, ends in (("typed.png", "log10(1e-3):log10(100)"), ("same.png", "-3:2")):
+            tan(self.folder, "render", "nut.tan", "--mode", "volume", "--colour-bar", f"--bar-range={ends}", "--size", "160x120", "-o", name)
+        self.assertEqual(*((self.folder / name).read_bytes() for name in ("typed.png", "same.png")))
+
 
 unittest.main()

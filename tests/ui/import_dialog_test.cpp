@@ -33,6 +33,7 @@ private slots:
     void init();
     void cleanup();
     void logarithmsAreTaken();
+    void valuesOverPowersOfTenAreTold();
     void aRawFileIsDescribed();
     void aPackedRawFileIsDescribed();
     void aWrongLayoutIsSeenAtOnce();
@@ -133,9 +134,31 @@ void ImportDialogTest::logarithmsAreTaken()
     QCOMPARE(dataset.source.valueName, std::string("log10(value)"));
     QCOMPARE(dataset.values.range().minimum, static_cast<double>(static_cast<float>(std::log10(0.5))));
     QVERIFY(window_->workbench.opening().importOptions().scale == (ValueScale{.logarithmic = true, .from = 0.5}));
+    const QString facts = window_->find<QLabel>("build.facts").text();
+    QVERIFY2(facts.contains("values 0.5 to ") &&
+                 facts.contains("Scale: logarithmic; an error of 1 % is a factor of 1."),
+             qPrintable(facts));
     openAndAsk(window_->folder.filePath("zeros.raw")); // as it was chosen last
     QCOMPARE(window_->find<QComboBox>("import.scale").currentText(), QString("Logarithmic"));
     QCOMPARE(from.text(), QString("0.5"));
+}
+
+/// Where the panel Build says so, too.
+void ImportDialogTest::valuesOverPowersOfTenAreTold()
+{
+    Lattice lattice;
+    lattice.size = {4, 4, 4};
+    std::vector<float> values;
+    for (int i = 0; i < 64; ++i)
+        values.push_back(std::pow(10.0F, static_cast<float>(i) / 20));
+    const auto dataset = latticeDataset(lattice, ScalarField::of(std::move(values)), "c60");
+    QVERIFY(dataset);
+    window_->window.open(QString::fromStdString(writeNrrd(*dataset, window_->folderPath())));
+    QTRY_VERIFY(window_->find<QLabel>("build.facts").text().contains("Scale: linear. The values go over"));
+    openAndAsk(window_->folder.filePath("c60.nrrd"));
+    choose("import.scale", "Logarithmic");
+    click("import.read");
+    QTRY_VERIFY(window_->find<QLabel>("build.facts").text().contains("Scale: logarithmic"));
 }
 
 void ImportDialogTest::aRawFileIsDescribed()

@@ -394,6 +394,21 @@ void QueryTest::theMeshIsToldInWords()
     QCOMPARE(errorPlaceText(mesh.errorMeaning, {}), QString("in the grid and in space"));
     QVERIFY(errorPlaceText(ErrorMeaning::Only, {}).isEmpty() && errorPromiseText(ErrorMeaning::Only, false).isEmpty());
 
+    // Of logarithms an error is a factor.
+    mesh = {};
+    mesh.logarithms = ValueRange{-8, 2};
+    mesh.query.error = 1;
+    QCOMPARE(errorText(mesh), QString("error 1 % (a factor of 1.26)"));
+    mesh.query.error = 0;
+    QCOMPARE(errorText(mesh), QString("error 0 %"));
+    mesh.query.error = SpaceRamp{Sphere{{3, 4, 5}, 2}, 0.01, 10, 1};
+    QCOMPARE(errorText(mesh), QString("error 0.01 % (a factor of 1.0023) in the focus, 10 % (a factor of 10) outside"));
+    mesh.query.error = 1;
+    mesh.errorMeaning = ErrorMeaning::InGrid;
+    mesh.errorInSpace = 10;
+    QCOMPARE(errorText(mesh),
+             QString("error in the grid 1 % (a factor of 1.26), in space up to 10 % (a factor of 10)"));
+
     const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
     QVERIFY(grid);
     const auto warped = Model::open(buildSampleModel(*host_, *grid, folder_.path().toStdString()));

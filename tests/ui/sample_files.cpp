@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_files.h"
 
+#include "core/data/value_scale.h"
 #include "core/history/model_writer.h"
 #include "plugins/samples/samples.h"
 
@@ -48,17 +49,33 @@ std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::p
     return path;
 }
 
-std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset, const std::filesystem::path& folder,
-                                       double errorPercent)
+namespace {
+
+std::filesystem::path buildRefined(PluginHost& host, const Dataset& dataset, const std::filesystem::path& path,
+                                   double errorPercent, ModelDescription description)
 {
     const auto builder = require(host.builder("refinement"));
-    const std::filesystem::path path = folder / "c60.tan";
-    ModelDescription description;
     description.builder = builder.id;
     const auto writer = require(ModelWriter::create(path, dataset, description));
     BuildTarget target{*writer};
     require(builder.plugin->build(dataset, {{"error", errorPercent}, {"error-in", std::string("grid")}}, target, {}));
     return path;
+}
+
+} // namespace
+
+std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset, const std::filesystem::path& folder,
+                                       double errorPercent)
+{
+    return buildRefined(host, dataset, folder / "c60.tan", errorPercent, {});
+}
+
+std::filesystem::path buildLogarithmModel(PluginHost& host, std::uint32_t size, const std::filesystem::path& folder)
+{
+    const ValueScale scale{.logarithmic = true, .from = 1};
+    ModelDescription description;
+    description.parameters = {{std::string(scaleParameter), scaleText(scale)}};
+    return buildRefined(host, require(scaled(sampleDataset(size), scale)), folder / "c60-log.tan", 0, description);
 }
 
 } // namespace tetra

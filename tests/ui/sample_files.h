@@ -24,4 +24,7 @@ std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::p
 std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset, const std::filesystem::path& folder,
                                        double errorPercent = 0);
 
+/// A model of the logarithms of that sample, of values below 1 as of 1. Returns its path.
+std::filesystem::path buildLogarithmModel(PluginHost& host, std::uint32_t size, const std::filesystem::path& folder);
+
 } // namespace tetra

@@ -45,6 +45,7 @@ private slots:
     void cyclesOfTheOrderAreCounted();
     void whichErrorIsSaid();
     void theErrorInSpaceIsMeasured();
+    void errorsOfLogarithmsAreFactors();
     void faultyCellsAreShown();
     void withoutAModelThereIsNothing();
 
@@ -124,6 +125,45 @@ void StatisticsTest::whichErrorIsSaid()
     QCOMPARE(said(false), QString("in the grid; in space it may be larger"));
     const auto facts = modelFacts(*session().model()); // a lattice has one
     QVERIFY(std::ranges::none_of(facts, [](const auto& one) { return one.name == "Error"; }));
+}
+
+/// D7: a model of logarithms tells errors as factors, and values as the data have them.
+void StatisticsTest::errorsOfLogarithmsAreFactors()
+{
+    QCOMPARE(table().headerItem()->text(6), QString("± value"));
+    const auto path = buildLogarithmModel(*window_->host, 12, window_->folderPath());
+    window_->find<QAction>("action.close").trigger();
+    window_->window.open(QString::fromStdString(path.string()));
+    QTRY_VERIFY(session().model() && window_->settled());
+    const double extent = session().range().extent();
+    QVERIFY(extent > 1);
+    QCOMPARE(table().headerItem()->text(6), QString("Factor"));
+    const auto factorOfPercent = [&](double percent) { return std::pow(10, percent / 100 * extent); };
+    const auto levels = levelStatistics(*session().model(), std::nullopt);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const double told = table().topLevelItem(static_cast<int>(i))->text(6).toDouble();
+        const double factor = factorOfPercent(levels[i].error);
+        QVERIFY2(std::abs(told - factor) <= 0.05 * (factor - 1) + 1e-12, qPrintable(QString::number(told)));
+    }
+    const auto facts = modelFacts(*session().model());
+    const auto valueOf = [&](const char* name) {
+        const auto fact = std::ranges::find(facts, QString(name), &StatisticsFact::name);
+        return fact == facts.end() ? QString() : fact->value;
+    };
+    QVERIFY2(valueOf("Values").startsWith("1 to "), qPrintable(valueOf("Values")));
+    QVERIFY2(valueOf("Scale").startsWith("logarithmic; an error of 1 % is a factor of 1.0"),
+             qPrintable(valueOf("Scale")));
+    session().setError(10);
+    QTRY_VERIFY(window_->settled());
+    const QString factor = QString("a factor of %1").arg(factorOfPercent(10), 0, 'g', 3);
+    QTRY_COMPARE(window_->find<QLabel>("status.errors").text(), "error 10 % (" + factor + ")");
+    QCOMPARE(window_->find<QLabel>("accuracy.inUnits").text(), "of the range\n" + factor);
+    Isovalue least = session().view().isovalues.front();
+    least.value = session().range().minimum;
+    session().setIsovalue(0, least);
+    QTRY_VERIFY(window_->find<QLabel>("status.remarks").toolTip().contains("The isovalue log10(1) is within"));
+    window_->find<QPushButton>("statistics.copy").click();
+    QVERIFY(QGuiApplication::clipboard()->text().contains("\tFactor\n"));
 }
 
 /// C12: of a grid whose model keeps the error in the grid, the error in space of the mesh that is shown is measured and

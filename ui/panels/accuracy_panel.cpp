@@ -7,6 +7,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/accuracy_inputs.h"
+#include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 #include "ui/widgets/checked_button.h"
@@ -43,6 +44,14 @@ bool saysMore(const ShownMesh& mesh, const Model& model)
 QString shareText(double part, double whole)
 {
     return whole > 0 ? AccuracyPanel::tr("%1 of all").arg(percentText(100 * part / whole)) : QString();
+}
+
+/// What an error in percent is in the data: "± 0.12", or of logarithms "a factor of 1.26".
+QString inUnitsText(double percent, const ModelDescription& model)
+{
+    if (const auto logarithms = logarithmsOf(model))
+        return factorWords(percent, *logarithms);
+    return AccuracyPanel::tr("± %1").arg(QLocale().toString(percent / 100 * model.range.extent(), 'g', 3));
 }
 
 } // namespace
@@ -275,16 +284,16 @@ void AccuracyPanel::showError(double error)
     const auto& model = session_.model();
     if (!model)
         return inUnits_->clear();
-    const QString byError = QLocale().toString(error / 100 * session_.range().extent(), 'g', 3);
+    const QString byError = inUnitsText(error, model->description());
     const WarpingChoice& warping = session_.view().query.warping;
     if (model->description().warpingWeight > 0 && warping.limit == WarpingLimit::None)
-        inUnits_->setText(tr("± %1 in value\nany warping").arg(byError));
+        inUnits_->setText(tr("%1 in value\nany warping").arg(byError));
     else if (model->description().warpingWeight > 0)
         inUnits_->setText(
-            tr("± %1 in value\nwarping %2")
+            tr("%1 in value\nwarping %2")
                 .arg(byError, QLocale().toString(warping.with(error).warping / 100 * model->diagonal(), 'g', 3)));
     else
-        inUnits_->setText(tr("of the range\n± %1").arg(byError));
+        inUnits_->setText(tr("of the range\n%1").arg(byError));
 }
 
 /// The error in space is that of the last picture until the next one comes, and may come later.
@@ -298,7 +307,7 @@ void AccuracyPanel::showErrorPlace()
     const std::optional<double> inSpace = isSeen ? session_.shown()->errorInSpace : std::nullopt;
     QString text = errorPlaceText(meaning, inSpace);
     if (inSpace)
-        text = tr("%1, ± %2").arg(text, QLocale().toString(*inSpace / 100 * session_.range().extent(), 'g', 3));
+        text = tr("%1, %2").arg(text, inUnitsText(*inSpace, model->description()));
     errorPlace_->setText(text);
     errorPlace_->setToolTip(errorPromiseText(meaning, inSpace.has_value()));
     errorPlace_->setVisible(!text.isEmpty());

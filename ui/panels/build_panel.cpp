@@ -6,6 +6,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/files.h"
+#include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
 #include "ui/workbench/import_texts.h"
 
@@ -97,15 +98,32 @@ QString spacingOf(const Dataset& dataset)
     return dataset.lengthUnit.empty() ? text : text + ' ' + shownText(dataset.lengthUnit);
 }
 
-QString factsOf(const Dataset& dataset)
+/// Values are told as the data have them, also where they were read as their logarithms.
+QString factsOf(const Dataset& dataset, const ValueScale& scale)
 {
     const ValueRange range = dataset.values.range();
+    const auto value = [&](double number) {
+        return scale.logarithmic ? antilogarithmText(number, range)
+                                 : numberInRange(number, range.minimum, range.maximum);
+    };
     const QString shape =
         dataset.domain == DomainClass::RegularLattice ? shapeOf(dataset) + ", " + spacingOf(dataset) : shapeOf(dataset);
     return BuildPanel::tr("%1, %2, values %3 to %4")
-        .arg(shape, QString::fromUtf8(sampleTypeName(dataset.values.type())),
-             numberInRange(range.minimum, range.minimum, range.maximum),
-             numberInRange(range.maximum, range.minimum, range.maximum));
+        .arg(shape, QString::fromUtf8(sampleTypeName(dataset.values.type())), value(range.minimum),
+             value(range.maximum));
+}
+
+/// What is to be said of the scale that the values were read with; nothing where it makes no difference.
+QString scaleTextOf(const Dataset& dataset, const ValueScale& scale)
+{
+    constexpr double manyTimes = 1000; // an error of 1 % hides two thirds of three powers of ten
+    const ValueRange range = dataset.values.range();
+    if (scale.logarithmic)
+        return BuildPanel::tr("Scale: logarithmic; an error of 1 % is %1").arg(factorWords(1, range));
+    if (range.minimum > 0 && range.maximum >= manyTimes * range.minimum)
+        return BuildPanel::tr("Scale: linear. The values go over several powers of ten: with the logarithmic scale in "
+                              "Import Options, errors are factors.");
+    return {};
 }
 
 } // namespace
@@ -152,7 +170,8 @@ QWidget* BuildPanel::makeBuildPage()
     facts_ = wrappedLabel("build.facts");
     differently_ = new QPushButton(tr("&Import Options…"));
     differently_->setObjectName("build.differently");
-    differently_->setToolTip(tr("Read the file again with other options: other values, a part of it, fewer points"));
+    differently_->setToolTip(
+        tr("Read the file again with other options: other values, another scale, a part of it, fewer points"));
     connect(differently_, &QPushButton::clicked, this, [this] { workbench_.opening().readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");
@@ -370,7 +389,10 @@ void BuildPanel::showDataset()
 {
     const Dataset& dataset = *workbench_.opening().dataset();
     name_->setText(shownText(dataset.source.name));
-    QStringList facts = {factsOf(dataset)};
+    const ValueScale& scale = workbench_.opening().importOptions().scale;
+    QStringList facts = {factsOf(dataset, scale)};
+    if (const QString text = scaleTextOf(dataset, scale); !text.isEmpty())
+        facts << text;
     facts << provenanceLines(dataset.source.taken, dataset.source.leftOut);
     for (const Message& remark : dataset.remarks)
         facts << translatedMessage(remark);

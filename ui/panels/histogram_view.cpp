@@ -2,6 +2,7 @@
 #include "ui/panels/histogram_view.h"
 
 #include "plugins/widgets/number_text.h"
+#include "ui/session/logarithm_text.h"
 
 #include <QPainter>
 
@@ -16,9 +17,11 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void HistogramView::setHistogram(std::shared_ptr<const ValueHistogram> histogram)
+void HistogramView::setHistogram(std::shared_ptr<const ValueHistogram> histogram,
+                                 const std::optional<ValueRange>& logarithms)
 {
     histogram_ = std::move(histogram);
+    logarithms_ = logarithms;
     update();
 }
 
@@ -46,10 +49,13 @@ void HistogramView::paintEvent(QPaintEvent*)
             painter.fillRect(QRectF(left, plot.bottom() - height, width, height), palette().highlight());
             left += width;
         }
-        const double extent = histogram_->largest - histogram_->least;
+        const auto end = [&](double value) {
+            return logarithms_ ? antilogarithmText(value, *logarithms_)
+                               : valueText(value, histogram_->largest - histogram_->least);
+        };
         const QRect axis(0, height() - line, this->width(), line);
-        painter.drawText(axis, Qt::AlignLeft, valueText(histogram_->least, extent));
-        painter.drawText(axis, Qt::AlignRight, valueText(histogram_->largest, extent));
+        painter.drawText(axis, Qt::AlignLeft, end(histogram_->least));
+        painter.drawText(axis, Qt::AlignRight, end(histogram_->largest));
     }
     painter.setPen(palette().color(QPalette::Mid));
     painter.drawRect(plot);

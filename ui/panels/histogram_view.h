@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/data.h>
 #include <tan/transfer.h>
 
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 namespace tetra {
 
@@ -15,8 +17,9 @@ class HistogramView : public QWidget {
 public:
     explicit HistogramView(QWidget* parent = nullptr);
 
-    /// None: an empty frame.
-    void setHistogram(std::shared_ptr<const ValueHistogram> histogram);
+    /// None: an empty frame. With `logarithms` the values are logarithms in this range, and the ends are told as what
+    /// they are of.
+    void setHistogram(std::shared_ptr<const ValueHistogram> histogram, const std::optional<ValueRange>& logarithms);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -26,6 +29,7 @@ protected:
 
 private:
     std::shared_ptr<const ValueHistogram> histogram_;
+    std::optional<ValueRange> logarithms_;
 };
 
 } // namespace tetra

@@ -5,6 +5,7 @@
 #include "plugins/widgets/number_text.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/files.h"
+#include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 
@@ -32,12 +33,14 @@ std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<d
                                              const WarpingChoice& warping)
 {
     const auto most = static_cast<double>(meshSizeAt(model, bothWithin(0)).tetrahedra);
+    const auto logarithms = logarithmsOf(model.description());
     std::vector<LevelStatistics> levels;
     for (const double error : accuracyPresets) {
         const MeshSize size = meshSizeAt(model, warping.with(error));
         const auto tetrahedra = static_cast<double>(size.tetrahedra);
         LevelStatistics level{.error = error,
                               .inUnits = error / 100 * model.description().range.extent(),
+                              .factor = logarithms ? factorNumber(error, *logarithms) : QString(),
                               .sites = size.sites,
                               .tetrahedra = size.tetrahedra,
                               .share = most > 0 ? 100 * tetrahedra / most : 0,
@@ -57,7 +60,7 @@ std::optional<double> secondsPerTetrahedron(const BuiltScene& scene)
     return scene.extractionSeconds / static_cast<double>(scene.mesh.wholeTetrahedra);
 }
 
-QStringList levelColumns(ErrorMeaning meaning)
+QStringList levelColumns(ErrorMeaning meaning, bool ofLogarithms)
 {
     // What counts least comes last, where a narrow panel hides it.
     return {translatedText(textFor(errorLabels, meaning)),
@@ -66,7 +69,7 @@ QStringList levelColumns(ErrorMeaning meaning)
             Statistics::tr("Share"),
             Statistics::tr("Time"),
             Statistics::tr("Memory"),
-            Statistics::tr("± value")};
+            ofLogarithms ? Statistics::tr("Factor") : Statistics::tr("± value")};
 }
 
 QStringList levelTexts(const LevelStatistics& level)
@@ -77,18 +80,23 @@ QStringList levelTexts(const LevelStatistics& level)
             percentText(level.share),
             level.seconds ? durationText(*level.seconds) : QString(QChar(0x2013)),
             bytesText(level.bytes),
-            QLocale().toString(level.inUnits, 'g', 3)};
+            level.factor.isEmpty() ? QLocale().toString(level.inUnits, 'g', 3) : level.factor};
 }
 
 std::vector<StatisticsFact> modelFacts(const Model& model)
 {
     const ValueRange range = model.description().range;
-    std::vector<StatisticsFact> facts{{Statistics::tr("Model"), shownText(model.path().filename().string())},
-                                      {Statistics::tr("Values"), Statistics::tr("%1 to %2")
-                                                                     .arg(valueText(range.minimum, range.extent()),
-                                                                          valueText(range.maximum, range.extent()))},
-                                      {Statistics::tr("Total vertices"), countText(wholeSites(model))},
-                                      {Statistics::tr("File"), bytesText(wholeBytes(model))}};
+    std::vector<StatisticsFact> facts{
+        {Statistics::tr("Model"), shownText(model.path().filename().string())},
+        {Statistics::tr("Values"), Statistics::tr("%1 to %2")
+                                       .arg(dataValueText(range.minimum, model.description()),
+                                            dataValueText(range.maximum, model.description()))},
+        {Statistics::tr("Total vertices"), countText(wholeSites(model))},
+        {Statistics::tr("File"), bytesText(wholeBytes(model))}};
+    if (const auto logarithms = logarithmsOf(model.description()))
+        facts.insert(facts.begin() + 2,
+                     {Statistics::tr("Scale"),
+                      Statistics::tr("logarithmic; an error of 1 % is %1").arg(factorWords(1, *logarithms))});
     if (const QString place = errorPlaceText(errorMeaning(model.description()), {}); !place.isEmpty())
         facts.push_back({Statistics::tr("Error"), place});
     if (const std::uint64_t faulty = faultyCellCount(model); faulty > 0)
@@ -145,7 +153,8 @@ QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vect
     QString text;
     for (const auto& [name, value] : facts)
         text += name + '\t' + value + '\n';
-    text += '\n' + levelColumns(meaning).join('\t') + '\n';
+    const bool ofLogarithms = !levels.empty() && !levels.front().factor.isEmpty();
+    text += '\n' + levelColumns(meaning, ofLogarithms).join('\t') + '\n';
     for (const LevelStatistics& level : levels)
         text += levelTexts(level).join('\t') + '\n';
     return text;

@@ -17,6 +17,7 @@ namespace tetra {
 struct LevelStatistics {
     double error = 0;   ///< % of the value range
     double inUnits = 0; ///< the same in units of the data
+    QString factor{};   ///< of logarithms, the factor that it is
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
     double share = 0;              ///< of the finest mesh's tetrahedra, %
@@ -31,9 +32,9 @@ std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<d
 /// How quickly the mesh of a scene was extracted; nothing if it was there already.
 std::optional<double> secondsPerTetrahedron(const BuiltScene& scene);
 
-/// The names of the columns, by which error it is that a model guarantees, and what stands in them for a level, as the
-/// user reads it.
-QStringList levelColumns(ErrorMeaning meaning);
+/// The names of the columns, by which error it is that a model guarantees and whether that is a factor, and what stands
+/// in them for a level, as the user reads it.
+QStringList levelColumns(ErrorMeaning meaning, bool ofLogarithms);
 QStringList levelTexts(const LevelStatistics& level);
 
 /// A fact for people: what it is and what it amounts to.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/session_editor_host.h"
 
+#include "core/data/value_scale.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
@@ -196,6 +197,11 @@ void SessionEditorHost::tell(const Message& message)
 std::optional<PickedValue> SessionEditorHost::picked() const
 {
     return pick_ ? pick_->picked() : std::nullopt;
+}
+
+bool SessionEditorHost::holdsLogarithms() const
+{
+    return session_.model() && tetra::holdsLogarithms(session_.model()->description().parameters);
 }
 
 void SessionEditorHost::forgetPicked()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/editor.h"
+#include "plugins/api/value_scale_host.h"
 #include "ui/workbench/workbench.h"
 
 #include <QPointer>
@@ -12,7 +13,7 @@ class ValuePick;
 
 /// The window as an editor of parameters of the type `type` sees it: the workbench's session, whose undo stack takes
 /// the edits, and the window's file dialogs, and what is picked in the picture. Outlived by the workbench.
-class SessionEditorHost : public QObject, public EditorHost {
+class SessionEditorHost : public QObject, public EditorHost, public ValueScaleHost {
     Q_OBJECT
 public:
     SessionEditorHost(Workbench& workbench, ValuePick& pick, std::string type, QObject* parent = nullptr);
@@ -41,6 +42,7 @@ public:
     void tell(const Message& message) override;
     std::optional<PickedValue> picked() const override;
     void forgetPicked() override;
+    bool holdsLogarithms() const override;
 
 private:
     const ParameterValues& defaults() const;

@@ -5,6 +5,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/histogram_view.h"
+#include "ui/session/logarithm_text.h"
 #include "ui/viewport/viewport.h"
 
 #include <QCheckBox>
@@ -33,13 +34,14 @@ QTreeWidget* makeTable()
     auto* table = new QTreeWidget;
     table->setObjectName("statistics.table");
     table->setAccessibleName(StatisticsPanel::tr("Mesh sizes"));
-    table->setToolTip(StatisticsPanel::tr("What the mesh of each error costs: its error in percent of the range of "
-                                          "values and in their units, its size, the time to extract it, as measured "
-                                          "here, and the memory that it occupies. Choose a line to see that mesh."));
+    table->setToolTip(
+        StatisticsPanel::tr("What the mesh of each error costs: its error in percent of the range of "
+                            "values and in their units or as a factor, its size, the time to extract it, as measured "
+                            "here, and the memory that it occupies. Choose a line to see that mesh."));
     table->setRootIsDecorated(false);
     table->setUniformRowHeights(true);
     table->setAlternatingRowColors(true);
-    table->setHeaderLabels(levelColumns(ErrorMeaning::Only));
+    table->setHeaderLabels(levelColumns(ErrorMeaning::Only, false));
     table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->header()->setStretchLastSection(false);
     table->header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -137,7 +139,7 @@ void StatisticsPanel::showModel()
     scene_.reset();
     frameSeconds_ = 0;
     orderFaults_.reset();
-    histogram_->setHistogram(nullptr);
+    histogram_->setHistogram(nullptr, {});
     showLevels();
     showFacts();
     showFaultyCells();
@@ -163,7 +165,8 @@ void StatisticsPanel::showLevels()
     levels_ = model ? levelStatistics(*model, pace_, warping_) : std::vector<LevelStatistics>();
     curve_->setCurve(model ? sizeAgainstError(*model, warping_) : std::vector<CurvePoint>());
     curve_->setErrorMeaning(meaningOf(session_));
-    table_->setHeaderLabels(levelColumns(meaningOf(session_)));
+    const bool ofLogarithms = model && logarithmsOf(model->description());
+    table_->setHeaderLabels(levelColumns(meaningOf(session_), ofLogarithms));
     table_->clear();
     for (const LevelStatistics& level : levels_) {
         auto* item = new QTreeWidgetItem(table_, levelTexts(level));
@@ -198,7 +201,7 @@ void StatisticsPanel::showScene(const BuiltScene& scene)
 {
     scene_ = scene;
     scene_->scene.reset(); // only its numbers are of interest here
-    histogram_->setHistogram(scene.mesh.histogram);
+    histogram_->setHistogram(scene.mesh.histogram, scene.mesh.logarithms);
     if (const auto pace = secondsPerTetrahedron(scene)) {
         const bool isFirst = !pace_;
         pace_ = pace;

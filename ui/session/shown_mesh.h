@@ -29,15 +29,16 @@ struct ShownMesh {
     bool isBlended = false; ///< of two meshes, both are counted; the whole one is that outside the focus
     double scale = 1;       ///< as in ExtractedMesh
     ErrorMeaning errorMeaning = ErrorMeaning::Only;
-    std::optional<double> errorInSpace{}; ///< the largest one, %, where it was measured beside one in the grid
-    Eigen::AlignedBox3d bounds{};         ///< of what is drawn, if window or values leave something out; else empty
+    std::optional<double> errorInSpace{};   ///< the largest one, %, where it was measured beside one in the grid
+    std::optional<ValueRange> logarithms{}; ///< the model's range, if its values are logarithms: errors are factors
+    Eigen::AlignedBox3d bounds{};           ///< of what is drawn, if window or values leave something out; else empty
     std::shared_ptr<const ValueHistogram> histogram{}; ///< of its vertices' values, over the model's range
     /// The same of the values' natural logarithms; none if the range is not positive.
     std::shared_ptr<const ValueHistogram> logarithmicHistogram{};
 };
 
-/// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside", in the words for which error it is, and
-/// with the one in space beside that in the grid where it was measured.
+/// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside", in the words for which error it is, with
+/// the one in space beside that in the grid where it was measured, and of logarithms with the factor that each is.
 QString errorText(const ShownMesh& mesh);
 
 /// What is beside the name "Error": "in the grid; in space up to 7.3 %". Empty where there is one error only.

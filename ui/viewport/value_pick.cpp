@@ -2,6 +2,7 @@
 #include "ui/viewport/value_pick.h"
 
 #include "plugins/widgets/number_text.h"
+#include "ui/session/logarithm_text.h"
 #include "ui/viewport/viewport.h"
 
 #include <QCursor>
@@ -54,7 +55,7 @@ QString ValuePick::text() const
         return {};
     const auto length = [&](int axis) { return valueText(picked_->place[axis], model->diagonal()); };
     return tr("%1 at (%2, %3, %4)")
-        .arg(valueText(picked_->value, workbench_.session().range().extent()), length(0), length(1), length(2));
+        .arg(dataValueText(picked_->value, model->description()), length(0), length(1), length(2));
 }
 
 void ValuePick::pickAt(QPointF pixel)
@@ -153,7 +154,8 @@ void ValuePick::paintEvent(QPaintEvent* event)
         painter.setPen(QPen(colour, width));
         painter.drawEllipse(*place, ringRadius, ringRadius);
     }
-    const QString value = valueText(picked_->value, workbench_.session().range().extent());
+    const auto& model = workbench_.session().model();
+    const QString value = model ? dataValueText(picked_->value, model->description()) : QString();
     QRectF label(0, 0, fontMetrics().horizontalAdvance(value) + 10, fontMetrics().height() + 4);
     label.moveCenter(*place + QPointF(labelDistance + label.width() / 2, 0));
     if (label.right() > width())

@@ -25,7 +25,7 @@ public:
     ValuePick(Workbench& workbench, Viewport& viewport);
 
     const std::optional<PickedValue>& picked() const noexcept { return picked_; }
-    /// "1.244 at (3.2, 0.5, 0)"; empty if nothing is picked.
+    /// "1.244 at (3.2, 0.5, 0)", the value as the data have it; empty if nothing is picked.
     QString text() const;
     /// Picks what is seen at a pixel of the viewport, once the picture is up to date.
     void pickAt(QPointF pixel);

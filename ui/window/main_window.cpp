@@ -708,7 +708,7 @@ void MainWindow::showScene(const BuiltScene& scene)
 {
     viewport_->setScene(scene.scene, scene.mesh.tetrahedra);
     status_->setScene(scene);
-    status_->setRemarks(workbench_.scenes().errorRemarks(scene), scene.model->description().range);
+    status_->setRemarks(workbench_.scenes().errorRemarks(scene), scene.model->description());
     isOutdated_ = false;
     forgetFailures();
     showNotice();

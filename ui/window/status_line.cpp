@@ -2,6 +2,8 @@
 #include "ui/window/status_line.h"
 
 #include "core/base/memory.h"
+#include "core/data/value_scale.h"
+#include "core/transfer/remark_texts.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
@@ -120,12 +122,14 @@ void StatusLine::setErrors(const ShownMesh& mesh, const Model& model)
     errors_->setToolTip(promise.isEmpty() ? meshText(mesh, model) : meshText(mesh, model) + '\n' + promise);
 }
 
-void StatusLine::setRemarks(std::span<const ErrorRemark> remarks, const ValueRange& range)
+void StatusLine::setRemarks(std::span<const ErrorRemark> remarks, const ModelDescription& model)
 {
+    const bool ofLogarithms = holdsLogarithms(model.parameters);
+    const TransferLimits range{model.range.minimum, model.range.maximum};
     QStringList texts;
     for (const ErrorRemark& remark : remarks)
-        texts << translatedMessage(errorRemarkText(remark)) + ' ' +
-                     translatedMessage(errorCureText(remark, {range.minimum, range.maximum}));
+        texts << translatedMessage(errorRemarkText(remark, ofLogarithms)) + ' ' +
+                     translatedMessage(errorCureText(remark, range, ofLogarithms));
     const QString text = texts.join(QStringLiteral("\n\n"));
     remarks_->setToolTip(text);
     remarks_->setAccessibleDescription(text);

@@ -23,8 +23,8 @@ public:
 
     /// An empty name: nothing is open.
     void setFile(const QString& name, const QString& path, bool isAtServer);
-    /// What of the scene its mesh's error alone may have made, of data in this range.
-    void setRemarks(std::span<const ErrorRemark> remarks, const ValueRange& range);
+    /// What of the scene its mesh's error alone may have made.
+    void setRemarks(std::span<const ErrorRemark> remarks, const ModelDescription& model);
     /// Nothing is said of a scene any more: what is open is another one.
     void clearScene();
     void setScene(const BuiltScene& scene);

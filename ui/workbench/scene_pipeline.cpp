@@ -2,6 +2,7 @@
 #include "ui/workbench/scene_pipeline.h"
 
 #include "plugins/api/boundary_parameters.h"
+#include "ui/session/logarithm_text.h"
 
 #include <chrono>
 #include <new>
@@ -187,6 +188,7 @@ ShownMesh ScenePipeline::shownMesh(const Model& model, const MeshQuery& asked) c
                     .isBlended = fineMesh_ != nullptr,
                     .scale = mesh_->scale,
                     .errorMeaning = errorMeaning(model.description(), asked),
+                    .logarithms = logarithmsOf(model.description()),
                     .bounds = meshBounds_,
                     .histogram = histogram_,
                     .logarithmicHistogram = logarithmic_};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/value_scale.h"
 
 #include <tan/query.h>
 
@@ -291,7 +292,7 @@ private:
             found.clear();
             expect('(');
             do
-                found.push_back(number());
+                found.push_back(value());
             while (next(','));
         }
         const auto [inner, outer] = twoErrors();
@@ -343,11 +344,30 @@ private:
     {
         Knots found;
         do {
-            const double value = number();
+            const double at = value();
             expect(':');
-            found.push_back({value, size()});
+            found.push_back({at, size()});
         } while (next(','));
         return found;
+    }
+
+    /// Of the data: as parseFieldValue(), a number or the logarithm of one.
+    double value()
+    {
+        constexpr std::string_view logarithm = "log10";
+        skipBlanks();
+        if (!text_.substr(place_).starts_with(logarithm))
+            return number();
+        place_ += logarithm.size();
+        expect('(');
+        const std::size_t start = place_;
+        const double found = number();
+        if (!error_ && !(found > 0)) {
+            place_ = start;
+            fail(Message::say("a number above 0"));
+        }
+        expect(')');
+        return error_ ? 0 : portableLogarithm(found);
     }
 
     /// Finite, of any sign.

@@ -40,12 +40,13 @@ void paintOpacities(QPainter& painter, const CanvasScene& scene, const QColor& t
 /// Lines as on logarithmic paper: at the powers of ten, and fainter ones at their multiples if these are not too many.
 void paintDecades(QPainter& painter, const TransferPlot& plot, const QColor& text)
 {
-    const double first = std::floor(std::log10(plot.limits.least));
-    const double last = std::log10(plot.limits.largest);
+    const auto logarithm = [&](double value) { return plot.ofLogarithms ? value : std::log10(value); };
+    const double first = std::floor(logarithm(plot.limits.least));
+    const double last = logarithm(plot.limits.largest);
     const bool showsMultiples = last - first < mostDecadesWithMultiples;
     for (double power = first; power <= last; ++power)
         for (int multiple = 1; multiple < (showsMultiples ? 10 : 2); ++multiple) {
-            const double x = plot.x(multiple * std::pow(10, power));
+            const double x = plot.x(plot.ofLogarithms ? power + std::log10(multiple) : multiple * std::pow(10, power));
             if (x < plot.area.left() || x > plot.area.right())
                 continue;
             painter.setPen(QPen(faded(text, multiple == 1 ? 0.3 : 0.1), 1));
@@ -56,7 +57,7 @@ void paintDecades(QPainter& painter, const TransferPlot& plot, const QColor& tex
 void paintValues(QPainter& painter, const CanvasScene& scene, const QColor& text)
 {
     const TransferPlot& plot = scene.plot;
-    if (plot.valueAxis == ValueAxis::Logarithmic)
+    if (plot.valueAxis == ValueAxis::Logarithmic || plot.ofLogarithms)
         paintDecades(painter, plot, text);
     painter.setPen(text);
     for (const AxisLabel& label : valueLabels(plot, painter.fontMetrics()))
@@ -116,7 +117,7 @@ std::vector<AxisLabel> valueLabels(const TransferPlot& plot, const QFontMetrics&
     const double gap = font.horizontalAdvance("0");
     const double top = plot.area.bottom() + stripHeight + 5;
     const auto label = [&](double value, double share) {
-        const QString text = textOfValue(value, plot.limits);
+        const QString text = textOfValue(value, plot.limits, plot.ofLogarithms);
         const double width = font.horizontalAdvance(text);
         return AxisLabel{
             text,
@@ -174,7 +175,7 @@ void paintPicked(QPainter& painter, const CanvasScene& scene)
         painter.setPen(QPen(highlight, 2, Qt::DashLine));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     }
-    QString text = textOfValue(*value, scene.plot.limits);
+    QString text = textOfValue(*value, scene.plot.limits, scene.plot.ofLogarithms);
     if (isLeft)
         text.prepend("◂ ");
     if (isRight)

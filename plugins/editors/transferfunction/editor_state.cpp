@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/editor_state.h"
 
+#include "plugins/api/value_scale_host.h"
 #include "plugins/widgets/curves/whole_function.h"
 
 #include <algorithm>
@@ -88,9 +89,15 @@ TransferLimits EditorState::limits() const
     return limits;
 }
 
+bool EditorState::ofLogarithms() const
+{
+    const auto* host = dynamic_cast<const ValueScaleHost*>(&host_);
+    return host != nullptr && host->holdsLogarithms();
+}
+
 ValueAxis EditorState::valueAxis() const
 {
-    return hasPlaces(limits(), view_.valueAxis) ? view_.valueAxis : ValueAxis::Linear;
+    return hasPlaces(limits(), view_.valueAxis) && !ofLogarithms() ? view_.valueAxis : ValueAxis::Linear;
 }
 
 std::optional<std::size_t> EditorState::currentPoint() const

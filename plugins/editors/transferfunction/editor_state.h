@@ -56,7 +56,9 @@ public:
     TransferLimits limits() const;
     /// The values at the left and the right edge of the plot.
     TransferLimits shown() const { return view_.values.value_or(limits()); }
-    /// Linear as long as some value has no place on the one that is wanted.
+    /// Whether the values are logarithms, which people read and type as what they are of.
+    bool ofLogarithms() const;
+    /// Linear as long as some value has no place on the one that is wanted, and of logarithms.
     ValueAxis valueAxis() const;
 
     const TransferSelection& selection() const noexcept { return selection_; }

@@ -67,7 +67,10 @@ void TransferPanel::addValueAxes(QMenu& menu)
         action->setObjectName(QString("transfer.valueAxis.") + name);
         action->setCheckable(true);
         axes->addAction(action);
-        const auto follow = [this, action, kind] { action->setChecked(state_.valueAxis() == kind); };
+        const auto follow = [this, action, kind] {
+            action->setChecked(state_.valueAxis() == kind);
+            action->setEnabled(kind == ValueAxis::Linear || !state_.ofLogarithms()); // those go by factors already
+        };
         connect(&state_, &EditorState::viewChanged, action, follow);
         connect(&state_, &EditorState::selectionChanged, action, follow); // and after every edit
         follow();

@@ -144,6 +144,7 @@ void PointNumbers::showSelection()
     opacity_->setEnabled(hasColour);
     colour_->setEnabled(hasColour);
     const QSignalBlocker blocker(value_);
+    value_->setOfLogarithms(state_.ofLogarithms());
     value_->setValueRange(state_.limits().least, state_.limits().largest);
     if (value)
         showNumber(*value_, *value);

@@ -5,6 +5,7 @@
 #include <QLocale>
 
 #include <array>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -52,10 +53,15 @@ int PointTableModel::columnCount(const QModelIndex& parent) const
     return parent.isValid() ? 0 : int{ColumnCount};
 }
 
+double PointTableModel::shownValue(const TransferPoint& point) const
+{
+    return state_.ofLogarithms() ? std::pow(10.0, point.value) : point.value;
+}
+
 QString PointTableModel::textOf(const TransferPoint& point, int column) const
 {
     switch (column) {
-    case Value: return QLocale().toString(point.value, 'g', QLocale::FloatingPointShortest);
+    case Value: return QLocale().toString(shownValue(point), 'g', QLocale::FloatingPointShortest);
     case Opacity: return QLocale().toString(100.0 * point.opacity, 'g', 4);
     case Colour: return colourOf(point).name();
     case Group: return point.group ? QString::number(*point.group) : QString();
@@ -72,7 +78,7 @@ QVariant PointTableModel::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole:
         if (index.column() == Value)
-            return QLocale().toString(point.value, 'g', 7);
+            return QLocale().toString(shownValue(point), 'g', 7);
         [[fallthrough]];
     case Qt::EditRole: return textOf(point, index.column());
     case Qt::DecorationRole: return index.column() == Colour ? QVariant(colourOf(point)) : QVariant();
@@ -118,8 +124,10 @@ bool PointTableModel::edit(std::size_t point, int column, const QString& text)
     const JoinedFunction& before = state_.joinedFunction();
     EditedSelection edited{before, {point}};
     if (column == Value) {
-        if (const auto number = numberIn(text))
-            edited = withValue(before, {point}, *number, state_.rule(), state_.limits());
+        const bool ofLogarithms = state_.ofLogarithms();
+        if (const auto number = numberIn(text); number && (!ofLogarithms || *number > 0))
+            edited = withValue(before, {point}, ofLogarithms ? std::log10(*number) : *number, state_.rule(),
+                               state_.limits());
     } else if (column == Opacity) {
         if (const auto percent = numberIn(text))
             edited = withOpacity(before, {point}, *percent / 100);

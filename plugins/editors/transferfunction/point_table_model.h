@@ -28,6 +28,8 @@ public:
 
 private:
     QString textOf(const TransferPoint& point, int column) const;
+    /// As the data have it.
+    double shownValue(const TransferPoint& point) const;
     bool edit(std::size_t point, int column, const QString& text);
 
     EditorState& state_;

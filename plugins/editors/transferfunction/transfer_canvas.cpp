@@ -49,8 +49,12 @@ void TransferCanvas::select(std::optional<std::size_t> point)
 
 TransferPlot TransferCanvas::plot() const
 {
-    return {plotArea(rect(), fontMetrics()), state_.shown(), state_.view().heights, state_.view().axis,
-            state_.valueAxis()};
+    return {plotArea(rect(), fontMetrics()),
+            state_.shown(),
+            state_.view().heights,
+            state_.view().axis,
+            state_.valueAxis(),
+            state_.ofLogarithms()};
 }
 
 CanvasScene TransferCanvas::scene() const
@@ -106,8 +110,7 @@ void TransferCanvas::describeCurrent()
     QString text = tr("Point %1 of %2: value %3, opacity %4")
                        .arg(current.index + 1)
                        .arg(points)
-                       .arg(numberInRange(point.value, state_.limits().least, state_.limits().largest),
-                            percentText(100.0 * point.opacity));
+                       .arg(wholeTextOf(point.value), percentText(100.0 * point.opacity));
     if (point.group)
         text += ", " + tr("group %1").arg(*point.group);
     if (state_.selection().size() > 1)
@@ -115,12 +118,18 @@ void TransferCanvas::describeCurrent()
     setAccessibleDescription(text);
 }
 
+/// Among all values, not only those that are seen.
+QString TransferCanvas::wholeTextOf(double value) const
+{
+    const TransferLimits limits = state_.limits();
+    return state_.ofLogarithms() ? antilogarithmText(value, limits.largest - limits.least)
+                                 : numberInRange(value, limits.least, limits.largest);
+}
+
 /// For tooltips and for people who hear what they do not see.
 QString TransferCanvas::tipFor(const EditorItem& item) const
 {
-    const auto value = [this, &item] {
-        return numberInRange(*state_.valueOf(item), state_.limits().least, state_.limits().largest);
-    };
+    const auto value = [this, &item] { return wholeTextOf(*state_.valueOf(item)); };
     switch (item.kind) {
     case EditorItem::Kind::None: return toolTip();
     case EditorItem::Kind::Point: {

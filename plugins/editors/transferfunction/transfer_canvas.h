@@ -77,6 +77,7 @@ private:
     void dragView(QPointF to);
     void showCursorFor(QPointF place);
     QString tipFor(const EditorItem& item) const;
+    QString wholeTextOf(double value) const;
     bool editByKey(const QKeyEvent& event);
     bool moveByKey(const QKeyEvent& event);
     bool lookByKey(const QKeyEvent& event);

@@ -19,6 +19,7 @@ struct TransferPlot {
     TransferLimits heights{};
     OpacityAxis axis = OpacityAxis::SquareRoot;
     ValueAxis valueAxis = ValueAxis::Linear;
+    bool ofLogarithms = false; ///< the values are: EditorState::ofLogarithms()
 
     double x(double value) const;
     /// Of a place on the axis of values (placeOnAxis()).

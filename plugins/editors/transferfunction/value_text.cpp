@@ -32,8 +32,10 @@ std::optional<std::uint64_t> countAt(const EditorState& state, double value)
 
 } // namespace
 
-QString textOfValue(double value, const TransferLimits& seen)
+QString textOfValue(double value, const TransferLimits& seen, bool ofLogarithms)
 {
+    if (ofLogarithms)
+        return antilogarithmText(value, seen.largest - seen.least);
     const double largest = std::max(std::abs(seen.least), std::abs(seen.largest));
     const double extent = seen.largest - seen.least;
     const int digits = extent > 0 ? 3 + static_cast<int>(std::ceil(std::log10(std::max(largest / extent, 1.0)))) : 6;
@@ -42,9 +44,10 @@ QString textOfValue(double value, const TransferLimits& seen)
 
 QString plainReadOutOf(const EditorState& state, double value)
 {
-    QString text = ValueReadOut::tr("%1: %2, %3")
-                       .arg(textOfValue(value, state.shown()), percentText(100 * opacityOf(state.function(), value)),
-                            colourAt(state.function(), value).name());
+    QString text =
+        ValueReadOut::tr("%1: %2, %3")
+            .arg(textOfValue(value, state.shown(), state.ofLogarithms()),
+                 percentText(100 * opacityOf(state.function(), value)), colourAt(state.function(), value).name());
     if (const auto count = countAt(state, value))
         text += ", " +
                 (*count == 1 ? ValueReadOut::tr("1 vertex") : ValueReadOut::tr("%1 vertices").arg(countText(*count)));

@@ -7,8 +7,9 @@
 
 namespace tetra {
 
-/// A value in the user's locale, with as many digits as tell a thousandth of the seen part apart.
-QString textOfValue(double value, const TransferLimits& seen);
+/// A value in the user's locale, with as many digits as tell a thousandth of the seen part apart; of logarithms what it
+/// is the logarithm of.
+QString textOfValue(double value, const TransferLimits& seen, bool ofLogarithms);
 
 /// What is known of a value: the value, opacity, colour and how often it occurs in the mesh. With a swatch, as rich
 /// text.

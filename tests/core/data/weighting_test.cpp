@@ -68,6 +68,8 @@ private slots:
         // A sharp box of one point stays a box: points need a reach.
         const std::string sharp = "box:1,2,3,1,2,3,0,0.5";
         QCOMPARE(weightingText(parseWeighting(sharp).value()), sharp);
+        // The logarithm of a value of the data, where values are logarithms.
+        QCOMPARE(weightingText(parseWeighting("value:log10(1e-3),2").value()), std::string("value:-3,2,0.1"));
     }
 
     void badTextsAreRefusedWithTheReason_data()
@@ -90,6 +92,10 @@ private slots:
                                       << "'' is not a number";
         QTest::newRow("infinite") << "point:1,inf,3,4"
                                   << "'inf' is not a number";
+        QTest::newRow("logarithm of zero") << "value:log10(0),2"
+                                           << "'log10(0)' is not a number";
+        QTest::newRow("logarithm of a length") << "value:1,log10(2)"
+                                               << "'log10(2)' is not a number";
         QTest::newRow("decimal comma") << "value:1,5,2,0,3"
                                        << "it has 5 numbers";
         QTest::newRow("no reach") << "value:1,0"

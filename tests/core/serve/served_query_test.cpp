@@ -104,6 +104,9 @@ private slots:
         row("window=0,0,0,1,1,inf", "two opposite corners");
         row("values=2,1", "'values'");
         row("values=1", "'values'");
+        row("values=log10(0),1", "'values'");
+        row("values=log10(1),log10(0.1)", "the smaller one first");
+        row("range=4,1&births=log10(1),2", "'births'");
         row("focus=sphere:1,2,3,4", "'focus' needs 'focus-error'");
         row("focus-error=1", "'focus-error' needs a focus");
         row("focus=sphere:1,2,3,0&focus-error=1", "does not fit 'focus'");
@@ -146,6 +149,16 @@ private slots:
         QVERIFY(!query.ok());
         QVERIFY(query.error().text().find("'--field' says where") != std::string::npos);
         QVERIFY(query.error().text().find("'--error' does not go with it") != std::string::npos);
+    }
+
+    /// Where values are logarithms, values of the data can be typed.
+    void valuesMayBeLogarithms()
+    {
+        const auto query = read("values=log10(1e-3),log10(100)&values=-4,log10(0.1)");
+        QVERIFY2(query.ok(), query.ok() ? "" : query.error().text().c_str());
+        QCOMPARE(query->values.size(), std::size_t(2));
+        QVERIFY(query->values[0].minimum == -3 && query->values[0].maximum == 2);
+        QVERIFY(query->values[1].minimum == -4 && query->values[1].maximum == -1);
     }
 
     void whatIsLeftOutIsUsual()

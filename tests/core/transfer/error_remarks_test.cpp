@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a picture the error of its mesh alone may have made.
+#include "core/transfer/remark_texts.h"
+
 #include <tan/transfer.h>
 
 #include <QTest>
@@ -140,6 +142,32 @@ private slots:
         const ErrorRemark remark{Kind::IsovalueAtEnd, 1, 0, 5, enough};
         QCOMPARE(enoughPercent(remark, {0, 200}), percent);
         QVERIFY(!errorRemarkText(remark).empty() && !errorCureText(remark, {0, 200}).empty());
+    }
+
+    /// Of logarithms errors are told as factors, and values as they are typed.
+    void ofLogarithmsFactorsAreTold_data()
+    {
+        QTest::addColumn<ErrorRemark>("remark");
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("end") << ErrorRemark{Kind::IsovalueAtEnd, -2.9, -3, 0.1, 0.05}
+                             << QStringList{"isovalue log10(0.00125893)", "a factor of 1.26", "log10(0.001)"};
+        QTest::newRow("background") << ErrorRemark{Kind::IsovalueAtBackground, 2, 1.999, 0.002, 0.0005}
+                                    << QStringList{"isovalue log10(100)", "a factor of 1.0046", "log10(99.8)"};
+        QTest::newRow("opacity") << ErrorRemark{Kind::OpacityAtBackground, -5, -6, 1.5, 0.5}
+                                 << QStringList{"from log10(1e-05)", "a factor of 31.6", "log10(1e-06)"};
+        QTest::newRow("narrow") << ErrorRemark{Kind::NarrowOpacity, 0, 0, 0.3, 0.1}
+                                << QStringList{"about log10(1)", "a factor of 2"};
+    }
+    void ofLogarithmsFactorsAreTold()
+    {
+        QFETCH(ErrorRemark, remark);
+        QFETCH(QStringList, words);
+        const QString text = QString::fromStdString(errorRemarkText(remark, true).text());
+        for (const QString& word : words)
+            QVERIFY2(text.contains(word), qPrintable(text));
+        const QString cure = QString::fromStdString(errorCureText(remark, {-6, 4}, true).text());
+        QVERIFY2(cure.contains(" %") && cure.contains("near log10("), qPrintable(cure));
+        QCOMPARE(errorRemarkText(remark, false), errorRemarkText(remark));
     }
 };
 

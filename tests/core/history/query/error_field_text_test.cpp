@@ -59,6 +59,12 @@ private slots:
                                    << "values()";
         QTest::newRow("isovalues") << "isovalues(10, 20; .5, 8, 3)"
                                    << "values(7:8, 10:0.5, 13:8, 17:8, 20:0.5, 23:8)";
+        QTest::newRow("logarithms") << "values( log10(1e-5):2, log10( 100 ) :1, 1:3)"
+                                    << "values(-5:2, 1:3, 2:1)";
+        QTest::newRow("isovalues of logarithms") << "isovalues(log10(1000); .5, 8, 1)"
+                                                 << "values(2:8, 3:0.5, 4:8)";
+        QTest::newRow("opacity of logarithms") << "opacity(log10(1):0, log10(10):1; 1, 5)"
+                                               << "values(0:5, 1:1)";
         QTest::newRow("opacity") << "opacity(0:0, 10:1; 1, 5)"
                                  << "values(0:5, 10:1)";
         QTest::newRow("from the left") << "sum(camera(0,0,0;1,2,3), 1, 2)"
@@ -120,6 +126,14 @@ private slots:
                               << "less than 308 digits";
         QTest::newRow("no normal") << "halfspace(0,0,0,1;1,2)"
                                    << "not all 0";
+        QTest::newRow("logarithm of zero") << "values(log10(0):1)"
+                                           << "character 14: expected a number above 0, but there is '0):1)'";
+        QTest::newRow("open logarithm") << "isovalues(log10(1; 1, 2)"
+                                        << "character 18: expected ')'";
+        QTest::newRow("logarithm of nothing") << "isovalues(log10; 1, 2)"
+                                              << "character 16: expected '('";
+        QTest::newRow("logarithm for an error") << "values(1:log10(1))"
+                                                << "character 10: expected a number";
         QTest::newRow("comma") << "1,5"
                                << "character 2: expected the end";
     }

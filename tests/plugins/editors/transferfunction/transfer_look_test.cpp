@@ -64,7 +64,7 @@ void TransferLookTest::valuesBelowThePlotDoNotTouch()
         for (double width = 40; width < 700; width += 20) {
             TransferPlot plot{{30, 10, width, 80}, limits};
             const auto labels = valueLabels(plot, font);
-            QCOMPARE(labels.front().text, textOfValue(limits.least, limits));
+            QCOMPARE(labels.front().text, textOfValue(limits.least, limits, false));
             for (std::size_t i = 0; i < labels.size(); ++i)
                 for (std::size_t j = 0; j < i; ++j)
                     QVERIFY2(!labels[i].place.adjusted(-2, 0, 2, 0).intersects(labels[j].place),
@@ -179,7 +179,7 @@ void TransferLookTest::theReadOutFollowsThePointer()
     QCoreApplication::sendEvent(&editor_->canvas(), &move);
     const double value = plot().valueAt(place.x());
     QCOMPARE(readOut.accessibleName(), plainReadOutOf(editor_->state(), value));
-    QVERIFY(readOut.text().contains(textOfValue(value, plot().limits)));
+    QVERIFY(readOut.text().contains(textOfValue(value, plot().limits, false)));
     QVERIFY(readOut.text().contains("vertices"));
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&editor_->canvas(), &leave);
