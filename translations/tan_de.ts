@@ -10721,8 +10721,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Kopieren oder exportieren Sie sie noch einmal; „h5dump -H“ zeigt, was darin ist.</translation>
     </message>
     <message>
-        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</source>
-        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</translation>
+        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</source>
+        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</translation>
     </message>
     <message>
         <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
@@ -11691,6 +11691,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>zyx</source>
         <translation>zyx</translation>
+    </message>
+    <message>
+        <source>&apos;ExtMin&apos; and &apos;ExtMax&apos; of Imaris</source>
+        <translation>„ExtMin“ und „ExtMax“ von Imaris</translation>
+    </message>
+    <message>
+        <source>It has %1 levels of detail, 0 being the finest; the others are not read. Choose one by its array, such as &apos;%2&apos;.</source>
+        <translation>Sie hat %1 Detailstufen, von denen 0 die feinste ist; die anderen werden nicht gelesen. Wählen Sie eine durch ihr Feld, etwa „%2“.</translation>
     </message>
 </context>
 <context>

@@ -10721,8 +10721,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Copiarlo o esportarlo di nuovo; «h5dump -H» mostra che cosa contiene.</translation>
     </message>
     <message>
-        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</source>
-        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</translation>
+        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</source>
+        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</translation>
     </message>
     <message>
         <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
@@ -11691,6 +11691,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>zyx</source>
         <translation>zyx</translation>
+    </message>
+    <message>
+        <source>&apos;ExtMin&apos; and &apos;ExtMax&apos; of Imaris</source>
+        <translation>«ExtMin» e «ExtMax» di Imaris</translation>
+    </message>
+    <message>
+        <source>It has %1 levels of detail, 0 being the finest; the others are not read. Choose one by its array, such as &apos;%2&apos;.</source>
+        <translation>Ha %1 livelli di dettaglio, di cui 0 è il più fine; gli altri non vengono letti. Sceglierne uno con il suo array, per esempio «%2».</translation>
     </message>
 </context>
 <context>
