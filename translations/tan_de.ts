@@ -6645,6 +6645,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 endet in einem Abschnitt. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
+        <source>%1 has values whose bracket stands right behind the last one, of which VTK then leaves out a digit. Put an end of line before the bracket, or export the file again.</source>
+        <translation>%1 hat Werte, deren Klammer gleich hinter dem letzten steht, von dem VTK dann eine Ziffer auslässt. Setzen Sie ein Zeilenende vor die Klammer, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
         <source>its file %1 is missing, which holds the values. Copy it into the folder of this one.</source>
         <translation>Ihre Datei %1, die die Werte enthält, fehlt. Kopieren Sie sie in den Ordner dieser Datei.</translation>
     </message>

@@ -6645,6 +6645,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 finisce dentro una sezione. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
+        <source>%1 has values whose bracket stands right behind the last one, of which VTK then leaves out a digit. Put an end of line before the bracket, or export the file again.</source>
+        <translation>%1 ha valori la cui parentesi sta subito dietro l'ultimo, del quale VTK tralascia allora una cifra. Mettere un a capo prima della parentesi, o esportare di nuovo il file.</translation>
+    </message>
+    <message>
         <source>its file %1 is missing, which holds the values. Copy it into the folder of this one.</source>
         <translation>il suo file %1, che contiene i valori, manca. Copiarlo nella cartella di questo.</translation>
     </message>

@@ -245,6 +245,29 @@ private slots:
         QVERIFY(timer.elapsed() < soon(10'000));
     }
 
+    /// VTK leaves out the last letter of a section of values: a digit, if the bracket stands right behind it.
+    void valuesOfFluentKeepTheirLastDigit()
+    {
+        const auto path = folder_.write(
+            "a.cas",
+            "(0 \"one tetrahedron\")\n(2 3)\n(10 (0 1 4 0 3))\n(10 (1 1 4 1 3)(\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n))\n"
+            "(12 (0 1 1 0))\n(12 (2 1 1 1 2))\n(13 (0 1 4 0))\n"
+            "(13 (3 1 4 3 3)(\n1 3 2 1 0\n1 2 4 1 0\n2 3 4 1 0\n1 4 3 1 0\n))\n(45 (2 fluid inside)())\n");
+        const auto withValue = [&](const char* value) {
+            folder_.write("a.dat", "(33 (1 1 1))\n(300 (1 2 1 0 0 1 1)(\n" + QByteArray(value) + "))\n");
+            return builtVtkReader().read(path, {}, {});
+        };
+        for (const char* whole : {"17\n", "17 "}) {
+            const auto read = withValue(whole);
+            QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+            QCOMPARE(read->values.range().minimum, 17.);
+        }
+        const auto refused = withValue("17");
+        QVERIFY(!refused.ok());
+        QVERIFY2(refused.error().text().find("leaves out a digit") != std::string::npos,
+                 refused.error().text().c_str());
+    }
+
     /// Some programs call quadratic cells linear; the number of their corners tells.
     void mislabelledQuadraticCellsAreRead()
     {
