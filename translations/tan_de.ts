@@ -11673,6 +11673,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Dateien nennen einander mehr als %1 Ebenen tief.</translation>
     </message>
     <message>
+        <source>it names %1 files %2 times in all.</source>
+        <translation>sie nennt %1 Dateien insgesamt %2 Mal.</translation>
+    </message>
+    <message>
         <source>it names the file &apos;%1&apos;, which names it in turn.</source>
         <translation>sie nennt die Datei „%1“, die wiederum sie nennt.</translation>
     </message>

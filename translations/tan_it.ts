@@ -11673,6 +11673,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi file si nominano a vicenda per più di %1 livelli.</translation>
     </message>
     <message>
+        <source>it names %1 files %2 times in all.</source>
+        <translation>nomina %1 file %2 volte in tutto.</translation>
+    </message>
+    <message>
         <source>it names the file &apos;%1&apos;, which names it in turn.</source>
         <translation>nomina il file «%1», che a sua volta lo nomina.</translation>
     </message>

@@ -245,6 +245,27 @@ private slots:
         QVERIFY(timer.elapsed() < soon(10'000));
     }
 
+    /// VTK reads a file as often as a list of blocks names it, which a small list may do without end.
+    void filesThatAreNamedAgainAndAgain()
+    {
+        folder_.write("again.vti", vtiText());
+        const auto listed = [&](const QByteArray& name, const QByteArray& inside, int times) {
+            return folder_.write(name, "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>" +
+                                           ("<DataSet index=\"0\" file=\"" + inside + "\"/>").repeated(times) +
+                                           "</vtkMultiBlockDataSet></VTKFile>");
+        };
+        const auto errorOf = [&](const std::filesystem::path& path) {
+            const auto read = builtVtkReader().read(path, {}, {});
+            return read ? std::string() : read.error().text();
+        };
+        const std::string often = errorOf(listed("often.vtm", "again.vti", 300));
+        QVERIFY2(often.find("it names 1 files 300 times") != std::string::npos, often.c_str());
+        const std::string inner = errorOf(listed("inner.vtm", "again.vti", 60));
+        QVERIFY2(inner.find("times") == std::string::npos, inner.c_str());
+        const std::string outer = errorOf(listed("outer.vtm", "inner.vtm", 60));
+        QVERIFY2(outer.find("it names 2 files 3660 times") != std::string::npos, outer.c_str());
+    }
+
     /// VTK leaves out the last letter of a section of values: a digit, if the bracket stands right behind it.
     void valuesOfFluentKeepTheirLastDigit()
     {
