@@ -10760,10 +10760,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Kopieren oder exportieren Sie sie noch einmal; „h5dump -H“ zeigt, was darin ist.</translation>
     </message>
     <message>
-        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</source>
-        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</translation>
-    </message>
-    <message>
         <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
         <translation>sie hat %1 %2, und verlangt ist mit „%4“ Nummer %3.</translation>
     </message>
@@ -11746,6 +11742,26 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>a factor of %1</source>
         <translation>Faktor %1</translation>
+    </message>
+    <message>
+        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</source>
+        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</translation>
+    </message>
+    <message>
+        <source>&apos;ExtMin&apos; and &apos;ExtMax&apos; of Imaris</source>
+        <translation>„ExtMin“ und „ExtMax“ von Imaris</translation>
+    </message>
+    <message>
+        <source>It has %1 levels of detail, 0 being the finest; the others are not read. Choose one by its array, such as &apos;%2&apos;.</source>
+        <translation>Sie hat %1 Detailstufen, von denen 0 die feinste ist; die anderen werden nicht gelesen. Wählen Sie eine durch ihr Feld, etwa „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 has values whose bracket stands right behind the last one, of which VTK then leaves out a digit. Put an end of line before the bracket, or export the file again.</source>
+        <translation>%1 hat Werte, deren Klammer gleich hinter dem letzten steht, von dem VTK dann eine Ziffer auslässt. Setzen Sie ein Zeilenende vor die Klammer, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>it names %1 files %2 times in all.</source>
+        <translation>sie nennt %1 Dateien insgesamt %2 Mal.</translation>
     </message>
 </context>
 <context>

@@ -10760,10 +10760,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Copiarlo o esportarlo di nuovo; «h5dump -H» mostra che cosa contiene.</translation>
     </message>
     <message>
-        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</source>
-        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)</translation>
-    </message>
-    <message>
         <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
         <translation>ha %1 %2, e con «%4» si chiede il numero %3.</translation>
     </message>
@@ -11746,6 +11742,26 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>a factor of %1</source>
         <translation>fattore %1</translation>
+    </message>
+    <message>
+        <source>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</source>
+        <translation>HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)</translation>
+    </message>
+    <message>
+        <source>&apos;ExtMin&apos; and &apos;ExtMax&apos; of Imaris</source>
+        <translation>«ExtMin» e «ExtMax» di Imaris</translation>
+    </message>
+    <message>
+        <source>It has %1 levels of detail, 0 being the finest; the others are not read. Choose one by its array, such as &apos;%2&apos;.</source>
+        <translation>Ha %1 livelli di dettaglio, di cui 0 è il più fine; gli altri non vengono letti. Sceglierne uno con il suo array, per esempio «%2».</translation>
+    </message>
+    <message>
+        <source>%1 has values whose bracket stands right behind the last one, of which VTK then leaves out a digit. Put an end of line before the bracket, or export the file again.</source>
+        <translation>%1 ha valori la cui parentesi sta subito dietro l'ultimo, del quale VTK tralascia allora una cifra. Mettere un a capo prima della parentesi, o esportare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>it names %1 files %2 times in all.</source>
+        <translation>nomina %1 file %2 volte in tutto.</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,8 @@ from mutants import measured
 # A reading program ends after a minute of the processor by itself.
 MOST_SPACE, MOST_MEMORY, MOST_SECONDS = 4 << 30, 500 << 20, 90
 COMMANDS = (("info", "OPENED"), ("build", "OPENED", "-o", "out.tan", "--error", "5"))
+# How the names of those end whose values lie in another file, so that nothing can be built of them: not even of zeros.
+ELSEWHERE = "a link", "a link by its whole path", "a virtual array", "values elsewhere"
 COUNT = sum(1 for _ in bomb_files.all_bombs())
 
 
@@ -58,6 +60,8 @@ def attempt(bench, folder, _, number):
         new = {path.name for path in place.iterdir()} - before
         if problem := wrong(ran, memory, new):
             failures.append("%s, tan %s: %s" % (name, command[0], problem))
+        elif command[0] == "build" and ran.code == DONE and name.endswith(ELSEWHERE):
+            failures.append("%s: built without the values, which lie elsewhere" % name)
         elif command[0] == "build" and ran.code == DONE:
             shown, _ = measured(bench, ("info", "out.tan"), place)
             if b"%d" % bomb_files.SECRET in shown.out:

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 7> endings = {".h5", ".hdf5", ".hdf", ".he5", ".nxs", ".nx5", ".mat"};
+constexpr std::array<std::string_view, 8> endings = {".h5", ".hdf5", ".hdf", ".he5", ".nxs", ".nx5", ".mat", ".ims"};
 
 std::string loweredName(const fs::path& path)
 {
@@ -81,7 +81,7 @@ Hdf5Reader::Hdf5Reader(fs::path helper) : helper_(helper.empty() ? besidePlugin(
 
 std::vector<std::string> Hdf5Reader::nameFilters() const
 {
-    return {Message::marked("HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat)")};
+    return {Message::marked("HDF5 (*.h5 *.hdf5 *.hdf *.he5 *.nxs *.nx5 *.mat *.ims)")};
 }
 
 double Hdf5Reader::score(const fs::path& path, std::span<const std::byte> firstBytes) const

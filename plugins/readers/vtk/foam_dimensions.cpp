@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/foam_dimensions.h"
 
+#include "plugins/readers/vtk/unit_powers.h"
+
 #include <tan/base.h>
 
 #include <zlib.h>
@@ -38,12 +40,6 @@ std::vector<std::string_view> wordsOfDimensions(std::string_view text)
     return words;
 }
 
-/// "m^2", "s", with a blank before what is not the first.
-void multiply(std::string& product, std::string_view unit, double power)
-{
-    product += (product.empty() ? "" : " ") + std::string(unit) + (power == 1 ? "" : "^" + formatNumber(power));
-}
-
 } // namespace
 
 std::string foamUnit(std::string_view text)
@@ -51,27 +47,16 @@ std::string foamUnit(std::string_view text)
     constexpr std::array<std::string_view, 7> units{"kg", "m", "s", "K", "mol", "A", "cd"};
     constexpr std::size_t leastPowers = 5; // older files leave out those of A and cd
     const auto words = wordsOfDimensions(text);
-    std::string above, below, named;
-    std::size_t powers = 0, factorsBelow = 0;
+    std::vector<double> powers;
+    std::string named;
     for (const std::string_view word : words) {
         named += (named.empty() ? "" : " ") + std::string(word);
-        const auto power = parseNumber<double>(word);
-        if (!power || powers == units.size())
-            continue;
-        if (*power > 0)
-            multiply(above, units[powers], *power);
-        if (*power < 0)
-            multiply(below, units[powers], -*power);
-        factorsBelow += *power < 0 ? 1 : 0;
-        ++powers;
+        if (const auto power = parseNumber<double>(word); power && powers.size() < units.size())
+            powers.push_back(*power);
     }
-    if (powers == 0)
+    if (powers.empty())
         return named;
-    if (powers != words.size() || powers < leastPowers)
-        return {};
-    if (below.empty())
-        return above;
-    return (above.empty() ? "1" : above) + "/" + (factorsBelow > 1 ? "(" + below + ")" : below);
+    return powers.size() == words.size() && powers.size() >= leastPowers ? unitOfPowers(units, powers) : std::string();
 }
 
 std::string foamUnitOfFile(const std::filesystem::path& path)

@@ -191,12 +191,6 @@ void orient(const std::vector<AxisRole>& roles, ArrayAxes& axes)
                 axis = free;
 }
 
-Error noSuchNumber(const Message& what, std::uint64_t there, const std::string& asked, const char* option)
-{
-    return {ErrorKind::WrongUsage,
-            Message::say("it has %1 %2, and number %3 is asked for with '%4'.", there, what, printable(asked), option)};
-}
-
 Status takeComponent(const Hdf5Array& array, const ArrayAxes& axes, const Hdf5Request& request, ArrayPart& part)
 {
     part.components = axes.component ? array.size[*axes.component] : array.element.components;
@@ -289,6 +283,12 @@ Status takeTime(const Hdf5Array& array, const ArrayAxes& axes, const Hdf5Request
 }
 
 } // namespace
+
+Error noSuchNumber(const Message& what, std::uint64_t there, const std::string& asked, const char* option)
+{
+    return {ErrorKind::WrongUsage,
+            Message::say("it has %1 %2, and number %3 is asked for with '%4'.", there, what, printable(asked), option)};
+}
 
 std::string axisName(const ArrayAxes& axes, std::size_t dimension)
 {

@@ -49,6 +49,9 @@ struct ArrayPart {
     std::vector<Taken> taken{}; ///< in the order of TakenPart
 };
 
+/// "it has 3 channels, and number 4 is asked for with 'channel'."
+Error noSuchNumber(const Message& what, std::uint64_t there, const std::string& asked, const char* option);
+
 /// Errors (WrongUsage): there is no such step, channel, component, or number along a further dimension.
 Result<ArrayPart> partOf(const Hdf5Array& array, const ArrayAxes& axes, const Hdf5Request& request);
 

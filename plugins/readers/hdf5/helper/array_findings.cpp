@@ -8,6 +8,7 @@
 #include "plugins/readers/hdf5/helper/array_values.h"
 #include "plugins/readers/hdf5/helper/attributes.h"
 #include "plugins/readers/hdf5/helper/hdf5_arrays.h"
+#include "plugins/readers/hdf5/helper/imaris_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@ struct PlacedArray {
     ArrayPart part{};
     StoredMeaning meaning{};
     ArrayPlaces places{};
+    std::optional<ImarisPicture> imaris{}; ///< of which it is one array
     std::vector<Taken> taken{};
     std::vector<Message> leftOut{};
 };
@@ -50,8 +52,8 @@ std::string unitOf(hid_t file, const Hdf5Array& array)
 /// Attributes of the array, or of its group, that change what its numbers mean, and that nothing is done about.
 void tellUnused(hid_t file, const Hdf5Array& array, std::vector<Message>& leftOut)
 {
-    constexpr std::array<const char*, 8> ofArray = {"valid_range", "valid_min",      "valid_max", "MissingValue",
-                                                    "ScaleFactor", "scaling_factor", "_Unsigned", "ImageSizeX"};
+    constexpr std::array<const char*, 7> ofArray = {"valid_range", "valid_min",      "valid_max", "MissingValue",
+                                                    "ScaleFactor", "scaling_factor", "_Unsigned"};
     const std::string parent = array.path.substr(0, std::max<std::size_t>(1, array.path.rfind('/')));
     const Hdf5Id opened = openArray(file, array.path), group = openGroup(file, parent);
     for (const char* name : ofArray)
@@ -63,7 +65,7 @@ void tellChoices(hid_t file, const Hdf5Listing& listing, bool isGuess, PlacedArr
 {
     std::vector<const Hdf5Array*> others;
     for (const Hdf5Array& array : listing.arrays)
-        if (isVolume(array) && array.path != placed.array.path)
+        if (isVolume(array) && array.path != placed.array.path && !(placed.imaris && imarisPlace(array.path)))
             others.push_back(&array);
     if (!others.empty()) {
         placed.taken.push_back({TakenPart::Array, Message(printable(placed.array.path)), isGuess});
@@ -86,17 +88,24 @@ void tellChoices(hid_t file, const Hdf5Listing& listing, bool isGuess, PlacedArr
 
 Result<PlacedArray> placedArray(hid_t file, const Hdf5Listing& listing, std::uint64_t bytes, const Hdf5Request& request)
 {
-    const auto chosen = chooseArray(file, listing, request);
+    const auto imaris = imarisPictureOf(listing);
+    const auto asked = imaris ? requestInImaris(*imaris, request) : Result<Hdf5Request>(request);
+    if (!asked)
+        return asked.error();
+    const auto chosen = chooseArray(file, listing, *asked);
     if (!chosen)
         return chosen.error();
     PlacedArray placed{.array = *chosen->array};
+    if (imarisPlace(placed.array.path))
+        placed.imaris = imaris;
     auto meaning = storedMeaning(file, placed.array);
     if (!meaning)
         return meaning.error();
+    placed.array.size = imarisSize(file, placed.array);
     auto axes = axesOf(file, placed.array);
     if (!axes)
         return axes.error();
-    auto part = partOf(placed.array, *axes, request);
+    auto part = partOf(placed.array, *axes, *asked);
     if (!part)
         return part.error();
     if (const Status allowed = allowMemory(placed.array, *part, bytes); !allowed)
@@ -110,6 +119,8 @@ Result<PlacedArray> placedArray(hid_t file, const Hdf5Listing& listing, std::uin
     placed.axes = *std::move(axes);
     placed.part = *std::move(part);
     placed.places = *std::move(places);
+    if (placed.imaris)
+        tellImaris(file, *placed.imaris, placed.array, request, placed.taken, placed.leftOut);
     tellChoices(file, listing, chosen->isGuess, placed);
     return placed;
 }
@@ -165,11 +176,14 @@ Result<FileContents> arrayContents(hid_t file, std::uint64_t bytes, const Hdf5Re
                  .unit = unitOf(file, array)});
         }
     constexpr std::uint64_t mostListed = 100'000;
-    const std::uint64_t steps = axes.time ? placed->array.size[*axes.time] : 0;
+    const bool isImaris = placed->imaris.has_value();
+    const std::uint64_t steps = isImaris ? placed->imaris->times : axes.time ? placed->array.size[*axes.time] : 0;
     for (std::uint64_t step = 0; step < std::min(steps, mostListed); ++step)
-        contents.timeSteps.push_back(axes.says[*axes.time].values ? (*axes.says[*axes.time].values)[step]
-                                                                  : static_cast<double>(step));
-    const std::uint64_t channels = axes.channel ? placed->array.size[*axes.channel] : 0;
+        contents.timeSteps.push_back(axes.time && axes.says[*axes.time].values ? (*axes.says[*axes.time].values)[step]
+                                                                               : static_cast<double>(step));
+    const std::uint64_t channels = isImaris       ? placed->imaris->channels
+                                   : axes.channel ? placed->array.size[*axes.channel]
+                                                  : 0;
     for (std::uint64_t channel = 0; channel < std::min(channels, mostListed); ++channel)
         contents.channels.push_back(std::to_string(channel + 1));
     contents.untold = std::move(placed->places.untold);

@@ -4,6 +4,7 @@
 #include "plugins/api/lattice_steps.h"
 #include "plugins/api/placement_parameters.h"
 #include "plugins/readers/hdf5/helper/attributes.h"
+#include "plugins/readers/hdf5/helper/imaris_picture.h"
 #include "plugins/readers/hdf5/helper/itk_frame.h"
 
 #include <algorithm>
@@ -190,6 +191,14 @@ void placeByItk(const ItkFrame& frame, ArrayPlaces& places)
     places.taken.push_back({TakenPart::Places, Message::say("'Origin', 'Spacing' and 'Directions' of ITK"), false});
 }
 
+void placeByImaris(const ImarisFrame& frame, ArrayPlaces& places)
+{
+    placeByDirections(places.lattice, Eigen::Matrix3d::Identity(), frame.spacing, frame.origin);
+    places.lengthUnit = frame.unit;
+    places.untold = untoldPlacement(true, true, !frame.unit.empty());
+    places.taken.push_back({TakenPart::Places, Message::say("'ExtMin' and 'ExtMax' of Imaris"), false});
+}
+
 } // namespace
 
 Result<ArrayPlaces> placesOf(hid_t file, const Hdf5Array& array, const ArrayAxes& axes)
@@ -206,6 +215,10 @@ Result<ArrayPlaces> placesOf(hid_t file, const Hdf5Array& array, const ArrayAxes
         withCoordinates += saysOf(axes, place).values.has_value();
     if (const auto frame = itkFrameOf(file, array, axes); frame && withCoordinates == 0) {
         placeByItk(*frame, places);
+        return places;
+    }
+    if (const auto frame = imarisFrameOf(file, array); frame && withCoordinates == 0) {
+        placeByImaris(*frame, places);
         return places;
     }
     const FrameAttributes attributes(file, array, axes);

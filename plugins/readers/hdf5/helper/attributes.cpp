@@ -92,6 +92,16 @@ std::string attributeText(hid_t object, const char* name)
     return texts.empty() ? std::string() : texts.front();
 }
 
+std::string attributeLetters(hid_t object, const char* name)
+{
+    const OpenAttribute attribute = openAttribute(object, name);
+    if (attribute.entries == 0 || attribute.entries > mostTextBytes || H5Tget_class(attribute.type) != H5T_STRING ||
+        H5Tis_variable_str(attribute.type) > 0 || H5Tget_size(attribute.type) != 1)
+        return attributeText(object, name);
+    std::string letters(attribute.entries, '\0');
+    return H5Aread(attribute.id, attribute.type, letters.data()) < 0 ? std::string() : unpadded(std::move(letters));
+}
+
 std::vector<long double> attributeNumbers(hid_t object, const char* name)
 {
     const OpenAttribute attribute = openAttribute(object, name);

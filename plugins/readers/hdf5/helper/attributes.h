@@ -18,6 +18,9 @@ std::vector<std::string> attributeTexts(hid_t object, const char* name);
 /// The first of them.
 std::string attributeText(hid_t object, const char* name);
 
+/// A text of which each letter is an entry of its own, as Imaris has them; of other texts the first.
+std::string attributeLetters(hid_t object, const char* name);
+
 /// Whole or floating-point numbers, which `long double` holds exactly.
 std::vector<long double> attributeNumbers(hid_t object, const char* name);
 

@@ -55,11 +55,13 @@ std::string textOf(int group, int variable, const char* attribute)
     return first;
 }
 
-/// A virtual array has its values in other files, which are not opened: the library gives zeros for them.
+/// A virtual array has its values in other files, which are not opened: the library gives zeros for them. It calls
+/// their storage virtual or, as 4.9.0 does, unknown.
 Status checkIsHere(const NetCdfVariable& variable)
 {
     int storage = NC_CONTIGUOUS;
-    if (nc_inq_var_chunking(variable.group, variable.id, &storage, nullptr) != NC_NOERR || storage != NC_VIRTUAL)
+    if (nc_inq_var_chunking(variable.group, variable.id, &storage, nullptr) != NC_NOERR || storage == NC_CONTIGUOUS ||
+        storage == NC_CHUNKED || storage == NC_COMPACT)
         return {};
     return Error{ErrorKind::BadInput,
                  Message::say("the values of its array '%1' lie in other files or arrays, which are "
@@ -314,6 +316,8 @@ Result<std::vector<std::int64_t>> NetCdfFile::readIntegers(const NetCdfVariable&
     static_assert(sizeof(long long) == sizeof(std::int64_t));
     const NetCdfPart part = whole(variable);
     std::vector<long long> values(tetra::valueCount(part));
+    if (const Status here = checkIsHere(variable); !here)
+        return here.error();
     if (!values.empty())
         if (const int code =
                 nc_get_vara_longlong(variable.group, variable.id, part.first.data(), part.count.data(), values.data());

@@ -29,13 +29,31 @@ std::size_t endOfSection(std::string_view text, std::size_t place, std::size_t l
     return std::string_view::npos;
 }
 
+/// Whether VTK takes the last digit of a section's values for what parts them from their bracket: of values in text it
+/// leaves out the last letter.
+bool losesDigit(std::string_view section)
+{
+    constexpr std::string_view valuesInText = "(300 ";
+    const auto values = section.starts_with(valuesInText) ? section.find('(', valuesInText.size() + 2) : section.npos;
+    const auto end = values == section.npos ? section.npos : section.find(')', values);
+    return end != section.npos && end > values + 1 &&
+           std::string_view(" \t\r\n").find(section[end - 1]) == section.npos;
+}
+
 Status checkSections(const Message& what, std::string_view text, std::size_t longestTextNumber)
 {
     for (auto place = text.find('('); place != std::string_view::npos; place = text.find('(', place)) {
-        place = endOfSection(text, place, longestTextNumber);
+        const auto begin = place;
+        place = endOfSection(text, begin, longestTextNumber);
         if (place == std::string_view::npos)
             return Error{ErrorKind::BadInput,
                          Message::say("%1 ends within a section. It is cut short: copy the file again.", what)};
+        if (losesDigit(text.substr(begin, place - begin)))
+            return Error{ErrorKind::BadInput,
+                         Message::say("%1 has values whose bracket stands right behind the last one, of which VTK then "
+                                      "leaves out a digit. Put an end of line before the bracket, or export the file "
+                                      "again.",
+                                      what)};
     }
     return {};
 }

@@ -144,8 +144,10 @@ constexpr int blocksOfPieces = 3;           ///< how deep files name others: blo
 
 /// The files that belong to the one that was opened.
 struct XmlFiles {
-    fs::path home;                            ///< the folder of that one
-    std::map<fs::path, bool> isLookedThrough; ///< of those that were begun
+    fs::path home; ///< the folder of that one
+    /// Of those that were begun how many files VTK reads for it, itself and what it names each time that it is named; 0
+    /// of those that are not looked through yet.
+    std::map<fs::path, std::uint64_t> readings;
 };
 
 class XmlCheck {
@@ -159,13 +161,13 @@ public:
     Result<CheckedFile> run()
     {
         const fs::path self = path_.lexically_normal();
-        files_.isLookedThrough[self] = false;
+        files_.readings[self] = 0;
         const auto file = MappedFile::open(path_);
         if (!file)
             return file.error();
         if (const Status fine = lookThrough((*file)->bytes()); !fine)
             return fine.error();
-        files_.isLookedThrough[self] = true;
+        files_.readings[self] = readings_;
         return checked_;
     }
 
@@ -302,14 +304,17 @@ private:
                 ErrorKind::BadInput,
                 Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
                              printable(name))};
-        if (const auto begun = files_.isLookedThrough.find(*path); begun != files_.isLookedThrough.end())
-            return begun->second ? Status()
-                                 : Status(wrongXml(Message::say("it names the file '%1', which names it in turn.",
-                                                                printable(name))));
+        if (const auto begun = files_.readings.find(*path); begun != files_.readings.end()) {
+            readings_ = boundedSum(readings_, begun->second);
+            return begun->second > 0 ? Status()
+                                     : Status(wrongXml(Message::say("it names the file '%1', which names it in turn.",
+                                                                    printable(name))));
+        }
         const auto checked = XmlCheck(*path, filesWithin_ - 1, files_).run();
         if (!checked)
             return Error{checked.error().kind,
                          Message::say("its file '%1': %2", printable(name), checked.error().message)};
+        readings_ = boundedSum(readings_, files_.readings[*path]);
         checked_.bytes = boundedSum(checked_.bytes, checked->bytes);
         checked_.unpackedBytes = boundedSum(checked_.unpackedBytes, checked->unpackedBytes);
         return {};
@@ -322,6 +327,7 @@ private:
     int filesWithin_;
     XmlFiles& files_;
     CheckedFile checked_;
+    std::uint64_t readings_ = 1; ///< XmlFiles::readings
     std::uint64_t tags_ = 0;
     std::int64_t level_ = 0;
     std::string named_; ///< the first file that it names
@@ -349,8 +355,13 @@ std::string xmlType(const fs::path& path)
 
 Result<CheckedFile> checkXml(const fs::path& path)
 {
-    XmlFiles files{.home = path.parent_path(), .isLookedThrough = {}};
-    return XmlCheck(path, blocksOfPieces, files).run();
+    constexpr std::uint64_t mostTimes = 100; // that a file is named, on average: VTK reads it each time anew
+    XmlFiles files{.home = path.parent_path(), .readings = {}};
+    auto checked = XmlCheck(path, blocksOfPieces, files).run();
+    const std::uint64_t readings = files.readings[path.lexically_normal()], there = files.readings.size();
+    if (checked && readings > boundedProduct(mostTimes, there))
+        return wrongXml(Message::say("it names %1 files %2 times in all.", there - 1, readings - 1));
+    return checked;
 }
 
 } // namespace tetra

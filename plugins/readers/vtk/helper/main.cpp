@@ -30,21 +30,30 @@ void tellOfFile(const VtkSource& source, const VtkRequest& request, std::vector<
 FileContents finished(FileContents contents, const VtkSource& source, const VtkRequest& request)
 {
     contents.timeSteps = timesOf(source);
+    source.finishContents(contents);
     contents.untold = source.untold;
     tellOfFile(source, request, contents.taken, contents.leftOut);
     return contents;
 }
 
+/// What the information of the reader, or the headers of the file, tell; nothing if that takes the data.
+std::optional<FileContents> contentsWithoutData(const VtkSource& source, const VtkRequest& request)
+{
+    auto contents = source.contentsOfHeaders(request);
+    if (!contents && !source.knowsContents)
+        return std::nullopt;
+    source.reader->UpdateInformation(); // it knows the times, too
+    return contents ? std::move(contents) : contentsFromInformation(*source.reader, request);
+}
+
 Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
                               const TellProgress& progress)
 {
-    if (source.knowsContents) {
-        source.reader->UpdateInformation();
-        if (const Status done = statusOf(log); !done)
-            return done.error();
-        if (auto contents = contentsFromInformation(*source.reader, request))
-            return finished(*std::move(contents), source, request);
-    }
+    auto told = contentsWithoutData(source, request);
+    if (const Status done = statusOf(log); !done)
+        return done.error();
+    if (told)
+        return finished(*std::move(told), source, request);
     const auto data = runSource(source, request, log, progress);
     if (!data)
         return data.error();

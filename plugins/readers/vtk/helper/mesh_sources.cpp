@@ -2,7 +2,9 @@
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 
 #include "plugins/process/process_limits.h"
+#include "plugins/readers/vtk/checks/file_check.h"
 #include "plugins/readers/vtk/fluent_nodes.h"
+#include "plugins/readers/vtk/helper/cgns_contents.h"
 #include "plugins/readers/vtk/helper/exact_places.h"
 #include "plugins/readers/vtk/helper/leaves.h"
 #include "plugins/readers/vtk/helper/openfoam_source.h"
@@ -13,6 +15,7 @@
 #include <vtkGAMBITReader.h>
 #include <vtkGenericEnSightReader.h>
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -44,28 +47,44 @@ VtkSource enSightSource(const std::string& path)
                 }};
 }
 
+void tellFamilies(vtkCGNSReader& reader, Provenance& provenance)
+{
+    std::vector<std::string> families;
+    for (int number = 0; number < reader.GetNumberOfFamilyArrays(); ++number)
+        families.emplace_back(reader.GetFamilyArrayName(number));
+    if (!families.empty())
+        provenance.leftOut.push_back(Message::say(
+            "Its families (boundary conditions and the like) are not told apart: %1.", namesToldOf(families)));
+}
+
 VtkSource cgnsSource(const std::string& path)
 {
     allowOneFile();
     const auto reader = vtkSmartPointer<vtkCGNSReader>::New();
     reader->SetFileName(path.c_str());
-    return {.reader = reader,
-            .selectArrays =
-                [reader] {
-                    reader->EnableAllBases();
-                    reader->EnableAllPointArrays();
-                    reader->EnableAllCellArrays();
-                },
-            .tell =
-                [reader](Provenance& provenance) {
-                    std::vector<std::string> families;
-                    for (int number = 0; number < reader->GetNumberOfFamilyArrays(); ++number)
-                        families.emplace_back(reader->GetFamilyArrayName(number));
-                    if (!families.empty())
-                        provenance.leftOut.push_back(
-                            Message::say("Its families (boundary conditions and the like) are not told apart: %1.",
-                                         namesToldOf(families)));
-                }};
+    const auto headers = std::make_shared<const std::optional<CgnsNode>>(readCgnsHeaders(path));
+    VtkSource source{.reader = reader};
+    source.selectArrays = [reader, headers] {
+        reader->EnableAllBases();
+        reader->EnableAllPointArrays();
+        reader->EnableAllCellArrays();
+        if (*headers)
+            for (const VtkArray& array : arraysOfCgns(**headers))
+                array.perCell ? reader->SetCellArrayStatus(array.name.c_str(), 1)
+                              : reader->SetPointArrayStatus(array.name.c_str(), 1);
+    };
+    source.tell = [reader, headers](Provenance& provenance) {
+        if (*headers)
+            tellCgnsUnit(**headers, provenance);
+        tellFamilies(*reader, provenance);
+    };
+    source.finishContents = [headers](FileContents& contents) {
+        if (*headers)
+            addCgnsUnits(**headers, contents.arrays);
+    };
+    if (*headers && isToldByHeaders(path))
+        source.contentsOfHeaders = [headers](const VtkRequest& request) { return contentsOfCgns(**headers, request); };
+    return source;
 }
 
 /// Gives the zones of cells, each of which has all nodes, the places of the file, which VTK has rounded.

@@ -24,30 +24,6 @@ std::string namesOf(const std::vector<VtkLeaf>& leaves, const std::vector<std::s
     return namesToldOf(names);
 }
 
-void tellParts(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection, Provenance& provenance)
-{
-    std::vector<std::size_t> others;
-    for (std::size_t part = 0; part < leaves.size(); ++part)
-        if (std::ranges::find(selection.parts, part) == selection.parts.end() &&
-            std::ranges::find(selection.partsWithoutArray, part) == selection.partsWithoutArray.end())
-            others.push_back(part);
-    if (others.empty() && selection.partsWithoutArray.empty())
-        return;
-    addTaken({TakenPart::Block, namesOf(leaves, selection.parts), selection.isGuess}, provenance);
-    const std::string array = printable(selection.array.name);
-    if (const auto& without = selection.partsWithoutArray; without.size() == 1)
-        provenance.leftOut.push_back(
-            Message::say("1 other part has no '%1' and is not read: %2.", array, namesOf(leaves, without)));
-    else if (!without.empty())
-        provenance.leftOut.push_back(Message::say("%1 other parts have no '%2' and are not read: %3.", without.size(),
-                                                  array, namesOf(leaves, without)));
-    if (others.size() == 1)
-        provenance.leftOut.push_back(Message::say("1 other part is not read: %1.", namesOf(leaves, others)));
-    else if (!others.empty())
-        provenance.leftOut.push_back(
-            Message::say("%1 other parts are not read: %2.", others.size(), namesOf(leaves, others)));
-}
-
 /// Tables that belong to no point or cell. What readers of other formats keep there is their own.
 void tellFieldData(vtkDataSet& data, const VtkRequest& request, std::vector<Message>& leftOut)
 {
@@ -99,6 +75,30 @@ void tellArray(const std::vector<VtkArray>& all, const VtkArray& chosen, const V
                                                                                 : Message(request.component),
                   request.component.empty()},
                  provenance);
+}
+
+void tellParts(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection, Provenance& provenance)
+{
+    std::vector<std::size_t> others;
+    for (std::size_t part = 0; part < leaves.size(); ++part)
+        if (std::ranges::find(selection.parts, part) == selection.parts.end() &&
+            std::ranges::find(selection.partsWithoutArray, part) == selection.partsWithoutArray.end())
+            others.push_back(part);
+    if (others.empty() && selection.partsWithoutArray.empty())
+        return;
+    addTaken({TakenPart::Block, namesOf(leaves, selection.parts), selection.isGuess}, provenance);
+    const std::string array = printable(selection.array.name);
+    if (const auto& without = selection.partsWithoutArray; without.size() == 1)
+        provenance.leftOut.push_back(
+            Message::say("1 other part has no '%1' and is not read: %2.", array, namesOf(leaves, without)));
+    else if (!without.empty())
+        provenance.leftOut.push_back(Message::say("%1 other parts have no '%2' and are not read: %3.", without.size(),
+                                                  array, namesOf(leaves, without)));
+    if (others.size() == 1)
+        provenance.leftOut.push_back(Message::say("1 other part is not read: %1.", namesOf(leaves, others)));
+    else if (!others.empty())
+        provenance.leftOut.push_back(
+            Message::say("%1 other parts are not read: %2.", others.size(), namesOf(leaves, others)));
 }
 
 void tellTimeStep(std::span<const double> times, const VtkRequest& request, const std::string& file,

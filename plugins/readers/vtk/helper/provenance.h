@@ -25,6 +25,9 @@ void addTaken(Taken one, Provenance& provenance);
 void tellArray(const std::vector<VtkArray>& all, const VtkArray& chosen, const VtkRequest& request,
                Provenance& provenance);
 
+/// The parts that were taken, unless they are all, and those that are not read; of `leaves` only the names count.
+void tellParts(const std::vector<VtkLeaf>& leaves, const VtkSelection& selection, Provenance& provenance);
+
 /// Which of several time steps (from 1) was read; `file`: in which file it lies, if each has its own.
 void tellTimeStep(std::span<const double> times, const VtkRequest& request, const std::string& file,
                   Provenance& provenance);

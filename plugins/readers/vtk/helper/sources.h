@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ struct VtkSource {
     std::function<void(VtkFindings&)> finish = [](VtkFindings&) {};
     std::vector<std::string> untold{"unit"}; ///< FileContents::untold of such files
     bool knowsContents = false;              ///< UpdateInformation() alone tells arrays and sizes
+    /// What the headers of a file tell that is so large that its data are not read for it; else nothing.
+    std::function<std::optional<FileContents>(const VtkRequest&)> contentsOfHeaders = [](const VtkRequest&) {
+        return std::optional<FileContents>();
+    };
+    /// Adds to the contents what VTK leaves out, such as units.
+    std::function<void(FileContents&)> finishContents = [](FileContents&) {};
     /// The times of a source that has already taken the request's step by itself; else empty.
     std::vector<double> times{};
     std::string stepFile{}; ///< in which file that step lies, if each has its own

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the points of arrays in HDF5 files lie: by dimension scales, the axes of NeXus, the frame of ITK, or
-// attributes; judged by a function of the place in the world (S20).
+// Where the points of arrays in HDF5 files lie: by dimension scales, the axes of NeXus, the frames of ITK and
+// Imaris, or attributes; judged by a function of the place in the world (S20).
 #include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/hdf5/hdf5_test_files.h"
 #include "tests/plugins/readers/world_function.h"
@@ -35,6 +35,49 @@ std::vector<double> worldAlong(const std::array<Coordinates, 3>& xyz, const std:
 
 const Coordinates evenX = steps<double>(5, 10, 4), evenY = steps<double>(4, 20, 3), evenZ = steps<double>(3, -30, 2),
                   unevenZ = {-30, -27, -10};
+
+/// An array of a picture of Imaris, filled up to 4 x 4 x 8 with what is no voxel; at each place `more` than the
+/// function.
+void addImarisArray(Hdf5TestFile& file, const std::string& group, double more)
+{
+    const auto inside = worldAlong({evenX, evenY, evenZ}, {2, 1, 0});
+    std::vector<float> filled(4 * 4 * 8, -1e6F);
+    for (std::size_t z = 0; z < 3; ++z)
+        for (std::size_t y = 0; y < 4; ++y)
+            for (std::size_t x = 0; x < 5; ++x)
+                filled[(z * 4 + y) * 8 + x] = static_cast<float>(inside[(z * 4 + y) * 5 + x] + more);
+    file.add<float>(group + "/Data", {4, 4, 8}, filled, {.chunk = {2, 4, 4}});
+    file.letters(group, "ImageSizeX", "5");
+    file.letters(group, "ImageSizeY", "4");
+    file.letters(group, "ImageSizeZ", "3");
+}
+
+/// Two times and two channels, of which one level alone holds the function, and a level that is none of it.
+void writeImaris(const fs::path& path, std::uint64_t time, std::uint64_t channel)
+{
+    Hdf5TestFile file(path);
+    const auto group = [](std::uint64_t level, std::uint64_t t, std::uint64_t c) {
+        return "/DataSet/ResolutionLevel " + std::to_string(level) + "/TimePoint " + std::to_string(t) + "/Channel " +
+               std::to_string(c);
+    };
+    for (std::uint64_t t = 0; t < 2; ++t)
+        for (std::uint64_t c = 0; c < 2; ++c) {
+            addImarisArray(file, group(0, t, c), t == time && c == channel ? 0 : 1000);
+            addImarisArray(file, group(1, t, c), 2000);
+        }
+    for (const char* name : {"/DataSetInfo", "/DataSetInfo/Image", "/DataSetInfo/Channel 1", "/DataSetInfo/TimeInfo"})
+        file.group(name);
+    for (const auto& [name, text] : std::vector<std::pair<const char*, const char*>>{{"ExtMin0", "8"},
+                                                                                     {"ExtMax0", "28"},
+                                                                                     {"ExtMin1", "18.5"},
+                                                                                     {"ExtMax1", "30.5"},
+                                                                                     {"ExtMin2", "-31"},
+                                                                                     {"ExtMax2", "-25"},
+                                                                                     {"Unit", "um"}})
+        file.letters("/DataSetInfo/Image", name, text);
+    file.letters("/DataSetInfo/Channel 1", "Name", "Alexa 488");
+    file.letters("/DataSetInfo/TimeInfo", "TimePoint2", "2020-01-02 03:04:05");
+}
 
 } // namespace
 
@@ -149,6 +192,49 @@ private slots:
         const Dataset dataset = readInItsPlace();
         QCOMPARE(dataset.space, std::string("LPS"));
         QVERIFY((dataset.lattice.spacing - spacing).norm() < 1e-12);
+    }
+
+    void imaris()
+    {
+        writeImaris(path(), 0, 0);
+        const Dataset first = readInItsPlace();
+        QCOMPARE(first.lattice.size, (std::array<std::uint32_t, 3>{5, 4, 3}));
+        QCOMPARE(first.lengthUnit, std::string("um"));
+        const std::vector<Taken>& taken = first.source.taken;
+        QCOMPARE(takenOf(taken, TakenPart::Channel), std::string("1 of 2 ?"));
+        QCOMPARE(takenOf(taken, TakenPart::TimeStep), std::string("1 of 2 ?"));
+        QCOMPARE(takenOf(taken, TakenPart::Block), std::string("0 of 0 to 1"));
+        QVERIFY(takenOf(taken, TakenPart::Places).find("Imaris") != std::string::npos);
+        QVERIFY(textOf(first.source.leftOut).find("It has 2 levels of detail") != std::string::npos);
+        QVERIFY(textOf(first.source.leftOut).find("other arrays") == std::string::npos);
+        refuseSpacing();
+
+        writeImaris(path(), 1, 1);
+        const Dataset second = readInItsPlace({{"time", std::int64_t(2)}, {"channel", std::string("2")}});
+        QCOMPARE(takenOf(second.source.taken, TakenPart::Channel), std::string("2 of 2, Alexa 488"));
+        QCOMPARE(takenOf(second.source.taken, TakenPart::TimeStep), std::string("2 of 2, 2020-01-02 03:04:05"));
+        const auto contents = builtHdf5Reader().probe(path(), {}, {});
+        QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
+        QCOMPARE(contents->timeSteps, (std::vector<double>{0, 1}));
+        QCOMPARE(contents->channels, (std::vector<std::string>{"1", "2"}));
+        QCOMPARE(contents->lattice.size, first.lattice.size);
+        QCOMPARE(contents->arrays.size(), std::size_t(8));
+    }
+
+    void imarisByItsArray()
+    {
+        writeImaris(path(), 0, 0);
+        const std::string coarse = "/DataSet/ResolutionLevel 1/TimePoint 1/Channel 0/Data";
+        const auto dataset = builtHdf5Reader().read(path(), {{"array", coarse}}, {});
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+        QCOMPARE(takenOf(dataset->source.taken, TakenPart::Block), std::string("1 of 0 to 1"));
+        QVERIFY(dataset->values.range().minimum > 1000); // nothing that only fills up
+        for (const ParameterValues& values :
+             {ParameterValues{{"time", std::int64_t(3)}}, ParameterValues{{"channel", std::string("3")}}}) {
+            const auto refused = builtHdf5Reader().read(path(), values, {});
+            QVERIFY(!refused.ok());
+            QCOMPARE(int(refused.error().kind), int(ErrorKind::WrongUsage));
+        }
     }
 
     void givenByTheUser()

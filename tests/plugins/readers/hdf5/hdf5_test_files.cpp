@@ -90,6 +90,11 @@ void Hdf5TestFile::texts(const std::string& object, const char* name, const std:
     H5Tclose(type);
 }
 
+void Hdf5TestFile::letters(const std::string& object, const char* name, const std::string& text)
+{
+    attribute(object, name, H5T_C_S1, text.size(), text.data());
+}
+
 void Hdf5TestFile::attachScales(const std::string& array, const std::vector<std::string>& scales)
 {
     std::vector<hobj_ref_t> references(scales.size());

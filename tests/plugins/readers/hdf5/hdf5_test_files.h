@@ -54,6 +54,8 @@ public:
         attribute(object, name, typeOf<T>(), values.size(), values.data());
     }
     void texts(const std::string& object, const char* name, const std::vector<std::string>& texts);
+    /// A text of which each letter is an entry.
+    void letters(const std::string& object, const char* name, const std::string& text);
     /// Attaches an array of coordinates to a dimension, as H5DSattach_scale() does.
     void attachScales(const std::string& array, const std::vector<std::string>& scales);
 

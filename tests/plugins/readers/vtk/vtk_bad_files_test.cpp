@@ -245,6 +245,50 @@ private slots:
         QVERIFY(timer.elapsed() < soon(10'000));
     }
 
+    /// VTK reads a file as often as a list of blocks names it, which a small list may do without end.
+    void filesThatAreNamedAgainAndAgain()
+    {
+        folder_.write("again.vti", vtiText());
+        const auto listed = [&](const QByteArray& name, const QByteArray& inside, int times) {
+            return folder_.write(name, "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>" +
+                                           ("<DataSet index=\"0\" file=\"" + inside + "\"/>").repeated(times) +
+                                           "</vtkMultiBlockDataSet></VTKFile>");
+        };
+        const auto errorOf = [&](const std::filesystem::path& path) {
+            const auto read = builtVtkReader().read(path, {}, {});
+            return read ? std::string() : read.error().text();
+        };
+        const std::string often = errorOf(listed("often.vtm", "again.vti", 300));
+        QVERIFY2(often.find("it names 1 files 300 times") != std::string::npos, often.c_str());
+        const std::string inner = errorOf(listed("inner.vtm", "again.vti", 60));
+        QVERIFY2(inner.find("times") == std::string::npos, inner.c_str());
+        const std::string outer = errorOf(listed("outer.vtm", "inner.vtm", 60));
+        QVERIFY2(outer.find("it names 2 files 3660 times") != std::string::npos, outer.c_str());
+    }
+
+    /// VTK leaves out the last letter of a section of values: a digit, if the bracket stands right behind it.
+    void valuesOfFluentKeepTheirLastDigit()
+    {
+        const auto path = folder_.write(
+            "a.cas",
+            "(0 \"one tetrahedron\")\n(2 3)\n(10 (0 1 4 0 3))\n(10 (1 1 4 1 3)(\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n))\n"
+            "(12 (0 1 1 0))\n(12 (2 1 1 1 2))\n(13 (0 1 4 0))\n"
+            "(13 (3 1 4 3 3)(\n1 3 2 1 0\n1 2 4 1 0\n2 3 4 1 0\n1 4 3 1 0\n))\n(45 (2 fluid inside)())\n");
+        const auto withValue = [&](const char* value) {
+            folder_.write("a.dat", "(33 (1 1 1))\n(300 (1 2 1 0 0 1 1)(\n" + QByteArray(value) + "))\n");
+            return builtVtkReader().read(path, {}, {});
+        };
+        for (const char* whole : {"17\n", "17 "}) {
+            const auto read = withValue(whole);
+            QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+            QCOMPARE(read->values.range().minimum, 17.);
+        }
+        const auto refused = withValue("17");
+        QVERIFY(!refused.ok());
+        QVERIFY2(refused.error().text().find("leaves out a digit") != std::string::npos,
+                 refused.error().text().c_str());
+    }
+
     /// Some programs call quadratic cells linear; the number of their corners tells.
     void mislabelledQuadraticCellsAreRead()
     {

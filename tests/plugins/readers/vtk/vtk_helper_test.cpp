@@ -13,9 +13,11 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <future>
 #include <new>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -138,6 +140,19 @@ private slots:
         const std::string told = limitMessage(said.substr(limitNote.size()), "VTK").text();
         QVERIFY2(told.starts_with("VTK needs more than 1.1 GB of memory"), told.c_str());
         QVERIFY2(told.find("damaged") != std::string::npos, told.c_str());
+    }
+
+    /// Libraries that follow links of one file into another find no descriptor for it.
+    void noSecondFileIsOpened()
+    {
+        const auto [status, said] = inProcess([] {
+            allowOneFile();
+            const int first = ::open("/dev/null", O_RDONLY), second = ::open("/dev/null", O_RDONLY);
+            const bool isRefused = first >= 0 && second < 0 && errno == EMFILE;
+            ::close(first);
+            ::_exit(isRefused && ::open("/dev/null", O_RDONLY) >= 0 ? 7 : 8); // one after the other it may open many
+        });
+        QCOMPARE(status, 7);
     }
 
     /// What a file asks for is refused by the limit, not by the machine.
