@@ -11757,7 +11757,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>%1 has values whose bracket stands right behind the last one, of which VTK then leaves out a digit. Put an end of line before the bracket, or export the file again.</source>
-        <translation>%1 ha valori la cui parentesi sta subito dietro l'ultimo, del quale VTK tralascia allora una cifra. Mettere un a capo prima della parentesi, o esportare di nuovo il file.</translation>
+        <translation>%1 ha valori la cui parentesi sta subito dietro l&apos;ultimo, del quale VTK tralascia allora una cifra. Mettere un a capo prima della parentesi, o esportare di nuovo il file.</translation>
     </message>
     <message>
         <source>it names %1 files %2 times in all.</source>
