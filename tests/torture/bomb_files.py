@@ -528,7 +528,7 @@ def fluents():
                 "(13 (3 1 %s 3 3)(\n1 3 2 1 0\n1 2 4 1 0\n2 3 4 1 0\n1 4 3 1 0))\n(45 (2 fluid inside)())\n" % (
                     nodes, nodes, points, cells, cells, faces, faces))
 
-    dat = '(33 (1 1 1))\n(300 (1 2 1 0 0 1 1)(\n7))\n'
+    dat = '(33 (1 1 1))\n(300 (1 2 1 0 0 1 1)(\n7\n))\n'
     for name, changed in (("nodes", {"nodes": "ffffffff"}), ("nodes of 2^31", {"nodes": "7fffffff"}), ("cells", {"cells": "7fffffff"}),
                           ("faces", {"faces": "7fffffff"}), ("cells of 2^28", {"cells": "10000000"}), ("no nodes", {"nodes": "0"}), ("nodes of 16 digits", {"nodes": "f" * 16})):
         yield bomb("fluent, " + name, "a.cas", **{"a.cas": cas(**changed), "a.dat": dat})
