@@ -4,8 +4,6 @@
 // nearer than e to their least or their largest value, a surface beside that value may come and go.
 #include "core/transfer/remark_texts.h"
 
-#include "core/data/value_scale.h"
-
 #include <tan/transfer.h>
 
 #include <algorithm>
@@ -142,7 +140,7 @@ struct RemarkWords {
 /// As such a value is typed.
 std::string valueOfLogarithm(double logarithm, double significant)
 {
-    return logarithmName(roundedNumber(std::pow(10, logarithm), significant));
+    return "log10(" + roundedNumber(std::pow(10, logarithm), significant) + ")";
 }
 
 Message factorOfError(double error)
