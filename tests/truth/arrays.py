@@ -26,8 +26,8 @@ def npy(folder, dtype="<f4", order="C", version=None, placed=True, axes=None):
     with open(folder / "volume.npy", "wb") as file:
         numpy.lib.format.write_array(file, array, version=version)
     options = (*(GIVEN if placed else ()), *(("--axes", axes) if axes else ()))
-    return of_grid(folder / "volume.npy", whole, options, taken={"places": "dimensions are " + ("z, y, x" if axes == "zyx" else "x, y, z")},
-                   guessed=() if axes else ("places",))
+    return of_grid(folder / "volume.npy", whole, options, taken={"columns": "dimensions are " + ("z, y, x" if axes == "zyx" else "x, y, z")},
+                   guessed=() if axes else ("columns",))
 
 
 BOV = {"u1": "BYTE", "i2": "SHORT", "i4": "INT", "f4": "FLOAT", "f8": "DOUBLE"}

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """truth.py BUILD [--quick] [--only TEXT] [--report FILE] [--processes N] [--list]: the bench of truth. Files of every format that TAn reads are
 written by other libraries, or byte by byte, with a known function of the place in the world; TAn has to give back the samples at their places,
-and to say what it took. `--quick` takes the few jobs of ./dev test; `--only` those whose line has the text; `--report` writes the table of the
-manual (docs/formats.md). Exit code 77: nothing failed, but jobs were skipped, since libraries are missing; it says which to install."""
+and to say what it took. `--quick` takes the few jobs of ./dev test; `--only` those whose line has the text; `--report` puts the table into
+that page of the manual (docs/formats.md), in place of the one that is there. Exit code 77: nothing failed, but jobs were skipped, since libraries are missing; it says which to install."""
 import argparse
 import collections
 import concurrent.futures
@@ -57,6 +57,14 @@ def table(jobs, outcomes):
     return "\n".join(rows + ([""] + expected if expected else [])) + "\n"
 
 
+def write_table(page, text):
+    """In place of the one that the page has."""
+    lines = page.read_text().splitlines()
+    begin = next(i for i, one in enumerate(lines) if one.startswith("| format | " + bench.KINDS[0]))
+    end = next((i for i in range(begin, len(lines)) if not lines[i].startswith("|")), len(lines))
+    page.write_text("\n".join(lines[:begin] + text.splitlines() + lines[end:]) + "\n")
+
+
 def main():
     words = argparse.ArgumentParser(description=__doc__)
     words.add_argument("build", type=pathlib.Path)
@@ -84,7 +92,7 @@ def main():
     counted = collections.Counter(outcome for outcome, _ in outcomes)
     print(f"{len(jobs)} jobs: " + ", ".join(f"{counted[outcome]} {outcome}" for outcome in bench.OUTCOMES if counted[outcome]))
     if given.report:
-        given.report.write_text(table(jobs, outcomes))
+        write_table(given.report, table(jobs, outcomes))
     return 1 if any(counted[outcome] for outcome in FAILED) else 77 if counted["skipped"] else 0
 
 
