@@ -17,6 +17,7 @@
 
 #include <QCheckBox>
 #include <QClipboard>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -46,10 +47,12 @@ private slots:
     void whichErrorIsSaid();
     void theErrorInSpaceIsMeasured();
     void errorsOfLogarithmsAreFactors();
+    void valuesOfLogarithmsAreThoseOfTheData();
     void faultyCellsAreShown();
     void withoutAModelThereIsNothing();
 
 private:
+    void openLogarithms();
     Session& session() const { return window_->workbench.session(); }
     QTreeWidget& table() const { return window_->find<QTreeWidget>("statistics.table"); }
 
@@ -127,14 +130,45 @@ void StatisticsTest::whichErrorIsSaid()
     QVERIFY(std::ranges::none_of(facts, [](const auto& one) { return one.name == "Error"; }));
 }
 
-/// D7: a model of logarithms tells errors as factors, and values as the data have them.
-void StatisticsTest::errorsOfLogarithmsAreFactors()
+void StatisticsTest::openLogarithms()
 {
-    QCOMPARE(table().headerItem()->text(6), QString("± value"));
     const auto path = buildLogarithmModel(*window_->host, 12, window_->folderPath());
     window_->find<QAction>("action.close").trigger();
     window_->window.open(QString::fromStdString(path.string()));
     QTRY_VERIFY(session().model() && window_->settled());
+}
+
+/// D7: whatever box has a value of such a model shows and takes what the value is the logarithm of.
+void StatisticsTest::valuesOfLogarithmsAreThoseOfTheData()
+{
+    auto& linear = window_->find<QDoubleSpinBox>("isovalue.0.value.box");
+    QCOMPARE(linear.text().toDouble(), linear.value());
+    openLogarithms();
+    QVERIFY(session().model());
+    Isovalue ten = session().view().isovalues.front();
+    ten.value = 1;
+    session().setIsovalue(0, ten);
+    auto& box = window_->find<QDoubleSpinBox>("isovalue.0.value.box");
+    QCOMPARE(box.text(), QString("10"));
+    QVERIFY2(box.toolTip().contains("of the data: 1.00 to ") || box.toolTip().contains("of the data: 1 to "),
+             qPrintable(box.toolTip()));
+    box.selectAll();
+    QTest::keyClicks(&box, "20");
+    QTest::keyClick(&box, Qt::Key_Return);
+    QVERIFY(std::abs(session().view().isovalues.front().value - std::log10(20.0)) < 1e-12);
+    const QString largest = QString::number(std::pow(10, session().range().maximum), 'g', 6);
+    for (const char* name : {"region.least.box", "view.barEnds.least"})
+        QCOMPARE(window_->find<QDoubleSpinBox>(name).text(), QString("1"));
+    for (const char* name : {"region.largest.box", "view.barEnds.largest"})
+        QCOMPARE(window_->find<QDoubleSpinBox>(name).text(), largest);
+}
+
+/// D7: a model of logarithms tells errors as factors, and values as the data have them.
+void StatisticsTest::errorsOfLogarithmsAreFactors()
+{
+    QCOMPARE(table().headerItem()->text(6), QString("± value"));
+    openLogarithms();
+    QVERIFY(session().model());
     const double extent = session().range().extent();
     QVERIFY(extent > 1);
     QCOMPARE(table().headerItem()->text(6), QString("Factor"));

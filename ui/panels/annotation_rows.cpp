@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/value_box.h"
+#include "ui/session/logarithm_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -139,6 +140,7 @@ void AnnotationRows::showBarEnds(const AnnotationState& state)
     for (const auto& [box, value] : {std::pair(least_, shown.least), std::pair(largest_, shown.largest)}) {
         const QSignalBlocker blocker(box);
         box->setEnabled(isUsed && state.barEnds);
+        box->setOfLogarithms(session_.model() && logarithmsOf(session_.model()->description()));
         box->setValueRange(range.minimum, range.maximum);
         box->setRange(std::min(shown.least, range.minimum - extentsBeside * range.extent()),
                       std::max(shown.largest, range.maximum + extentsBeside * range.extent()));

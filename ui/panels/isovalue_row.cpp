@@ -3,8 +3,8 @@
 
 #include "plugins/widgets/colour_button.h"
 #include "plugins/widgets/icons.h"
-#include "plugins/widgets/number_text.h"
 #include "plugins/widgets/value_box.h"
+#include "ui/session/logarithm_text.h"
 #include "ui/widgets/value_slider.h"
 
 #include <QCheckBox>
@@ -20,10 +20,12 @@ IsovalueRow::IsovalueRow(Session& session, int index, QWidget* parent)
       value_(new ValueSlider("value", session)), opacity_(new ValueSlider("opacity", session)), remove_(new QToolButton)
 {
     const ValueRange range = session.range();
+    const ModelDescription description = session.model() ? session.model()->description() : ModelDescription();
+    value_->box()->setOfLogarithms(logarithmsOf(description).has_value());
     value_->setRange(range.minimum, range.maximum);
-    value_->setTexts(tr("Isovalue"), tr("Isovalue, in the units of the data: %1 to %2")
-                                         .arg(numberInRange(range.minimum, range.minimum, range.maximum),
-                                              numberInRange(range.maximum, range.minimum, range.maximum)));
+    value_->setTexts(tr("Isovalue"),
+                     tr("Isovalue, in the units of the data: %1 to %2")
+                         .arg(rangeEndText(range.minimum, description), rangeEndText(range.maximum, description)));
     opacity_->setRange(1, 100);
     opacity_->box()->setDecimals(0);
     opacity_->box()->setSuffix(tr(" %"));

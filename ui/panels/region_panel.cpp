@@ -2,10 +2,10 @@
 #include "ui/panels/region_panel.h"
 
 #include "plugins/widgets/gesture_watcher.h"
-#include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "plugins/widgets/value_box.h"
 #include "ui/panels/accuracy_inputs.h"
+#include "ui/session/logarithm_text.h"
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
 
@@ -218,12 +218,14 @@ void RegionPanel::showModel()
         const Eigen::AlignedBox3d& bounds = model->description().bounds;
         from_->setRange(bounds.min(), bounds.max());
         to_->setRange(bounds.min(), bounds.max());
-        const QString ends = tr("In the units of the data: %1 to %2")
-                                 .arg(numberInRange(range.minimum, range.minimum, range.maximum),
-                                      numberInRange(range.maximum, range.minimum, range.maximum));
+        const ModelDescription& description = model->description();
+        const QString ends =
+            tr("In the units of the data: %1 to %2")
+                .arg(rangeEndText(range.minimum, description), rangeEndText(range.maximum, description));
         least_->setTexts(tr("Smallest value"), ends);
         largest_->setTexts(tr("Largest value"), ends);
         for (ValueSlider* slider : {least_, largest_}) {
+            slider->box()->setOfLogarithms(logarithmsOf(description).has_value());
             slider->setRange(range.minimum, range.maximum);
             slider->box()->setFixedWidth(slider->box()->sizeHint().width());
         }

@@ -48,4 +48,11 @@ QString dataValueText(double value, const ModelDescription& model)
     return logarithms ? antilogarithmText(value, *logarithms) : valueText(value, model.range.extent());
 }
 
+QString rangeEndText(double end, const ModelDescription& model)
+{
+    const auto logarithms = logarithmsOf(model);
+    return logarithms ? antilogarithmText(end, *logarithms)
+                      : numberInRange(end, model.range.minimum, model.range.maximum);
+}
+
 } // namespace tetra

@@ -27,5 +27,7 @@ QString antilogarithmText(double logarithm, const ValueRange& logarithms);
 
 /// A value of a model as its data have it: itself, or what it is the logarithm of.
 QString dataValueText(double value, const ModelDescription& model);
+/// Likewise an end of the model's range, as numberInRange() tells it.
+QString rangeEndText(double end, const ModelDescription& model);
 
 } // namespace tetra
