@@ -15,7 +15,10 @@
 namespace tetra {
 namespace {
 
-constexpr std::size_t mostCgnsNodes = 1'000'000;
+constexpr std::size_t mostCgnsNodes = 200'000; // some 2 kB each, most of them in the library
+/// What is of interest lies along such a path; nodes elsewhere may lead back to where they are.
+constexpr std::array<std::string_view, 5> followedLabels{"CGNSBase_t", "Zone_t", "FlowSolution_t", "DataArray_t",
+                                                         "DimensionalExponents_t"};
 constexpr cgsize_t mostCgnsData = 1024; // of a node whose data are read
 
 bool isLabelOf(std::string_view label, std::initializer_list<std::string_view> labels)
@@ -44,11 +47,11 @@ public:
         if (!isOpen_ || cgio_get_root_id(file_, &id) != CGIO_ERR_NONE)
             return std::nullopt;
         CgnsNode node;
-        return addChildren(id, node) ? std::optional(std::move(node)) : std::nullopt;
+        return addChildren(id, node, 0) ? std::optional(std::move(node)) : std::nullopt;
     }
 
 private:
-    bool addChildren(double id, CgnsNode& node)
+    bool addChildren(double id, CgnsNode& node, std::size_t depth)
     {
         int count = 0, got = 0;
         if (cgio_number_children(file_, id, &count) != CGIO_ERR_NONE || count < 0)
@@ -63,13 +66,13 @@ private:
         bool isRead = true;
         for (const double child : ids) { // what was given must be released, read or not
             if (isRead)
-                isRead = read(child, node.children.emplace_back());
+                isRead = read(child, node.children.emplace_back(), depth);
             cgio_release_id(file_, child);
         }
         return isRead;
     }
 
-    bool read(double id, CgnsNode& node)
+    bool read(double id, CgnsNode& node, std::size_t depth)
     {
         std::array<char, CGIO_MAX_NAME_LENGTH + 1> name{}, label{};
         std::array<char, CGIO_MAX_DATATYPE_LENGTH + 1> type{};
@@ -84,9 +87,8 @@ private:
                                    "DimensionalUnits_t", "DimensionalExponents_t"}) &&
             !readData(id, node))
             return false;
-        return !isLabelOf(node.label,
-                          {"CGNSBase_t", "Zone_t", "FlowSolution_t", "DataArray_t", "DimensionalExponents_t"}) ||
-               addChildren(id, node);
+        return depth >= followedLabels.size() || node.label != followedLabels[depth] ||
+               addChildren(id, node, depth + 1);
     }
 
     bool readData(double id, CgnsNode& node)

@@ -83,6 +83,7 @@ with with_file("bases.cgns") as file:
         flow = cgns_node(part, "Cells", "FlowSolution_t")
         cgns_node(flow, "GridLocation", "GridLocation_t", "CellCenter")
         array(flow, "Heat", values(12).reshape(3, 2, 2), (0, 0, 0, 1, 0))  # of units that are not told
+        flow["Ring"] = file["Base1"]  # which leads back here
 
 with with_file("mesh.cgns") as file:
     base = new_base(file)
