@@ -9425,7 +9425,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>it has more than %1 planes</source>
-        <translation>sie hat mehr als %1 Ebenen</translation>
+        <translation>Sie hat mehr als %1 Ebenen</translation>
     </message>
     <message>
         <source>its order of dimensions is &apos;%1&apos;</source>
@@ -9729,7 +9729,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>it has more than %1 objects</source>
-        <translation>sie hat mehr als %1 Objekte</translation>
+        <translation>Sie hat mehr als %1 Objekte</translation>
     </message>
     <message>
         <source>an object has more than %1 words</source>
@@ -11762,6 +11762,18 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>it names %1 files %2 times in all.</source>
         <translation>sie nennt %1 Dateien insgesamt %2 Mal.</translation>
+    </message>
+    <message>
+        <source>names more than %1 variables. Take out those that are not needed.</source>
+        <translation>nennt mehr als %1 Variablen. Nehmen Sie die heraus, die nicht gebraucht werden.</translation>
+    </message>
+    <message>
+        <source>it has more than %1 zones. Write files of fewer zones.</source>
+        <translation>Sie hat mehr als %1 Zonen. Schreiben Sie Dateien mit weniger Zonen.</translation>
+    </message>
+    <message>
+        <source>Its chunks are unpacked whole, however little of them is wanted, which takes %1 MB of memory.</source>
+        <translation>Seine Stücke (Chunks) werden ganz entpackt, so wenig auch von ihnen gebraucht wird; das braucht %1 MB Speicher.</translation>
     </message>
 </context>
 <context>

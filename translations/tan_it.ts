@@ -11763,6 +11763,18 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>it names %1 files %2 times in all.</source>
         <translation>nomina %1 file %2 volte in tutto.</translation>
     </message>
+    <message>
+        <source>names more than %1 variables. Take out those that are not needed.</source>
+        <translation>nomina più di %1 variabili. Togliere quelle che non servono.</translation>
+    </message>
+    <message>
+        <source>it has more than %1 zones. Write files of fewer zones.</source>
+        <translation>ha più di %1 zone. Scrivere file con meno zone.</translation>
+    </message>
+    <message>
+        <source>Its chunks are unpacked whole, however little of them is wanted, which takes %1 MB of memory.</source>
+        <translation>I suoi blocchi (chunk) vengono spacchettati per intero, per quanto poco ne serva: occorrono %1 MB di memoria.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

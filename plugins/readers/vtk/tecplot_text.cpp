@@ -257,6 +257,9 @@ private:
         if (hasConnectivity(header.zone))
             if (const Status read = connectivity(header); !read)
                 return read;
+        constexpr std::size_t most = 50'000; // some 6 kB each
+        if (file_.zones.size() == most)
+            return bad(Message::say("it has more than %1 zones. Write files of fewer zones.", most));
         file_.zones.push_back(std::move(header.zone));
         return {};
     }

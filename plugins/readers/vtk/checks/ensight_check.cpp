@@ -329,10 +329,15 @@ private:
 
     bool variables()
     {
+        constexpr std::size_t most = 5000; // VTK looks through all of them for each
         bool more = lines_.nextData();
         for (; more && !atSection(); more = lines_.nextData())
-            if (auto variable = variableOf(enSightWords(lines_.line())))
+            if (auto variable = variableOf(enSightWords(lines_.line()))) {
+                if (case_.variables.size() == most)
+                    lines_.refuse(
+                        Message::say("names more than %1 variables. Take out those that are not needed.", most));
                 case_.variables.push_back(*std::move(variable));
+            }
         return more;
     }
 

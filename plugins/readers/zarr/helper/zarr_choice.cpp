@@ -442,6 +442,16 @@ void tellAttributes(ZarrChoice& choice)
         choice.leftOut.push_back(Message::say("Its attributes %1 are not used: values are as they are stored.", said));
 }
 
+void tellLargeChunks(ZarrChoice& choice)
+{
+    constexpr std::uint64_t usual = std::uint64_t(256) << 20U, megabyte = 1'000'000;
+    const std::uint64_t bytes = choice.array.chunks.numberCount() * storedSize(choice.array.number);
+    if (bytes > usual)
+        choice.leftOut.push_back(Message::say("Its chunks are unpacked whole, however little of them is wanted, which "
+                                              "takes %1 MB of memory.",
+                                              bytes / megabyte));
+}
+
 void tellArray(const ZarrRequest& request, ZarrChoice& choice)
 {
     const std::string& path = choice.array.path;
@@ -502,6 +512,7 @@ Result<ZarrChoice> chooseZarr(const ZarrFolder& folder, const ZarrRequest& reque
     else if (const Status placed = placeImage(*target, choice); !placed)
         return placed.error();
     tellAttributes(choice);
+    tellLargeChunks(choice);
     if (const Status fits = checkUntold(request.given, choice.untold); !fits)
         return fits.error();
     std::ranges::stable_sort(choice.taken, {}, &Taken::part);
