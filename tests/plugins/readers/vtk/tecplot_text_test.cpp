@@ -190,6 +190,10 @@ private slots:
         row("no variables", "TITLE = \"x\"\n" + zone + full, "before its VARIABLES");
         row("no place", "VARIABLES = \"A\" \"Y\" \"Z\"\n" + zone + full, "is called X");
         row("no zone", cubeHead, "no zone");
+        std::string zones = "VARIABLES = X, Y, Z, V\n";
+        for (int i = 0; i < 50'001; ++i)
+            zones += "ZONE I=1\n0 0 0 1\n";
+        row("zones without end", zones, "more than 50000 zones");
         row("no size", cubeHead + "ZONE F=BLOCK\n" + full, "does not say how many points");
         row("a size of nothing", cubeHead + "ZONE I=0, J=2, K=2, F=BLOCK\n" + full, "'I = 0'");
         row("a huge size", cubeHead + "ZONE I=2000000000, J=2000000000, K=2000000000, F=BLOCK\n" + full,

@@ -202,6 +202,10 @@ private slots:
             "its file 'no.geo' is missing");
         row("a section that VTK does not know", "a.case",
             "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: no.geo\nMATERIAL\nmaterial set number: 1\n", "'MATERIAL'");
+        row("variables without end", "a.case",
+            "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: no.geo\nVARIABLE\n" +
+                QByteArray("scalar per node: v no.heat\n").repeated(5001),
+            "names more than 5000 variables");
         row("components without end", "a.vtu",
             with(vtuText(), "NumberOfComponents=\"1\"", "NumberOfComponents=\"4294967297\""), "4294967297 components");
         row("elements in one another without end", "a.vti",
