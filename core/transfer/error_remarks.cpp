@@ -153,10 +153,10 @@ Message factorOfError(double error)
 
 RemarkWords wordsOf(const ErrorRemark& remark, bool ofLogarithms)
 {
-    constexpr double coarse = 3, fine = 6;
+    constexpr double coarse = 3, fine = 6, precise = 7; // that of floats
     if (!ofLogarithms)
         return {roundedNumber(remark.value), roundedNumber(remark.other), formatNumber(remark.value),
-                formatNumber(remark.other), roundedNumber(remark.error)};
+                roundedNumber(remark.other, precise), roundedNumber(remark.error)};
     return {valueOfLogarithm(remark.value, coarse), valueOfLogarithm(remark.other, coarse),
             valueOfLogarithm(remark.value, fine), valueOfLogarithm(remark.other, fine), factorOfError(remark.error)};
 }
