@@ -106,13 +106,12 @@ Result<ErrorStatistics> measured(const Task& task, const std::string& against, c
     return verdict->measured;
 }
 
-/// In files of logarithms, which array keeps what is promised.
-Message logarithmRemark(std::string_view nameOfLogarithms)
+/// In files of meshes, which have logarithms and what they are of: which array keeps what is promised.
+Message logarithmRemark(std::string_view logarithms)
 {
-    return Message("Between vertices interpolate '" + valueArrayName(nameOfLogarithms) +
+    return Message("Between vertices interpolate '" + valueArrayName(logarithms) +
                    "', and take the power of ten afterwards: the factor holds for that. '" +
-                   valueArrayName(tetra::nameOfLogarithms(nameOfLogarithms)) +
-                   "', interpolated itself, may be off by much more.");
+                   valueArrayName(nameOfLogarithms(logarithms)) + "', interpolated itself, may be off by much more.");
 }
 
 /// What the numbers of the mesh do not say by themselves.
@@ -127,8 +126,6 @@ std::vector<Message> remarksOn(const ModelDescription& model, const MeshQuery& q
         remarks.emplace_back(
             "Points that the moved boundary leaves outside of the mesh are compared with a place within "
             "the warping; at the nearest place they may be off by more, which '--against' measures.");
-    if (holdsLogarithms(model.parameters))
-        remarks.push_back(logarithmRemark(model.valueName));
     return remarks;
 }
 
@@ -188,7 +185,10 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
         describeMesh(task.host, task.output, outcome);
     if (statistics)
         outcome.text += "\n" + statisticsText({{"extracted", *statistics}}, domain);
-    FileRemarks remarks = remarksOn(task.model.description(), query, found, statistics.has_value());
+    const ModelDescription& description = task.model.description();
+    FileRemarks remarks = remarksOn(description, query, found, statistics.has_value());
+    if (holdsLogarithms(description.parameters) && !isSurfaceFileOnly(task.host, task.output.path))
+        remarks.push_back(logarithmRemark(description.valueName));
     std::ranges::copy(*written, std::back_inserter(remarks));
     return Extraction{std::move(outcome), std::move(remarks)};
 }
@@ -230,7 +230,7 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     if (!query.range)
         describeMesh(invocation.host, output, outcome);
     FileRemarks remarks = *written;
-    if (mesh->fact(scaleFact) == logarithmFact)
+    if (mesh->fact(scaleFact) == logarithmFact && !isSurfaceFileOnly(invocation.host, output.path))
         remarks.push_back(logarithmRemark(mesh->fact("array")));
     return Extraction{std::move(outcome), std::move(remarks)};
 }

@@ -92,6 +92,8 @@ class Logarithms(unittest.TestCase):
         self.assertTrue(any("interpolate 'log10(nut)'" in text for text in found["remarks"]), found["remarks"])
         interpolated, inside = self.probed("coarse.vtu", "log10(nut)")
         self.assertGreater(inside.sum(), 0.8 * len(inside))
+        of_surface = figures(self.folder, "extract", "nut.tan", "--error", "3", "-o", "coarse.stl").get("remarks", [])
+        self.assertFalse(any("interpolate" in text for text in of_surface), of_surface)  # it has no arrays
         factors = 10 ** numpy.abs(interpolated - numpy.log10(self.values))[inside]
         self.assertLessEqual(factors.max(), found["reached_factor"] * (1 + 1e-4))
         self.assertGreater(factors.max(), 1.001)

@@ -21,10 +21,9 @@ struct ArrayPlaces {
     std::vector<Message> leftOut{};
 };
 
-/// By coordinates along the axes (dimension scales, NeXus), which may be uneven; else by the frame of ITK or
-/// of Imaris; else by the
-/// attributes element_size_um, spacing, voxel_size, resolution and origin, offset of the array or of its group, which
-/// are in the order of its dimensions. Errors: too few points, or too many.
+/// By coordinates along the axes (dimension scales, NeXus), which may be uneven; else by the frame of ITK or of
+/// Imaris; else by the attributes element_size_um, spacing, voxel_size, resolution and origin, offset of the array or
+/// of its group, which are in the order of its dimensions. Errors: too few points, or too many.
 Result<ArrayPlaces> placesOf(hid_t file, const Hdf5Array& array, const ArrayAxes& axes);
 
 /// Of a grid: the position of each point, its fastest dimension first.

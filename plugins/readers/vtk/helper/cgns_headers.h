@@ -22,7 +22,8 @@ struct CgnsNode {
 };
 
 /// The root, with bases, zones, solutions and arrays, and the units, of a file as CGNS's library writes it (HDF5 or
-/// ADF). Nothing if the library cannot read it, or if it has more nodes than anybody wrote.
+/// ADF). Nothing if the library cannot read it, or if it has more nodes than are looked at: then VTK alone tells what
+/// the file holds, without units.
 std::optional<CgnsNode> readCgnsHeaders(const std::string& path);
 
 } // namespace tetra

@@ -19,7 +19,9 @@ private slots:
         QProcess python;
         python.start("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/plugins/readers/vtk/make_linked_files.py",
                                           QString::fromStdString(folder_.path().string())});
-        if (!python.waitForFinished(120'000) || python.exitCode() == 77)
+        const bool isOver = python.waitForFinished(120'000);
+        QVERIFY2(isOver || python.error() == QProcess::FailedToStart, "the files are not written in two minutes");
+        if (!isOver || python.exitCode() == 77)
             QSKIP_WITHOUT("python3-h5py");
         QVERIFY2(python.exitCode() == 0, python.readAllStandardError().constData());
     }
