@@ -11775,6 +11775,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Its chunks are unpacked whole, however little of them is wanted, which takes %1 MB of memory.</source>
         <translation>Seine Stücke (Chunks) werden ganz entpackt, so wenig auch von ihnen gebraucht wird; das braucht %1 MB Speicher.</translation>
     </message>
+    <message>
+        <source>its model cannot have %1 bytes</source>
+        <translation>sein Modell kann nicht %1 Bytes haben</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

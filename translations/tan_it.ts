@@ -11775,6 +11775,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Its chunks are unpacked whole, however little of them is wanted, which takes %1 MB of memory.</source>
         <translation>I suoi blocchi (chunk) vengono spacchettati per intero, per quanto poco ne serva: occorrono %1 MB di memoria.</translation>
     </message>
+    <message>
+        <source>its model cannot have %1 bytes</source>
+        <translation>il suo modello non può avere %1 byte</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -52,6 +52,16 @@ bool levelsMakeSense(std::span<const PackedLevelEntry> levels, const Header& hea
            (own || levels.back().sites == header.siteCount);
 }
 
+/// Whether a model of this header can have so many bytes. What a model keeps of a site, a sample or a tetrahedron takes
+/// some 200 bytes at most; the rest of the allowance is for faulty cells, of which no number in the header tells.
+bool sizeMakesSense(std::uint64_t bytes, const Header& header)
+{
+    constexpr double ofWhole = 1 << 30, ofElement = 1 << 12;
+    const auto [x, y, z] = header.latticeSize;
+    const double elements = double(header.siteCount) + double(header.tetrahedronCount) + double(x) * y * z;
+    return double(bytes) <= ofWhole + ofElement * elements;
+}
+
 std::uint64_t sumOfChunk(const PackedChunkHead& head, std::span<const std::byte> bytes)
 {
     Checksum sum;
@@ -197,7 +207,7 @@ Result<std::unique_ptr<const PackedFile>> PackedFile::open(ByteSource source, co
     file->name_ = name;
     if (const Status read = file->readFront(progress); !read)
         return read.error();
-    if (const Status sensible = file->checkLevels(); !sensible)
+    if (const Status sensible = file->checkFront(); !sensible)
         return sensible.error();
     return std::unique_ptr<const PackedFile>(std::move(file));
 }
@@ -284,11 +294,13 @@ Status PackedFile::readFront(const Progress& progress)
     return {};
 }
 
-Status PackedFile::checkLevels() const
+Status PackedFile::checkFront() const
 {
-    if (levelsMakeSense(levels_, header_, static_cast<PackMethod>(facts_.method), chunks_.size))
-        return {};
-    return damaged(Message::say("its levels make no sense"));
+    if (!levelsMakeSense(levels_, header_, static_cast<PackMethod>(facts_.method), chunks_.size))
+        return damaged(Message::say("its levels make no sense"));
+    if (!sizeMakesSense(facts_.fileBytes, header_))
+        return damaged(Message::say("its model cannot have %1 bytes", facts_.fileBytes));
+    return {};
 }
 
 Status PackedFile::checkChunks(const Progress& progress) const

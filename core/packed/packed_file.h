@@ -90,7 +90,7 @@ public:
 private:
     PackedFile() = default;
     Status readFront(const Progress& progress);
-    Status checkLevels() const;
+    Status checkFront() const;
     Status sumChunks(const Progress& progress) const;
 
     ByteSource source_;

@@ -37,6 +37,10 @@ def xxh3():
 checksum = xxh3()
 
 
+class Missing(Exception):
+    """A section that another change has taken."""
+
+
 class Section:
     def __init__(self, entry, file):
         self.id, self.flags, self.element, self.codec, self.offset, size, _ = struct.unpack_from("<4I3Q", entry)
@@ -60,7 +64,10 @@ class TanFile:
         return any(one.id == number for one in self.sections)
 
     def __getitem__(self, number):
-        return next(one for one in self.sections if one.id == number)
+        for one in self.sections:
+            if one.id == number:
+                return one
+        raise Missing
 
     @property
     def is_packed(self):
@@ -298,7 +305,7 @@ def change_chunk(file, other, chance):
     """The bytes of a packed chunk."""
     chunks = file.chunks()
     if not chunks:  # another change has taken them all
-        return "no chunk"
+        raise Missing
     own = chance.choice(chunks)
     for _ in range(chance.choice((1, 1, 2, 40))):
         if not own[1]:
@@ -321,7 +328,7 @@ def change_chunks(file, other, chance):
     """Packed chunks in another order, twice, left out, of another kind or from another model."""
     chunks = file.chunks()
     if not chunks:
-        return "no chunk"
+        raise Missing
     at, where = chance.randrange(len(chunks)), chance.randrange(len(chunks))
     way = chance.randrange(6)
     if way == 0:
@@ -362,6 +369,17 @@ EXPLICIT = (change_numbers, change_numbers, change_numbers, change_order, change
             change_header, change_text, take_section, change_bytes)
 PACKED = (change_chunk, change_chunk, change_chunk, change_chunks, change_chunks, change_front, change_header, change_text, take_section,
           change_bytes)
+
+
+def change(ways, file, other, chance):
+    """One or two changes, in words."""
+    told = []
+    for _ in range(chance.choice((1, 1, 2))):
+        try:
+            told.append(chance.choice(ways)(file, other, chance))
+        except Missing:
+            told.append("nothing more")
+    return told
 
 
 # --- Running -----------------------------------------------------------------------------------------------------------------------
@@ -501,7 +519,7 @@ def attempt_explicit(bench, folder, chance, number):
     bench.put_sample(kind, folder)
     whole = bench.model(kind)[0]
     file, other = TanFile(whole), TanFile(bench.model(chance.choice(WHOLE))[0])
-    changes = [chance.choice(EXPLICIT)(file, other, chance) for _ in range(chance.choice((1, 1, 2)))]
+    changes = change(EXPLICIT, file, other, chance)
     mutant = file.bytes()
     (folder / "mutant.tan").write_bytes(mutant)
     judge = Judge(bench, folder, kind, file)
@@ -526,7 +544,7 @@ def attempt_packed(bench, folder, chance, number):
     bench.put_sample(kind, folder)
     whole = bench.model(kind)[0]
     file, other = TanFile(packed_form(bench, kind)), TanFile(packed_form(bench, chance.choice(WHOLE)))
-    changes = [chance.choice(PACKED)(file, other, chance) for _ in range(chance.choice((1, 1, 2)))]
+    changes = change(PACKED, file, other, chance)
     (folder / "mutant.tan").write_bytes(file.bytes())
     judge = Judge(bench, folder, kind, file)
     judge.run("info", "mutant.tan", "--json")

@@ -206,6 +206,34 @@ private slots:
         QVERIFY(outcomes[static_cast<std::size_t>(DamageOutcome::Refused)] > damages * 3 / 4);
     }
 
+    /// A few points that claim to be a model of petabytes are damage, with all checksums right, and not a lack of room.
+    void sizesThatNoModelOfItsCountsHasAreRefused()
+    {
+        const Dataset dataset = wavesOf(SampleType::UInt16, {9, 8, 7}, 0.1, 3);
+        QVERIFY(buildModel(dataset, path("a.tan"), Refinement{.block = 4u}).ok());
+        QVERIFY(packModel(**Model::open(path("a.tan")), path("a.packed.tan")).ok());
+        const std::vector<char> whole = contentOf(path("a.packed.tan"));
+        const format::PackedFacts facts = (*PackedModel::open(path("a.packed.tan")))->file().facts();
+        const auto opened = [&](std::uint64_t claimed) {
+            const auto* bytes = reinterpret_cast<const char*>(&facts);
+            std::vector<char> changed = whole;
+            const auto found = std::search(changed.begin(), changed.end(), bytes, bytes + sizeof facts);
+            format::PackedFacts other = facts;
+            other.fileBytes = claimed;
+            std::copy_n(reinterpret_cast<const char*>(&other), sizeof other, found);
+            repairPackedChecksums(std::as_writable_bytes(std::span(changed)));
+            write(path("d.tan"), changed);
+            return PackedModel::open(path("d.tan"));
+        };
+        QVERIFY(opened(facts.fileBytes).ok());
+        for (const std::uint64_t claimed : {std::uint64_t(1) << 62, ~std::uint64_t(0), std::uint64_t(1) << 40}) {
+            const auto refused = opened(claimed);
+            QVERIFY(!refused.ok());
+            QCOMPARE(refused.error().kind, ErrorKind::BadInput);
+            QVERIFY(QString::fromStdString(refused.error().text()).contains("is damaged"));
+        }
+    }
+
     /// Levels that end where no step of the sites ends, with all checksums right: nothing is read or kept beyond them.
     void levelsThatEndWithinAStepAreRefused()
     {
