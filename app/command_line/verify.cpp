@@ -99,13 +99,18 @@ std::string failureText(const VerificationReport& verdict, bool warps)
     return text.empty() ? text : text + "\n";
 }
 
-/// On what is inverted and no failure.
-std::string remarkOn(const VerificationReport& verdict)
+/// On what looks like a failure and is none, since the data themselves are so.
+std::string remarksOn(const VerificationReport& verdict)
 {
-    if (std::ranges::all_of(verdict.levels, [](const auto& level) { return level.invertedInData == 0; }))
-        return {};
-    return "\nInverted tetrahedra are no failure where the data's own cells are folded or bent too far (" +
-           std::to_string(verdict.foldedCells) + " folded).\n";
+    std::string text;
+    if (std::ranges::any_of(verdict.levels, [](const auto& level) { return level.invertedInData > 0; }))
+        text += "\nInverted tetrahedra are no failure where the data's own cells are folded or bent too far (" +
+                std::to_string(verdict.foldedCells) + " folded).\n";
+    if (verdict.touchingPoints > 0)
+        text += "\nPoints of the data that lie in or on a cell of which they are no corner: " +
+                std::to_string(verdict.touchingPoints) +
+                ". There parts touch or overlap, the data have several values at one place, and the closest counts.\n";
+    return text;
 }
 
 Outcome describe(const VerificationReport& verdict, const std::string& path, const ModelDescription& description)
@@ -146,11 +151,12 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
                        {"error_kind", wordOf(errorKindWords, errorMeaning(description))},
                        {"failures", toJson(verdict.failures)},
                        {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
+                       {"touching_points", static_cast<qint64>(verdict.touchingPoints)},
                        {"levels", levels}};
     outcome.text = shownInput(path) + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
     if (!isUnchecked)
         outcome.text += "\n" + table(rows) + "\n" + statisticsText(measured, description.domain) +
-                        guaranteeText(description, true) + logarithmText(description) + remarkOn(verdict);
+                        guaranteeText(description, true) + logarithmText(description) + remarksOn(verdict);
     outcome.text += failureText(verdict, warps);
     return outcome;
 }

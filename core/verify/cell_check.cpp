@@ -142,6 +142,10 @@ template <class Kind> Status checkEveryCell(const Kind& kind, CellFindings& foun
         std::uint64_t sampleBeyond = 0;
         kind.forEachSample(cell, [&](std::uint64_t sample, Number size) {
             found.mark(sample, size <= own);
+            if (const auto several = found.numberOfSeveral(sample)) {
+                found.leastOfSeveral.lower(*several, kind.value(cell, size));
+                return;
+            }
             if (size > 0)
                 found.residuals.raise(sample, kind.value(cell, size));
             if (!(size > worstBeyond && size > (uniform ? claimed : kind.bound(cell, residual.claimed(sample)))))
@@ -157,6 +161,23 @@ template <class Kind> Status checkEveryCell(const Kind& kind, CellFindings& foun
             addBeyond(number, sampleBeyond, worstBeyond);
     };
     return verifyEach(mesh.cells.size(), Kind::cellsAtOnce, Kind::activity, progress, checkCell);
+}
+
+/// The claim at samples with several values: the cell that comes closest counts.
+void checkSeveralValued(const Residual& residual, CellFindings& found)
+{
+    for (std::size_t number = 0; number < found.severalValued.size(); ++number) {
+        const std::uint32_t sample = found.severalValued[number];
+        const double least = found.leastOfSeveral.at(number);
+        if (!found.isCovered(sample))
+            continue;
+        found.residuals.raise(sample, least);
+        if (least > residual.claimed(sample) + residual.allowance)
+            found.beyondClaim.add(sample, [&] {
+                return residual.moreThanClaimed(sample, nameOfSample(residual.mesh.original, sample), least) +
+                       ", in every cell that holds it.";
+            });
+    }
 }
 
 /// What the check of all cells says of samples. That one lies in no cell is told with the errors alone.
@@ -555,10 +576,11 @@ Status verifyCells(const MeshToVerify& mesh, LevelReport& verdict, const Progres
     const double cellsEnd = canWarp(domain) ? 0.3 : 0.6; // how far it is after each part
     const double facesEnd = canWarp(domain) ? 0.5 : 1;
     constexpr double warpingEnd = 0.7;
-    CellFindings found(mesh.original.dataset.pointCount());
+    CellFindings found(mesh.original.dataset.pointCount(), mesh.original.touchingPoints());
     if (const Status done = checkErrors(mesh, found, progress.part(0, cellsEnd)); !done)
         return done;
     const Residual errors = Residual::error(mesh);
+    checkSeveralValued(errors, found);
     verdict.tetrahedra = mesh.cells.size();
     verdict.inverted = found.turned.count();
     found.turned.moveTo(verdict.failures);

@@ -12,9 +12,11 @@
 #include <tan/model.h>
 #include <tan/verify.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,6 +45,11 @@ struct Original {
 
     /// Of scattered and irregular data.
     const ScatteredOriginal& points() const { return irregular ? irregular->points : *scattered; }
+    /// Of irregular data; of others none.
+    std::span<const std::uint32_t> touchingPoints() const
+    {
+        return irregular ? std::span<const std::uint32_t>(irregular->touching) : std::span<const std::uint32_t>();
+    }
 };
 
 /// A mesh, what it is compared with, and what it claims.
@@ -80,7 +87,13 @@ struct Residual {
 
 /// What the check of all cells finds of one residual. Safe to add to from any number of threads.
 struct CellFindings {
-    explicit CellFindings(std::size_t samples) : residuals(samples, 0), states(samples) {}
+    /// `severalValued`: samples, sorted, at which the data have several values, so that the cell that comes closest
+    /// counts. They outlive it.
+    explicit CellFindings(std::size_t samples, std::span<const std::uint32_t> severalValued = {})
+        : residuals(samples, 0), states(samples), severalValued(severalValued),
+          leastOfSeveral(severalValued.size(), std::numeric_limits<double>::infinity())
+    {
+    }
 
     Findings turned; ///< flat and inverted cells
     Findings beyondClaim;
@@ -88,6 +101,17 @@ struct CellFindings {
     std::atomic<std::uint64_t> allowed = 0;    ///< inverted, as the grid itself is there
     PointResiduals residuals;                  ///< the largest of the cells that hold each
     std::vector<std::atomic<std::uint8_t>> states;
+    std::span<const std::uint32_t> severalValued;
+    PointResiduals leastOfSeveral; ///< of each of them, the smallest of the cells that hold it
+
+    /// Its number among those with several values.
+    std::optional<std::size_t> numberOfSeveral(std::uint64_t sample) const
+    {
+        const auto at = std::ranges::lower_bound(severalValued, sample);
+        return at != severalValued.end() && *at == sample
+                   ? std::optional(static_cast<std::size_t>(at - severalValued.begin()))
+                   : std::nullopt;
+    }
 
     bool isCovered(std::uint64_t sample) const { return (state(sample) & Covered) != 0; }
     bool isWithinOwn(std::uint64_t sample) const { return (state(sample) & WithinOwn) != 0; }
@@ -111,7 +135,8 @@ private:
 /// either, but where the grid is (S5). Of scattered data the first mesh is taken to fill the domain, so that another
 /// one does if its boundary faces have that one's sites on one side only. Of irregular data verifyIrregular() says the
 /// rest. Claims are kept if they are exceeded by no more than the allowances; exactly where samples are integers of a
-/// regular lattice without weights. Appends to `verdict`. An Error only if cancelled.
+/// regular lattice without weights. At points where the data themselves have several values (touchingPoints()) one of
+/// the cells that hold them keeps the claim. Appends to `verdict`. An Error only if cancelled.
 Status verifyCells(const MeshToVerify& mesh, LevelReport& verdict, const Progress& progress);
 
 /// A place inside the cell, if it is positive and not too thin for doubles to name one.

@@ -4,6 +4,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/sort_unique.h"
 #include "core/verify/level_cells.h"
+#include "core/verify/touching_points.h"
 
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
@@ -549,7 +550,8 @@ ScatteredOriginal::ScatteredOriginal(const Dataset& dataset)
 IrregularOriginal::IrregularOriginal(const Dataset& dataset, std::vector<std::string>& failures)
     : points(dataset), boundary(boundaryOf(dataset, failures)), surfaces(boundarySurfaces(boundary)),
       surfaceOf(surfacesOfPoints(dataset.pointCount(), boundary, surfaces)),
-      atPinches(surfacesOfPinches(boundary, surfaces)), componentOf(componentsOfPoints(dataset)), faces(boundary),
+      atPinches(surfacesOfPinches(boundary, surfaces)), componentOf(componentsOfPoints(dataset)),
+      touching(touchingPoints(points.positions, *dataset.tetrahedra, boundary)), faces(boundary),
       tree(points.positions, boundary), diagonal(dataset.bounds().diagonal().norm())
 {
     for (Triangle& face : faces)

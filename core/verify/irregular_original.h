@@ -159,6 +159,7 @@ struct IrregularOriginal {
     std::vector<std::uint32_t> surfaceOf;
     std::vector<std::array<std::uint32_t, 2>> atPinches; ///< a pinched point and a surface that it lies on, sorted
     std::vector<std::uint32_t> componentOf;              ///< of each point, the smallest point that it is joined with
+    std::vector<std::uint32_t> touching;                 ///< touchingPoints()
     std::vector<Triangle> faces; ///< `boundary`, each with its points in increasing order, sorted
     TriangleTree tree;           ///< of `boundary`
     double diagonal;             ///< of the bounds

@@ -185,6 +185,7 @@ Result<VerificationReport> verifyAll(const Model& model, const Dataset& given, c
             return made.error();
         original.emplace(*std::move(made));
         verdict.foldedCells = original->curvilinear ? original->curvilinear->foldedCells() : 0;
+        verdict.touchingPoints = original->touchingPoints().size();
         if (const Status done = verifyWholeHistory({model, *original, places, *weights}, verdict.failures, usable,
                                                    progress.part(bytesEnd, historyEnd));
             !done)

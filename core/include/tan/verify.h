@@ -84,7 +84,11 @@ struct TAN_API VerificationReport {
     /// Of the file as a whole: checksums, structure, sites and values against the dataset. If there are any, levels may
     /// not have been checked; their failures say so.
     std::vector<std::string> failures;
-    std::uint64_t foldedCells = 0;   ///< of curvilinear data: cells of the grid that have an inverted corner (S5)
+    std::uint64_t foldedCells = 0; ///< of curvilinear data: cells of the grid that have an inverted corner (S5)
+    /// Of irregular data: points that lie in or on a cell which they are no corner of, where parts touch or overlap
+    /// without having points in common. The data have several values there; a level is right at such a point if one of
+    /// the cells that hold it keeps the claim, and that is what is measured.
+    std::uint64_t touchingPoints = 0;
     std::vector<LevelReport> levels; ///< in the order in which they were asked for
     bool ok() const noexcept;
 };

@@ -57,6 +57,42 @@ Dataset datasetOfCubes(const std::vector<std::array<std::uint32_t, 4>>& tetrahed
     return withoutUnused(datasetOfTetrahedra(positions, values, tetrahedra));
 }
 
+/// Cubes cut in five each, `n` along each edge of one of edge 1 with its first corner at `corner`, appended.
+void addBlock(std::vector<Eigen::Vector3d>& positions, std::vector<std::array<std::uint32_t, 4>>& tetrahedra,
+              std::uint32_t n, const Eigen::Vector3d& corner)
+{
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    for (auto cell : latticeTetrahedra({n + 1, n + 1, n + 1}, LatticeCut::Five)) {
+        for (std::uint32_t& point : cell)
+            point += first;
+        tetrahedra.push_back(cell);
+    }
+    for (std::uint32_t z = 0; z <= n; ++z)
+        for (std::uint32_t y = 0; y <= n; ++y)
+            for (std::uint32_t x = 0; x <= n; ++x)
+                positions.emplace_back(corner + Eigen::Vector3d(x, y, z) / n);
+}
+
+/// Two blocks that were meshed apart and touch in the plane x = 1, where the values jump: 4 points of the first one lie
+/// on faces of the second, and 9 of the second on faces of the first. Linear in each, but for one point of the contact
+/// and, more, one inside.
+Dataset blocksInContact()
+{
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra;
+    addBlock(positions, tetrahedra, 2, {0, 0, 0});
+    const std::size_t firstOfSecond = positions.size();
+    addBlock(positions, tetrahedra, 3, {1, 0.1, 0.1});
+    std::vector<double> values;
+    for (std::size_t point = 0; point < positions.size(); ++point) {
+        const Eigen::Vector3d& place = positions[point];
+        values.push_back(point < firstOfSecond ? place.x() + 2 * place.y() : 5 - place.z());
+        if (place == Eigen::Vector3d(1, 0.5, 0.5))
+            values.back() += 0.5;
+    }
+    return datasetOfTetrahedra(positions, values, tetrahedra);
+}
+
 /// Whether a picture of the model's boundary and volume, coarse and fine, shows anything. Empty: all do.
 QString pictureFault(const Model& model)
 {
@@ -107,6 +143,38 @@ RecordedHistory oneMesh(const Dataset& dataset, const std::vector<std::array<std
         }
         sites = latestFirst(sites);
         history.steps[sites[0]].star.push_back({{sites[1], sites[2], sites[3]}, 0, 0});
+    }
+    return history;
+}
+
+/// The blocks in contact by one mesh, which has of the first one the eight corners alone, and claims this error.
+RecordedHistory withCoarseBlock(const Dataset& dataset, float claimed)
+{
+    RecordedHistory history;
+    history.traits = {1, false};
+    history.finalKey = claimed;
+    std::vector<std::uint32_t> siteOf(dataset.pointCount());
+    for (std::uint32_t point = 0; point < dataset.pointCount(); ++point) {
+        const bool isCorner = point % 3 != 1 && point / 3 % 3 != 1 && point / 9 != 1;
+        if (point >= 27 || isCorner) {
+            siteOf[point] = static_cast<std::uint32_t>(history.steps.size());
+            history.steps.push_back({point, std::numeric_limits<float>::infinity(), {}, {}});
+        }
+    }
+    std::vector<std::array<std::uint32_t, 4>> cells;
+    for (auto cell : latticeTetrahedra({2, 2, 2}, LatticeCut::Five)) {
+        for (std::uint32_t& corner : cell)
+            corner = siteOf[2 * (corner % 2) + 6 * (corner / 2 % 2) + 18 * (corner / 4)];
+        cells.push_back(cell);
+    }
+    for (auto cell : *dataset.tetrahedra)
+        if (std::ranges::all_of(cell, [](std::uint32_t point) { return point >= 27; })) {
+            std::ranges::transform(cell, cell.begin(), [&](std::uint32_t point) { return siteOf[point]; });
+            cells.push_back(cell);
+        }
+    for (const auto& cell : cells) {
+        const auto sites = latestFirst(cell);
+        history.steps[sites[0]].star.push_back({{sites[1], sites[2], sites[3]}, claimed, 0});
     }
     return history;
 }
@@ -345,6 +413,26 @@ private slots:
     }
 
     /// Weighted errors and warpings are compared with weighted claims (R6).
+    /// At a contact that was meshed apart the data have two values at one place: none of them is an error of the mesh,
+    /// but what is far from both is.
+    void partsThatTouchHaveValuesOfTheirOwn()
+    {
+        const Dataset dataset = blocksInContact();
+        const auto model = modelOf(path(), dataset, decimated(dataset));
+        const auto verdict = verify(*model, dataset, levels);
+        QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(textOf(verdict)));
+        QCOMPARE(verdict->touchingPoints, std::uint64_t(4 + 9));
+        QCOMPARE(verdict->levels.back().measured.error.largest, 0.0);
+
+        // The first block by its corners alone is off by 0.5 at that point, and by more in the second one's cells.
+        for (const float claimed : {0.4F, 0.6F}) {
+            const auto coarse = modelOf(path(), dataset, withCoarseBlock(dataset, claimed));
+            const auto judged = verify(*coarse, dataset, {{100, anyWarping}});
+            QVERIFY(judged.ok());
+            QCOMPARE(textOf(judged).contains("in every cell that holds it"), claimed < 0.5F);
+        }
+    }
+
     void weightsCount()
     {
         const Dataset dataset = randomIrregular(4);
