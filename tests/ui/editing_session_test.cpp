@@ -192,7 +192,10 @@ void EditingSessionTest::anHourOfEditing()
     const auto window = windowOn(model_);
     Session& session = window->workbench.session();
     QUndoStack& stack = session.undoStack();
+    // A camera that nobody has moved follows the picture's shape, which docks change.
+    session.setCamera(turned(session.view().camera, 10, 5));
     const ViewValue start = session.view();
+    const int first = stack.index();
     session.setMode("volume");
     RandomEdits some(session, modesOf(*window), seedOf(7));
     Latencies latencies(*window);
@@ -237,7 +240,7 @@ void EditingSessionTest::anHourOfEditing()
 
     const ViewValue end = session.view();
     const int steps = stack.count();
-    while (stack.canUndo())
+    while (stack.index() > first)
         stack.undo();
     QVERIFY(session.view() == start);
     while (stack.canRedo())
