@@ -739,37 +739,38 @@ def hard_mesh(bench, folder, chance, number):
     return "proved" if not failures else "went wrong", failures, {"cells taken out": told["faulty_cell_count"] if told else 0}
 
 
+# Together some 80 minutes of two quiet cores: each run has chances of its own, so that what they try adds up.
 PARTS = (
     Part("latency", "tests that judge how soon something is seen, with the machine to themselves", repeated.latency, 10 ** 9, 0,
          in_parallel=False, counted=lambda bench: len(repeated.tests_of(bench, "latency"))),
-    Part("tests", "tests that do more than in ./dev test, each thrice with other chances, and those that are too long for it",
+    Part("tests", "tests that do more than in ./dev test, with other chances, and those that are too long for it",
          repeated.repeated, 10 ** 9, 0, counted=lambda bench: len(repeated.repetitions(bench))),
-    Part("kills", "kill -9 of builds, of other commands that write, and of what writes sessions and settings", kill, 1000, 8),
-    Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 10_000, 14),
-    Part("cuts", "a dataset cut anywhere, in every format that can be written here", cut_file, 3000, 20),
-    Part("mutations", "a dataset with random changes; a model built of it is proved", mutated_file, 10_000, 20),
+    Part("kills", "kill -9 of builds, of other commands that write, and of what writes sessions and settings", kill, 300, 8),
+    Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 1000, 14),
+    Part("cuts", "a dataset cut anywhere, in every format that can be written here", cut_file, 300, 20),
+    Part("mutations", "a dataset with random changes; a model built of it is proved", mutated_file, 400, 20),
     Part("writes", "each call that writes fails once, as on a full disk", failed_write, 10 ** 9, 12, counted=lambda bench: len(write_failures(bench))),
     Part("allocations", "each allocation of small builds fails once", failed_allocation, 10 ** 9, 24,
          counted=lambda bench: len(allocations(bench))),
-    Part("limits", "little memory, small files, few descriptors", tight_limit, 1000, 9),
-    Part("signals", "SIGINT, SIGTERM, SIGHUP at random moments", interrupt, 500, 6),
-    Part("races", "two programs write one file", race, 300, 6),
-    Part("changes", "a model is changed while it is in use", change_in_use, 500, 10),
+    Part("limits", "little memory, small files, few descriptors", tight_limit, 200, 9),
+    Part("signals", "SIGINT, SIGTERM, SIGHUP at random moments", interrupt, 150, 6),
+    Part("races", "two programs write one file", race, 100, 6),
+    Part("changes", "a model is changed while it is in use", change_in_use, 100, 10),
     Part("packed", "packed models damaged in 50 ways: bits, ends, chunks exchanged, doubled or left out, also with right checksums",
          damaged_packed, 200, 1),
     Part("mutants", "models of intent, with right checksums: impossible numbers, histories that go round, sections of others; "
-         "shown, extracted, proved, drawn, packed and unpacked", mutants.attempt_explicit, 3000, 2),
+         "shown, extracted, proved, drawn, packed and unpacked", mutants.attempt_explicit, 250, 2),
     Part("packed-mutants", "the same of packed models: chunks flipped, doubled, exchanged, spliced; facts, levels, texts",
-         mutants.attempt_packed, 3000, 2),
+         mutants.attempt_packed, 250, 2),
     Part("cache", "queries through the cache of unpacked models and of files from servers: killed, interrupted, three at once, a damaged "
-         "or full cache, a limit", cached, 840, 12),
-    Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 200, 4),
+         "or full cache, a limit", cached, 210, 12),
+    Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 60, 4),
     Part("answers", "a server of which some answers are not its own: status, headers, lengths, ranges, bytes, meshes with right checksums, "
-         "no HTTP at all; fetched, and at the server", answers.attempt, 1000, 2),
+         "no HTTP at all; fetched, and at the server", answers.attempt, 250, 2),
     Part("bombs", "files that ask for more than there is, lead out of their folder, wait for ever or go round; shown and built, with 4 GB of "
          "address space and 90 s of the processor", bombs.attempt, 10 ** 9, 10, counted=lambda bench: bombs.COUNT),
     Part("grids", "a curvilinear grid, even, folded, wrapped or collapsed, some with holes: built by both builders and in blocks, proved at "
-         "eight accuracies, drawn", hard_grid, 100, 2),
+         "eight accuracies, drawn", hard_grid, 40, 2),
     Part("meshes", "a mesh with overlaps, flips, slivers, doubles, parts that only touch, NaN: built, proved at eight accuracies, drawn",
-         hard_mesh, 200, 1),
+         hard_mesh, 60, 1),
 )
