@@ -66,10 +66,12 @@ read files for TAn, each in a process of its own.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME tan-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${core_of_same_version}, libeigen3-dev")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "qt6-base-dev, ${same_version}")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "${same_version}")
+# Plugins that are editors.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "qt6-base-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers for programs with the library of TAn, and for plugins
-The headers of TAn's library, which need no Qt, and of its plugin interfaces,
-which do, a CMake package, and examples.")
+The headers of TAn's library and of its plugin interfaces, of which those of
+editors alone need Qt, a CMake package, and examples.")
 
 set(CPACK_RPM_COMPONENT_INSTALL ON)
 set(CPACK_RPM_FILE_NAME RPM-DEFAULT)

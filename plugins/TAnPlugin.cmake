@@ -28,13 +28,36 @@ function(tan_build_tag variable)
     set(${variable} ${tag} PARENT_SCOPE)
 endfunction()
 
-# tan_plugin_module(NAME CLASS SOURCES...): a plugin; CLASS is the one that Q_PLUGIN_METADATA stands in.
-function(tan_plugin_module name class)
+# tan_plugin_module(NAME METADATA SOURCES...): a plugin. METADATA is the JSON file of what it says of itself (plugins/api/metadata.h); one
+# of the sources has the line TAN_PLUGIN(CLASS, INTERFACE) (plugins/api/plugin.h). An editor is linked with Qt by its author.
+function(tan_plugin_module name metadata)
+    cmake_path(ABSOLUTE_PATH metadata OUTPUT_VARIABLE file)
+    if(NOT metadata MATCHES "\\.json$" OR NOT EXISTS "${file}")
+        message(FATAL_ERROR "tan_plugin_module(${name}): '${metadata}' is not the plugin's JSON file, which stands before its sources.")
+    endif()
+    file(READ "${file}" text)
+    string(JSON members ERROR_VARIABLE mistake LENGTH "${text}")
+    if(mistake)
+        message(FATAL_ERROR "${file}: ${mistake}")
+    endif()
     tan_build_tag(tag)
-    qt_add_plugin(${name} CLASS_NAME ${class})
-    target_sources(${name} PRIVATE ${ARGN})
-    target_link_libraries(${name} PRIVATE TAn::plugin Qt6::Core)
+    # Kept as it is where nothing has changed, so that nothing is compiled again.
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name}_metadata)
+    file(CONFIGURE OUTPUT "${folder}/tan_plugin_metadata.h" @ONLY CONTENT [[
+// Made of @file@ by tan_plugin_module().
+#pragma once
+
+#include <string_view>
+
+namespace tetra {
+constexpr std::string_view pluginBuild = "@tag@";
+constexpr std::string_view pluginMetadata = R"metadata(@text@)metadata";
+} // namespace tetra
+]])
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    add_library(${name} MODULE ${ARGN})
+    target_include_directories(${name} PRIVATE ${folder})
+    target_link_libraries(${name} PRIVATE TAn::plugin)
     # Where no build type is chosen, compilers would not optimise, and pictures take several times as long.
     target_compile_options(${name} PRIVATE $<$<CONFIG:>:-O2>)
-    set_target_properties(${name} PROPERTIES AUTOMOC ON AUTOMOC_MOC_OPTIONS "-Mbuild=${tag}")
 endfunction()

@@ -5428,10 +5428,6 @@ Verwerfung %2</translation>
         <translation>Es ist für die Plugin-Schnittstelle %1 geschrieben, und dieses Programm hat %2. Installieren Sie eine neuere Version von TAn oder eine ältere des Plugins.</translation>
     </message>
     <message>
-        <source>It is written for plugin interface %1, and this program has %2. Install a newer version of the plugin.</source>
-        <translation>Es ist für die Plugin-Schnittstelle %1 geschrieben, und dieses Programm hat %2. Installieren Sie eine neuere Version des Plugins.</translation>
-    </message>
-    <message>
         <source>Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin&apos;s author for a fixed version.</source>
         <translation>Seine Metadaten nennen es einen %1, aber es implementiert %2 statt %3. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
     </message>
@@ -11778,6 +11774,34 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>its model cannot have %1 bytes</source>
         <translation>sein Modell kann nicht %1 Bytes haben</translation>
+    </message>
+    <message>
+        <source>It is written for plugin interface %1 of an earlier TAn, and this program has %2. Install a newer version of the plugin, or build it again with the headers of this TAn.</source>
+        <translation>Es ist für die Plugin-Schnittstelle %1 eines früheren TAn geschrieben, und dieses Programm hat %2. Installieren Sie eine neuere Version des Plugins, oder bauen Sie es mit den Headern dieses TAn neu.</translation>
+    </message>
+    <message>
+        <source>It was built for an earlier version of TAn. Install a later version of the plugin, or build it again with the headers of this TAn.</source>
+        <translation>Es wurde für eine frühere Version von TAn gebaut. Installieren Sie eine neuere Version des Plugins, oder bauen Sie es mit den Headern dieses TAn neu.</translation>
+    </message>
+    <message>
+        <source>it is no shared library for this machine.</source>
+        <translation>Es ist keine gemeinsam genutzte Bibliothek für diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>it ends too early.</source>
+        <translation>Es endet zu früh.</translation>
+    </message>
+    <message>
+        <source>Its metadata are malformed: %1 Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>Seine Metadaten sind fehlerhaft: %1 Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
+    </message>
+    <message>
+        <source>its metadata are damaged.</source>
+        <translation>Seine Metadaten sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>it has no metadata.</source>
+        <translation>Es hat keine Metadaten.</translation>
     </message>
 </context>
 <context>

@@ -5428,10 +5428,6 @@ deformazione %2</translation>
         <translation>È scritto per l&apos;interfaccia dei plugin %1, e questo programma ha la %2. Installare una versione più recente di TAn, o una meno recente del plugin.</translation>
     </message>
     <message>
-        <source>It is written for plugin interface %1, and this program has %2. Install a newer version of the plugin.</source>
-        <translation>È scritto per l&apos;interfaccia dei plugin %1, e questo programma ha la %2. Installare una versione più recente del plugin.</translation>
-    </message>
-    <message>
         <source>Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin&apos;s author for a fixed version.</source>
         <translation>I suoi metadati lo dicono un plugin di %1, ma implementa %2 invece di %3. Chiedere all&apos;autore del plugin una versione corretta.</translation>
     </message>
@@ -11778,6 +11774,34 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>its model cannot have %1 bytes</source>
         <translation>il suo modello non può avere %1 byte</translation>
+    </message>
+    <message>
+        <source>It is written for plugin interface %1 of an earlier TAn, and this program has %2. Install a newer version of the plugin, or build it again with the headers of this TAn.</source>
+        <translation>È scritto per l&apos;interfaccia dei plugin %1 di un TAn precedente, e questo programma ha la %2. Installare una versione più recente del plugin, o ricompilarlo con gli header di questo TAn.</translation>
+    </message>
+    <message>
+        <source>It was built for an earlier version of TAn. Install a later version of the plugin, or build it again with the headers of this TAn.</source>
+        <translation>È stato compilato per una versione precedente di TAn. Installare una versione più recente del plugin, o ricompilarlo con gli header di questo TAn.</translation>
+    </message>
+    <message>
+        <source>it is no shared library for this machine.</source>
+        <translation>non è una libreria condivisa per questa macchina.</translation>
+    </message>
+    <message>
+        <source>it ends too early.</source>
+        <translation>finisce troppo presto.</translation>
+    </message>
+    <message>
+        <source>Its metadata are malformed: %1 Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>I suoi metadati non sono corretti: %1 Chiedere all&apos;autore del plugin una versione corretta.</translation>
+    </message>
+    <message>
+        <source>its metadata are damaged.</source>
+        <translation>i suoi metadati sono danneggiati.</translation>
+    </message>
+    <message>
+        <source>it has no metadata.</source>
+        <translation>non ha metadati.</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,7 @@ using JsonObject = std::vector<JsonMember>; ///< in the order of the text
 
 /// A value of a JSON text (RFC 8259) and where it begins there. Numbers keep their text, so that the reader chooses the
 /// type and loses nothing.
-struct JsonValue {
+struct TAN_INTERNAL JsonValue {
     struct Number {
         std::string text;
     };
@@ -45,7 +45,7 @@ struct JsonValue {
 
 /// Reads one JSON text strictly: UTF-8, no comments, no trailing commas, no member twice, nothing after the value, at
 /// most 64 levels. O(bytes). The error says where.
-Result<JsonValue> parseJson(std::string_view text);
+TAN_INTERNAL Result<JsonValue> parseJson(std::string_view text);
 
 /// `text` as a JSON string, with its quotes; what is no UTF-8 in it, such as an old file name, as U+FFFD.
 TAN_INTERNAL std::string jsonString(std::string_view text);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <plugins/api/builder.h>
+#include <plugins/api/plugin.h>
 #include <plugins/api/threshold_parameters.h>
-
-#include <QObject>
 
 #include <limits>
 
@@ -77,11 +76,7 @@ private:
 } // namespace
 
 /// Refines the whole dataset in memory until the points are spent.
-class BudgetBuilder : public QObject, public tetra::Builder {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_BUILDER_INTERFACE FILE "budget_builder.json")
-    Q_INTERFACES(tetra::Builder)
-
+class BudgetBuilder : public tetra::Builder {
 public:
     Acceptance accepts(const Dataset& dataset) const override
     {
@@ -124,4 +119,4 @@ public:
     }
 };
 
-#include "budget_builder.moc"
+TAN_PLUGIN(BudgetBuilder, tetra::Builder)

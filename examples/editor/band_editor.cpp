@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <plugins/api/editor.h>
+#include <plugins/api/plugin.h>
 
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -64,13 +65,9 @@ private:
 } // namespace
 
 /// The plugin: its metadata say that it edits parameters of the type "example.band".
-class BandEditor : public QObject, public tetra::Editor {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_EDITOR_INTERFACE FILE "band_editor.json")
-    Q_INTERFACES(tetra::Editor)
-
+class BandEditor : public tetra::Editor {
 public:
     QWidget* makeWidget(tetra::EditorHost& host) const override { return new BandWidget(host); }
 };
 
-#include "band_editor.moc"
+TAN_PLUGIN(BandEditor, tetra::Editor)

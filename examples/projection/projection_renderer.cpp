@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <plugins/api/plugin.h>
 #include <plugins/api/scene_parameters.h>
-
-#include <QObject>
 
 #include <string>
 
@@ -68,11 +67,7 @@ private:
 } // namespace
 
 /// Shows the largest value along each line of sight.
-class ProjectionRenderer : public QObject, public tetra::Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "projection_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class ProjectionRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent&) const override
     {
@@ -91,4 +86,4 @@ public:
     }
 };
 
-#include "projection_renderer.moc"
+TAN_PLUGIN(ProjectionRenderer, tetra::Renderer)

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <plugins/api/plugin.h>
 #include <plugins/api/scene_parameters.h>
 
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QObject>
+#include <optional>
+#include <string>
 
 namespace {
 using namespace tetra;
 
-/// The limits of a band, which examples/editor edits; nothing if the text has none.
+/// The number that follows a name in JSON; nothing if there is none.
+std::optional<double> numberAfter(const std::string& text, const std::string& name)
+{
+    const std::size_t start = text.find('"' + name + '"');
+    const std::size_t colon = text.find(':', start);
+    if (start == std::string::npos || colon == std::string::npos)
+        return std::nullopt;
+    const std::size_t first = text.find_first_not_of(" \t\n", colon + 1);
+    const std::size_t end = text.find_first_of(" \t\n,}", first);
+    return first < end ? parseNumber<double>(text.substr(first, end - first)) : std::nullopt;
+}
+
+/// The limits of a band, {"low": 1, "high": 2}, which examples/editor edits; nothing if the text has none.
 std::optional<ValueRange> bandOf(const std::string& text)
 {
-    const QJsonObject band = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
-    if (!band.value("low").isDouble() || !band.value("high").isDouble())
-        return std::nullopt;
-    return ValueRange{band.value("low").toDouble(), band.value("high").toDouble()};
+    const auto low = numberAfter(text, "low"), high = numberAfter(text, "high");
+    return low && high ? std::optional(ValueRange{*low, *high}) : std::nullopt;
 }
 
 class Shells : public RendererSession {
@@ -49,11 +59,7 @@ private:
 } // namespace
 
 /// Shows isosurfaces of equally spaced values.
-class ShellsRenderer : public QObject, public tetra::Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "shells_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class ShellsRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -80,4 +86,4 @@ public:
     }
 };
 
-#include "shells_renderer.moc"
+TAN_PLUGIN(ShellsRenderer, tetra::Renderer)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <plugins/api/plugin.h>
 #include <plugins/api/scene_parameters.h>
-
-#include <QObject>
 
 namespace {
 using namespace tetra;
@@ -80,11 +79,7 @@ private:
 } // namespace
 
 /// A slice in colours, with arrows.
-class SliceRenderer : public QObject, public tetra::Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "slice_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class SliceRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -107,4 +102,4 @@ public:
     }
 };
 
-#include "slice_renderer.moc"
+TAN_PLUGIN(SliceRenderer, tetra::Renderer)

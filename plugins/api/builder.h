@@ -7,8 +7,6 @@
 #include <tan/build.h>
 #include <tan/data.h>
 
-#include <QtPlugin>
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,6 +83,3 @@ public:
 };
 
 } // namespace tetra
-
-#define TAN_BUILDER_INTERFACE "org.tan.Builder/1"
-Q_DECLARE_INTERFACE(tetra::Builder, TAN_BUILDER_INTERFACE)

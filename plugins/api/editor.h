@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/metadata.h"
 #include "plugins/api/parameter.h"
 
 #include <tan/base.h>
@@ -11,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <QString>
-#include <QtPlugin>
 
 #include <functional>
 #include <memory>
@@ -113,7 +113,6 @@ public:
     virtual QWidget* makeWidget(EditorHost& host) const = 0;
 };
 
-} // namespace tetra
+template <> inline constexpr std::string_view qtOf<Editor> = QT_VERSION_STR;
 
-#define TAN_EDITOR_INTERFACE "org.tan.Editor/2"
-Q_DECLARE_INTERFACE(tetra::Editor, TAN_EDITOR_INTERFACE)
+} // namespace tetra

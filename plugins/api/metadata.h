@@ -3,21 +3,39 @@
 
 #include "plugins/api/version.h"
 
+#include <string_view>
+
 namespace tetra {
 
-/// What every plugin says of itself in the JSON file that its Q_PLUGIN_METADATA names. It is read without running any
-/// code of the plugin.
+class Builder;
+class Renderer;
+class Reader;
+class Writer;
+class Editor;
+
+/// The name of an interface. Its number goes up with every change, and a plugin of another number is not loaded.
+template <class Interface> inline constexpr std::string_view interfaceId;
+template <> inline constexpr std::string_view interfaceId<Builder> = "org.tan.Builder/2";
+template <> inline constexpr std::string_view interfaceId<Renderer> = "org.tan.Renderer/4";
+template <> inline constexpr std::string_view interfaceId<Reader> = "org.tan.Reader/3";
+template <> inline constexpr std::string_view interfaceId<Writer> = "org.tan.Writer/4";
+template <> inline constexpr std::string_view interfaceId<Editor> = "org.tan.Editor/3";
+
+/// The version of Qt that plugins of a kind are built with, which the program's must fit. Of editors (editor.h), which
+/// make widgets, and of nobody else.
+template <class Interface> inline constexpr std::string_view qtOf;
+
+/// What every plugin says of itself in the JSON file that tan_plugin_module() names (TAnPlugin.cmake). It is put into
+/// the library, and read without running any code of that (plugin_note.h). The library's other end is one line
+/// (plugin.h):
 ///
-///     class LatticeReader : public QObject, public Reader {
-///         Q_OBJECT
-///         Q_PLUGIN_METADATA(IID TAN_READER_INTERFACE FILE "lattice.json")
-///         Q_INTERFACES(tetra::Reader)
-///         ...
+///     class LatticeReader : public tetra::Reader { ... };
+///     TAN_PLUGIN(LatticeReader, tetra::Reader)
 ///
 /// | key         | type             | meaning                                                                       |
 /// |-------------|------------------|-------------------------------------------------------------------------------|
 /// | id          | string, required | stable name, unique among all plugins: lower-case letters, digits, . - _      |
-/// | kind        | string, required | builder, renderer, reader, writer or editor: fits the IID                     |
+/// | kind        | string, required | builder, renderer, reader, writer or editor: fits the interface               |
 /// | version     | string, required | the plugin's own, "1.2.3"                                                     |
 /// | api         | string, required | pluginInterfaceVersion of the headers that it is written for, "0.2"           |
 /// | name        | string, required | for people                                                                    |

@@ -6,8 +6,6 @@
 #include <tan/base.h>
 #include <tan/data.h>
 
-#include <QtPlugin>
-
 #include <optional>
 #include <span>
 
@@ -86,6 +84,3 @@ public:
 };
 
 } // namespace tetra
-
-#define TAN_READER_INTERFACE "org.tan.Reader/2"
-Q_DECLARE_INTERFACE(tetra::Reader, TAN_READER_INTERFACE)

@@ -9,8 +9,6 @@
 #include <tan/render.h>
 #include <tan/transfer.h>
 
-#include <QtPlugin>
-
 #include <memory>
 #include <optional>
 #include <vector>
@@ -88,6 +86,3 @@ public:
 };
 
 } // namespace tetra
-
-#define TAN_RENDERER_INTERFACE "org.tan.Renderer/3"
-Q_DECLARE_INTERFACE(tetra::Renderer, TAN_RENDERER_INTERFACE)

@@ -8,8 +8,6 @@
 #include <tan/base.h>
 #include <tan/data.h>
 
-#include <QtPlugin>
-
 #include <string>
 #include <vector>
 
@@ -67,6 +65,3 @@ private:
 };
 
 } // namespace tetra
-
-#define TAN_WRITER_INTERFACE "org.tan.Writer/3"
-Q_DECLARE_INTERFACE(tetra::Writer, TAN_WRITER_INTERFACE)

@@ -2,10 +2,12 @@
 #include "plugins/host/compatibility.h"
 
 #include "plugins/api/metadata.h"
+#include "plugins/host/plugin_file.h"
 
 #include <tan/version.h>
 
-#include <QtGlobal>
+#include <optional>
+#include <string_view>
 
 namespace tetra {
 
@@ -28,14 +30,24 @@ Status checkApi(const Version& plugin, const Version& host)
         return refused(Message::say("It is written for plugin interface %1, and this program has %2. Install a newer "
                                     "version of TAn, or an older one of the plugin.",
                                     toText(plugin), toText(host)));
-    return refused(Message::say(
-        "It is written for plugin interface %1, and this program has %2. Install a newer version of the plugin.",
-        toText(plugin), toText(host)));
+    return refused(Message::say("It is written for plugin interface %1 of an earlier TAn, and this program has %2. "
+                                "Install a newer version of the "
+                                "plugin, or build it again with the headers of this TAn.",
+                                toText(plugin), toText(host)));
+}
+
+/// The number of an interface's id, if it is one with the name of `like`: 2 of "org.tan.Reader/2".
+std::optional<int> numberOf(std::string_view id, std::string_view like)
+{
+    const std::string_view name = like.substr(0, like.find('/') + 1);
+    return id.starts_with(name) ? parseNumber<int>(id.substr(name.size())) : std::nullopt;
 }
 
 Status checkInterface(const PluginMetadata& plugin)
 {
     const std::string_view expected = pluginInterface(plugin.kind);
+    if (const auto number = numberOf(plugin.interface, expected); number && *number < *numberOf(expected, expected))
+        return refused(builtForEarlierTan());
     if (plugin.interface != expected)
         return refused(Message::say("Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin's "
                                     "author for a fixed version.",
@@ -45,7 +57,7 @@ Status checkInterface(const PluginMetadata& plugin)
 
 Status checkQt(const Version& plugin, const Version& host)
 {
-    if (fits(plugin, host))
+    if (plugin == Version{} || host == Version{} || fits(plugin, host))
         return {};
     return refused(Message::say("It was built with Qt %1, and this program runs with Qt %2. Install a build of the "
                                 "plugin for this Qt.",
@@ -69,7 +81,7 @@ Status checkBuildTag(const std::string& plugin, const std::string& host)
 
 HostBuild thisBuild()
 {
-    return {pluginInterfaceVersion, parseVersion(qVersion()).value_or(Version{}), TAN_BUILD_TAG};
+    return {pluginInterfaceVersion, {}, TAN_BUILD_TAG};
 }
 
 Status checkCompatible(const PluginMetadata& plugin, const HostBuild& host)

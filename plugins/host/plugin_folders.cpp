@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/plugin_folders.h"
 
-#include <QByteArray>
-#include <QDir>
-
 #include <algorithm>
+#include <cstdlib>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,12 +10,40 @@
 namespace tetra {
 namespace {
 
+/// Empty if it is not set.
+std::string environment(const char* variable)
+{
+    const char* const value = std::getenv(variable);
+    return value != nullptr ? value : "";
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view blanks = " \t\n\v\f\r";
+    const auto first = text.find_first_not_of(blanks);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view> piecesOf(std::string_view list, char separator)
+{
+    std::vector<std::string_view> pieces;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(separator, begin), list.size());
+        pieces.push_back(list.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return pieces;
+}
+
+/// What stands between the separators, without blanks around it; empty pieces are left out.
 std::vector<std::string> listInEnvironment(const char* variable, char separator)
 {
     std::vector<std::string> entries;
-    for (const QByteArray& entry : qgetenv(variable).split(separator))
-        if (!entry.trimmed().isEmpty())
-            entries.push_back(entry.trimmed().toStdString());
+    const std::string list = environment(variable);
+    for (const std::string_view piece : piecesOf(list, separator))
+        if (const auto entry = trimmed(piece); !entry.empty())
+            entries.emplace_back(entry);
     return entries;
 }
 
@@ -27,23 +53,25 @@ void ignoreRelativeFolders()
 {
     for (const char* variable :
          {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR"})
-        if (!qgetenv(variable).startsWith('/'))
-            qunsetenv(variable);
+        if (!environment(variable).starts_with('/'))
+            ::unsetenv(variable);
     for (const char* variable : {"XDG_DATA_DIRS", "XDG_CONFIG_DIRS"}) {
-        QByteArrayList folders = qgetenv(variable).split(':');
-        if (folders.removeIf([](const QByteArray& folder) { return !folder.startsWith('/'); }) == 0)
-            continue;
-        if (folders.isEmpty())
-            qunsetenv(variable);
+        const std::string list = environment(variable);
+        std::string absolute;
+        for (const std::string_view folder : piecesOf(list, ':'))
+            if (folder.starts_with('/'))
+                (absolute += absolute.empty() ? "" : ":") += folder;
+        if (absolute.empty())
+            ::unsetenv(variable);
         else
-            qputenv(variable, folders.join(':'));
+            ::setenv(variable, absolute.c_str(), 1);
     }
 }
 
 std::filesystem::path userPluginFolder()
 {
     const auto absoluteIn = [](const char* variable) -> std::filesystem::path {
-        const std::filesystem::path folder = qgetenv(variable).toStdString();
+        const std::filesystem::path folder = environment(variable);
         return folder.is_absolute() ? folder : std::filesystem::path();
     };
     if (const auto data = absoluteIn("XDG_DATA_HOME"); !data.empty())
@@ -76,7 +104,7 @@ std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& pr
         if (std::ranges::find(folders, absolute) == folders.end())
             folders.push_back(absolute);
     };
-    for (const std::string& folder : listInEnvironment("TAN_PLUGIN_PATH", QDir::listSeparator().toLatin1()))
+    for (const std::string& folder : listInEnvironment("TAN_PLUGIN_PATH", ':'))
         add(folder);
     if (const auto own = userPluginFolder(); !own.empty())
         add(own);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/builder.h"
+#include "plugins/api/metadata.h"
 #include "plugins/api/reader.h"
 #include "plugins/api/renderer.h"
 #include "plugins/api/writer.h"
@@ -34,7 +35,8 @@ std::unique_ptr<const Reader> guarded(const Reader& plugin, GuardTarget target);
 std::unique_ptr<const Writer> guarded(const Writer& plugin, GuardTarget target);
 std::unique_ptr<const Renderer> guarded(const Renderer& plugin, GuardTarget target);
 
+/// A plugin in use: its guard, or an editor, which whoever makes its widget guards (callPlugin()).
 using PluginGuard = std::variant<std::monostate, std::unique_ptr<const Builder>, std::unique_ptr<const Reader>,
-                                 std::unique_ptr<const Writer>, std::unique_ptr<const Renderer>>;
+                                 std::unique_ptr<const Writer>, std::unique_ptr<const Renderer>, const Editor*>;
 
 } // namespace tetra

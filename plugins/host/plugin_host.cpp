@@ -5,12 +5,8 @@
 #include "core/base/system_error.h"
 #include "plugins/host/dependency_order.h"
 #include "plugins/host/load_error.h"
+#include "plugins/host/plugin_file.h"
 #include "plugins/host/plugin_folders.h"
-
-#include <QCoreApplication>
-#include <QFile>
-#include <QLibrary>
-#include <QPluginLoader>
 
 #include <algorithm>
 #include <exception>
@@ -19,15 +15,15 @@
 #include <set>
 #include <tuple>
 
+#include <dlfcn.h>
+
 namespace tetra {
 
 namespace fs = std::filesystem;
 
 struct PluginHost::Entry {
     PluginStatus status;
-    std::unique_ptr<QPluginLoader> loader; ///< of a plugin that is in use; never unloaded
-    QObject* object = nullptr;
-    PluginGuard guard; ///< of the kinds that have one
+    PluginGuard guard; ///< of a plugin that is in use
 
     bool usable() const { return status.state == PluginState::Found || status.state == PluginState::Loaded; }
     void refuse(Message error)
@@ -39,9 +35,14 @@ struct PluginHost::Entry {
 
 namespace {
 
-QString toQString(const fs::path& path)
+/// Whether a file is called as shared libraries are, "libmine.so" or "libmine.so.1.2".
+bool isCalledLibrary(const fs::path& path)
 {
-    return QFile::decodeName(path.c_str());
+    const std::string name = path.filename().string();
+    const std::size_t ending = name.rfind(".so");
+    return ending != std::string::npos && ending > 0 &&
+           name.find_first_not_of(".0123456789", ending + 3) == std::string::npos &&
+           (ending + 3 == name.size() || name[ending + 3] == '.');
 }
 
 /// The shared libraries directly in `folder`, by name; none if it cannot be read.
@@ -50,13 +51,14 @@ std::vector<fs::path> librariesIn(const fs::path& folder, std::error_code& probl
     std::vector<fs::path> paths = pathsIn(folder, problem);
     std::erase_if(paths, [](const fs::path& path) {
         std::error_code ignored;
-        return fs::is_directory(path, ignored) || !QLibrary::isLibrary(toQString(path));
+        return fs::is_directory(path, ignored) || !isCalledLibrary(path);
     });
     std::ranges::sort(paths);
     return paths;
 }
 
-PluginStatus inspect(const fs::path& path, const HostBuild& build)
+/// What a library says of itself, and whether it fits. Only a lack of resources is an error: nothing is known then.
+Result<PluginStatus> inspect(const fs::path& path, const HostBuild& build)
 {
     PluginStatus status;
     status.path = path;
@@ -67,12 +69,12 @@ PluginStatus inspect(const fs::path& path, const HostBuild& build)
         return status;
     };
 
-    const QPluginLoader loader(toQString(path));
-    const QJsonObject json = loader.metaData();
-    if (json.isEmpty())
-        return refuse(Message::say("It is not a plugin, or is damaged: %1 Install it again, or remove the file.",
-                                   loader.errorString().toStdString()));
-    auto metadata = parsePluginMetadata(json);
+    const auto text = pluginText(path);
+    if (!text && text.error().kind == ErrorKind::OutOfResource)
+        return text.error();
+    if (!text)
+        return refuse(text.error().message);
+    auto metadata = parsePluginMetadata(*text);
     if (!metadata)
         return refuse(metadata.error().message);
     status.metadata = *std::move(metadata);
@@ -80,13 +82,6 @@ PluginStatus inspect(const fs::path& path, const HostBuild& build)
     if (const Status compatible = checkCompatible(status.metadata, build); !compatible)
         return refuse(compatible.error().message);
     return status;
-}
-
-/// Why a library cannot be looked at now, if it is only that; Qt calls it no plugin then.
-std::optional<Error> lackOfMemoryFor(const fs::path& library)
-{
-    const auto file = MappedFile::open(library);
-    return !file && file.error().kind == ErrorKind::OutOfResource ? std::optional(file.error()) : std::nullopt;
 }
 
 /// Of a library in the user's own folder, DATA/tan/plugins.
@@ -136,9 +131,9 @@ std::unique_ptr<PluginHost> PluginHost::standard()
 {
     std::error_code problem;
     const fs::path own = fs::weakly_canonical(userPluginFolder(), problem); // as it stands among the folders
-    const fs::path program = QFile::encodeName(QCoreApplication::applicationDirPath()).toStdString();
-    return std::make_unique<PluginHost>(
-        PluginHostOptions{.folders = pluginFolders(program), .disabled = disabledPlugins(), .ownFolder = own});
+    const fs::path program = fs::read_symlink("/proc/self/exe", problem);
+    return std::make_unique<PluginHost>(PluginHostOptions{
+        .folders = pluginFolders(program.parent_path()), .disabled = disabledPlugins(), .ownFolder = own});
 }
 
 std::vector<PluginStatus> PluginHost::plugins() const
@@ -183,12 +178,16 @@ void PluginHost::find()
             std::error_code ignored;
             if (!seen.insert(fs::weakly_canonical(path, ignored)).second)
                 continue;
-            PluginStatus status = inspect(path, options_.build);
-            if (!status.hasMetadata)
-                if (const auto lack = lackOfMemoryFor(path))
-                    complete_ = *lack;
+            auto status = inspect(path, options_.build);
             entries_.push_back(std::make_unique<Entry>());
-            entries_.back()->status = std::move(status);
+            if (status) {
+                entries_.back()->status = *std::move(status);
+            } else {
+                complete_ = status.error();
+                entries_.back()->status.path = path;
+                entries_.back()->status.metadata.id = path.stem().string();
+                entries_.back()->refuse(status.error().message);
+            }
             if (folder == options_.ownFolder && entries_.back()->usable())
                 if (Message why = whyNotTrusted(path); !why.empty())
                     entries_.back()->refuse(std::move(why));
@@ -284,7 +283,7 @@ Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::stri
         if (entry != nullptr && entry->status.metadata.kind == kind) {
             if (const Status loaded = load(*entry); !loaded)
                 return loaded.error();
-            return Loaded{&entry->status.metadata, entry->object, &entry->guard};
+            return Loaded{&entry->status.metadata, &entry->guard};
         }
         if (const Message reason = whyNotUsed(id); !reason.empty())
             return Error{ErrorKind::WrongUsage, Message::say("The %1 \"%2\" cannot be used. %3", kindName, id, reason)};
@@ -313,7 +312,7 @@ Status PluginHost::loadRequired(const Entry& entry)
 /// but if it is only for a lack of resources.
 Status PluginHost::load(Entry& entry)
 {
-    if (entry.object != nullptr)
+    if (entry.status.state == PluginState::Loaded)
         return {};
     Status loaded = loadRequired(entry);
     if (loaded)
@@ -325,15 +324,33 @@ Status PluginHost::load(Entry& entry)
                  Message::say("The plugin \"%1\" cannot be used. %2", entry.status.metadata.id, entry.status.error)};
 }
 
+/// Why the system does not load a library, or does not find the function that a plugin starts with.
+Error PluginHost::notLoaded(const Entry& entry)
+{
+    const char* const told = ::dlerror();
+    const std::string reason = told != nullptr ? told : "";
+    if (namesLackOfResources(reason))
+        return lacking(Message(reason + "."));
+    if (const auto text = pluginText(entry.status.path); !text && text.error().kind == ErrorKind::OutOfResource) {
+        complete_ = text.error();
+        return text.error();
+    }
+    return {ErrorKind::BadInput, explainLoadError(reason, entry.status.metadata.remedy)};
+}
+
+/// Libraries stay loaded, those too that turn out to be no good: their code may have begun to do something.
 Status PluginHost::open(Entry& entry)
 {
     const auto bad = [](Message text) { return Error{ErrorKind::BadInput, std::move(text)}; };
-    entry.loader = std::make_unique<QPluginLoader>(toQString(fs::absolute(entry.status.path)));
-    // Every symbol is looked up now, so that a missing one is an error here and not a crash later.
-    entry.loader->setLoadHints(QLibrary::PreventUnloadHint | QLibrary::ResolveAllSymbolsHint);
-    QObject* object = nullptr;
+    const std::string interface(pluginInterface(entry.status.metadata.kind));
+    const void* object = nullptr;
     try {
-        object = entry.loader->instance();
+        // Every symbol is looked up now, so that a missing one is an error here and not a crash later.
+        void* const library = ::dlopen(fs::absolute(entry.status.path).c_str(), RTLD_NOW | RTLD_LOCAL);
+        void* const entrance = library != nullptr ? ::dlsym(library, "tanPlugin") : nullptr;
+        if (entrance == nullptr)
+            return notLoaded(entry);
+        object = reinterpret_cast<const void* (*)(const char*)>(entrance)(interface.c_str());
     } catch (const std::exception& problem) {
         if (const auto lack = lackOfResources(problem))
             return *lack;
@@ -341,30 +358,18 @@ Status PluginHost::open(Entry& entry)
     } catch (...) {
         return bad(Message::say("It failed without saying why when it was started. Install it again."));
     }
-    if (object == nullptr) {
-        const std::string reason = entry.loader->errorString().toStdString();
-        if (namesLackOfResources(reason))
-            return lacking(Message(reason.ends_with('.') ? reason : reason + "."));
-        if (const auto lack = lackOfMemoryFor(entry.status.path)) {
-            complete_ = *lack;
-            return *lack;
-        }
-        return bad(explainLoadError(reason, entry.status.metadata.remedy));
-    }
-    const std::string interface(pluginInterface(entry.status.metadata.kind));
-    if (object->qt_metacast(interface.c_str()) == nullptr)
+    if (object == nullptr)
         return bad(
             Message::say("Its metadata call it a %1, but it does not implement %2. Ask the plugin's author for a "
                          "fixed version.",
                          pluginKindText(entry.status.metadata.kind), interface));
-    entry.object = object;
     GuardTarget target{entry.status.metadata.id, [this](const Error& error) { tell(error); }};
     switch (entry.status.metadata.kind) {
-    case PluginKind::Builder: entry.guard = guarded(*qobject_cast<Builder*>(object), std::move(target)); break;
-    case PluginKind::Reader: entry.guard = guarded(*qobject_cast<Reader*>(object), std::move(target)); break;
-    case PluginKind::Writer: entry.guard = guarded(*qobject_cast<Writer*>(object), std::move(target)); break;
-    case PluginKind::Renderer: entry.guard = guarded(*qobject_cast<Renderer*>(object), std::move(target)); break;
-    case PluginKind::Editor: break;
+    case PluginKind::Builder: entry.guard = guarded(*static_cast<const Builder*>(object), std::move(target)); break;
+    case PluginKind::Reader: entry.guard = guarded(*static_cast<const Reader*>(object), std::move(target)); break;
+    case PluginKind::Writer: entry.guard = guarded(*static_cast<const Writer*>(object), std::move(target)); break;
+    case PluginKind::Renderer: entry.guard = guarded(*static_cast<const Renderer*>(object), std::move(target)); break;
+    case PluginKind::Editor: entry.guard = static_cast<const Editor*>(object); break;
     }
     entry.status.state = PluginState::Loaded;
     return {};

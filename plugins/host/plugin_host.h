@@ -2,14 +2,11 @@
 #pragma once
 
 #include "plugins/api/builder.h"
-#include "plugins/api/editor.h"
 #include "plugins/api/reader.h"
 #include "plugins/api/renderer.h"
 #include "plugins/api/writer.h"
 #include "plugins/host/compatibility.h"
 #include "plugins/host/plugin_guards.h"
-
-#include <QObject>
 
 #include <filesystem>
 #include <functional>
@@ -68,8 +65,7 @@ public:
     PluginHost(const PluginHost&) = delete;
     PluginHost& operator=(const PluginHost&) = delete;
 
-    /// With the folders and the disabled plugins of plugin_folders.h, as seen from the running program. Needs a
-    /// QCoreApplication.
+    /// With the folders and the disabled plugins of plugin_folders.h, as seen from the running program.
     static std::unique_ptr<PluginHost> standard();
 
     const std::vector<std::filesystem::path>& folders() const noexcept { return options_.folders; }
@@ -107,7 +103,6 @@ private:
     struct Entry;
     struct Loaded {
         const PluginMetadata* metadata;
-        QObject* object;
         const PluginGuard* guard;
     };
 
@@ -121,6 +116,7 @@ private:
     Result<Loaded> instance(PluginKind kind, const std::string& id);
     Status load(Entry& entry);
     Status open(Entry& entry);
+    Error notLoaded(const Entry& entry);
     Error lacking(const Message& reason);
     void tell(const Error& error) const;
     Status loadRequired(const Entry& entry);
@@ -135,7 +131,7 @@ private:
     template <class Interface> static const Interface* face(const Loaded& loaded)
     {
         if constexpr (std::is_same_v<Interface, Editor>)
-            return qobject_cast<Interface*>(loaded.object);
+            return std::get<const Editor*>(*loaded.guard);
         else
             return std::get<std::unique_ptr<const Interface>>(*loaded.guard).get();
     }

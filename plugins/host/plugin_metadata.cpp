@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/plugin_metadata.h"
 
-#include "plugins/api/builder.h"
-#include "plugins/api/editor.h"
-#include "plugins/api/reader.h"
-#include "plugins/api/renderer.h"
-#include "plugins/api/writer.h"
-
-#include <QJsonArray>
+#include "core/base/json.h"
+#include "plugins/api/metadata.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -24,12 +20,11 @@ struct KindEntry {
     std::string_view name() const noexcept { return text; }
 };
 
-constexpr std::array<KindEntry, 5> kinds = {
-    {{PluginKind::Builder, Message::marked("builder"), TAN_BUILDER_INTERFACE},
-     {PluginKind::Renderer, Message::marked("renderer"), TAN_RENDERER_INTERFACE},
-     {PluginKind::Reader, Message::marked("reader"), TAN_READER_INTERFACE},
-     {PluginKind::Writer, Message::marked("writer"), TAN_WRITER_INTERFACE},
-     {PluginKind::Editor, Message::marked("editor"), TAN_EDITOR_INTERFACE}}};
+constexpr std::array<KindEntry, 5> kinds = {{{PluginKind::Builder, Message::marked("builder"), interfaceId<Builder>},
+                                             {PluginKind::Renderer, Message::marked("renderer"), interfaceId<Renderer>},
+                                             {PluginKind::Reader, Message::marked("reader"), interfaceId<Reader>},
+                                             {PluginKind::Writer, Message::marked("writer"), interfaceId<Writer>},
+                                             {PluginKind::Editor, Message::marked("editor"), interfaceId<Editor>}}};
 
 Error malformed(const Message& what)
 {
@@ -37,17 +32,25 @@ Error malformed(const Message& what)
             Message::say("Its metadata are malformed: %1. Ask the plugin's author for a fixed version.", what)};
 }
 
-Result<std::string> requiredText(const QJsonObject& json, const char* key)
+/// The text of a key that may be missing; empty then.
+std::string textOf(const JsonValue& json, std::string_view key)
 {
-    const QJsonValue value = json.value(QLatin1String(key));
-    if (value.isUndefined())
-        return malformed(Message::say("the key \"%1\" is missing", key));
-    if (!value.isString() || value.toString().isEmpty())
-        return malformed(Message::say("\"%1\" is not a text", key));
-    return value.toString().toStdString();
+    const JsonValue* const value = json.find(key);
+    const std::string* const text = value != nullptr ? value->string() : nullptr;
+    return text != nullptr ? *text : std::string();
 }
 
-Result<Version> requiredVersion(const QJsonObject& json, const char* key)
+Result<std::string> requiredText(const JsonValue& json, const char* key)
+{
+    if (json.find(key) == nullptr)
+        return malformed(Message::say("the key \"%1\" is missing", key));
+    std::string text = textOf(json, key);
+    if (text.empty())
+        return malformed(Message::say("\"%1\" is not a text", key));
+    return text;
+}
+
+Result<Version> requiredVersion(const JsonValue& json, const char* key)
 {
     const auto text = requiredText(json, key);
     if (!text)
@@ -75,35 +78,30 @@ bool isId(const std::string& text)
     });
 }
 
-Result<std::vector<std::string>> parseRequiredIds(const QJsonValue& value)
+Result<std::vector<std::string>> parseRequiredIds(const JsonValue* value)
 {
     std::vector<std::string> ids;
-    if (value.isUndefined())
+    if (value == nullptr)
         return ids;
-    if (!value.isArray())
+    if (value->array() == nullptr)
         return malformed(Message::say("\"requires\" is not a list"));
-    for (const QJsonValue entry : value.toArray()) {
-        if (!entry.isString() || !isId(entry.toString().toStdString()))
+    for (const JsonValue& entry : *value->array()) {
+        if (entry.string() == nullptr || !isId(*entry.string()))
             return malformed(Message::say("\"requires\" lists something that is no plugin's id"));
-        ids.push_back(entry.toString().toStdString());
+        ids.push_back(*entry.string());
     }
     return ids;
 }
 
 /// The values of the keys "name[de]", "name[it]" ..., by what stands in the brackets.
-std::map<std::string, std::string> translationsOf(const QJsonObject& json, const QString& key)
+std::map<std::string, std::string> translationsOf(const JsonValue& json, const std::string& key)
 {
     std::map<std::string, std::string> texts;
-    for (auto member = json.begin(); member != json.end(); ++member)
-        if (const QString name = member.key(); name.startsWith(key + '[') && name.endsWith(']'))
-            texts[name.mid(key.size() + 1).chopped(1).toStdString()] = member.value().toString().toStdString();
+    const std::string start = key + '[';
+    for (const auto& [name, value] : *json.object())
+        if (name.starts_with(start) && name.ends_with(']') && value.string() != nullptr)
+            texts[name.substr(start.size(), name.size() - start.size() - 1)] = *value.string();
     return texts;
-}
-
-/// Qt writes its version as 0x00MMmmpp.
-Version qtVersion(int packed)
-{
-    return {packed >> 16, packed >> 8 & 0xff, packed & 0xff};
 }
 
 } // namespace
@@ -123,9 +121,17 @@ std::string_view pluginInterface(PluginKind kind) noexcept
     return std::ranges::find(kinds, kind, &KindEntry::kind)->interface;
 }
 
-Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json)
+Result<PluginMetadata> parsePluginMetadata(std::string_view text)
 {
-    const QJsonObject own = json.value(QLatin1String("MetaData")).toObject();
+    const auto json = parseJson(text);
+    if (!json)
+        return Error{ErrorKind::BadInput,
+                     Message::say("Its metadata are malformed: %1 Ask the plugin's author for a fixed version.",
+                                  json.error().message)};
+    const JsonValue* const found = json->find("metadata");
+    if (found == nullptr || found->object() == nullptr)
+        return malformed(Message::say("the key \"%1\" is missing", "metadata"));
+    const JsonValue& own = *found;
     PluginMetadata metadata;
     const auto id = requiredText(own, "id");
     if (!id)
@@ -157,24 +163,23 @@ Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json)
         return name.error();
     metadata.name = *name;
 
-    auto requiredIds = parseRequiredIds(own.value(QLatin1String("requires")));
+    auto requiredIds = parseRequiredIds(own.find("requires"));
     if (!requiredIds)
         return requiredIds.error();
     metadata.requiredIds = *std::move(requiredIds);
 
-    metadata.title =
-        own.value(QLatin1String("title")).toString(own.value(QLatin1String("name")).toString()).toStdString();
-    metadata.edits = own.value(QLatin1String("edits")).toString().toStdString();
+    metadata.title = textOf(own, own.find("title") != nullptr ? "title" : "name");
+    metadata.edits = textOf(own, "edits");
     if (metadata.kind == PluginKind::Editor && metadata.edits.empty())
         return malformed(Message::say("\"edits\" does not say which type of parameters the editor is for"));
-    metadata.description = own.value(QLatin1String("description")).toString().toStdString();
+    metadata.description = textOf(own, "description");
     metadata.names = translationsOf(own, "name");
-    metadata.titles = translationsOf(own, own.contains(QLatin1String("title")) ? "title" : "name");
+    metadata.titles = translationsOf(own, own.find("title") != nullptr ? "title" : "name");
     metadata.descriptions = translationsOf(own, "description");
-    metadata.remedy = own.value(QLatin1String("remedy")).toString().toStdString();
-    metadata.interface = json.value(QLatin1String("IID")).toString().toStdString();
-    metadata.qt = qtVersion(json.value(QLatin1String("version")).toInt());
-    metadata.buildTag = json.value(QLatin1String("build")).toArray().at(0).toString().toStdString();
+    metadata.remedy = textOf(own, "remedy");
+    metadata.interface = textOf(*json, "interface");
+    metadata.qt = parseVersion(textOf(*json, "qt")).value_or(Version{});
+    metadata.buildTag = textOf(*json, "build");
     return metadata;
 }
 

@@ -5,8 +5,6 @@
 
 #include <tan/base.h>
 
-#include <QJsonObject>
-
 #include <map>
 #include <string>
 #include <string_view>
@@ -22,7 +20,7 @@ std::string_view pluginKindName(PluginKind kind) noexcept;
 /// The same, for the user.
 Message pluginKindText(PluginKind kind);
 
-/// The interface (IID) that a plugin of this kind implements.
+/// The id of the interface that a plugin of this kind implements.
 std::string_view pluginInterface(PluginKind kind) noexcept;
 
 /// What a plugin says of itself (plugins/api/metadata.h), and what its build wrote into it.
@@ -39,12 +37,12 @@ struct PluginMetadata {
     std::string edits; ///< of editors: the type of the parameters that they edit
     std::vector<std::string> requiredIds;
     std::string remedy;
-    std::string interface; ///< the IID
-    Version qt;            ///< of the Qt that it was built with
+    std::string interface; ///< the id of what it implements
+    Version qt;            ///< of the Qt that an editor was built with; 0 of others
     std::string buildTag;  ///< what it was built with, and for (TAnPlugin.cmake)
 };
 
-/// Reads what QPluginLoader::metaData() gave. The error says which key is missing or wrong.
-Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json);
+/// Reads what a library says of itself (plugin_file.h). The error says which key is missing or wrong.
+Result<PluginMetadata> parsePluginMetadata(std::string_view text);
 
 } // namespace tetra

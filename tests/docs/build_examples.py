@@ -64,9 +64,10 @@ def main():
         assert shown[name] == of_reader(shown, name), "%s is built in another way than a reader" % name
         run(shown[name][1][:1])  # which copies it
     build_together([shown[name][0] for name in others])
-    # The library alone, as on a machine without Qt.
-    programs = shown["library"][0] + "/build"
-    run(["cmake %s -DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON" % programs, "cmake --build %s" % programs])
+    # The library alone, and a plugin that is no editor, as on a machine without Qt.
+    for name in ("library", "reader"):
+        built = shown[name][0] + "/build"
+        run(["cmake %s -DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON" % built, "cmake --build %s" % built])
     plugins = FOLDER / "plugins"
     plugins.mkdir()
     for name in there - {"library"}:

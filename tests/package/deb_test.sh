@@ -54,8 +54,8 @@ check_window 'a model opens by its type (xdg-open)' 'xdg-open c60.tan'
 cp "$system/work/window.xwd" "$clean/deb-window.xwd"
 check_window 'a model opens by its type (gio)' 'gio open c60.tan'
 
-install qt6-base-dev
-check 'the example plugin is built with the installed headers' "cp -r /usr/share/doc/tan-dev/examples/reader /work/example
+check 'the example plugin is built with the installed headers, without those of Qt' "! dpkg -s qt6-base-dev
+    cp -r /usr/share/doc/tan-dev/examples/reader /work/example
     cd /work/example; cmake -B build -DCMAKE_BUILD_TYPE=Release; cmake --build build"
 check 'and loaded, and reads a file' "cd /work; export TAN_PLUGIN_PATH=/work/example/build
     tan plugins | grep 'example.grid-text.*loaded'; echo '2 2 2  0 1 2 3 4 5 6 7' >cube.grid; tan build cube.grid -o cube.tan"

@@ -97,9 +97,20 @@ cp "$examples"/plugins/libband-editor.so "$XDG_DATA_HOME/tan/plugins"
 tan plugins --json | grep -A5 '"id": "example.band-editor"' | grep '"state": "loaded"' >/dev/null || { tan plugins; exit 1; }
 check grep -qF "$XDG_DATA_HOME/tan/plugins" <(tan plugins)
 
-# A plugin of another build is refused, with both builds and the remedy.
+# A plugin of another build is refused, with both builds and the remedy; one that was tampered with as damaged.
 version=$(sed -n 's/^#define TAN_VERSION "\(.*\)"/\1/p' "$place/include/tan/version.h")
-sed -i "s|/tan-${version//./\\.}|/tan-0.0.9|" "$XDG_DATA_HOME/tan/plugins/libband-editor.so"
+plugin=$XDG_DATA_HOME/tan/plugins/libband-editor.so
+sed -i "s|/tan-${version//./\\.}|/tan-0.0.9|" "$plugin"
+tan plugins >messages
+check grep -q "It is not a plugin, or is damaged" messages
+python3 - "$plugin" <<'END'
+import struct, sys, zlib
+content = bytearray(open(sys.argv[1], "rb").read())
+start = content.index(b"TAn\0TAnPlug1") + 12
+size, = struct.unpack_from("=I", content, start)
+struct.pack_into("=I", content, start + 4, zlib.crc32(content[start + 8:start + 8 + size]))
+open(sys.argv[1], "wb").write(content)
+END
 tan plugins >messages
 check grep -q "tan-0.0.9.*tan-$version.*Rebuild" messages
 echo "passed"

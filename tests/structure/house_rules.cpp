@@ -221,13 +221,22 @@ bool isQt(const std::string& name)
     return std::regex_match(name, header);
 }
 
+/// Editors and their widgets, with what makes an editor one; and programs that read files beside plugins.
+bool mayUseQt(std::string_view path)
+{
+    return path == "plugins/api/editor.h" || path.find("/helper/") != std::string_view::npos ||
+           liesIn(path, "plugins/editors") || liesIn(path, "plugins/widgets") ||
+           !(liesIn(path, "core") || liesIn(path, "plugins"));
+}
+
 /// The breach of including `include` from the file `path`, as the end of a sentence that begins with the path.
 std::optional<std::string> includeBreach(const std::string& path, const Include& include, const fs::path& root)
 {
     const std::string& name = include.name;
     const bool isHeader = path.ends_with(".h");
-    if (liesIn(path, "core") && isQt(name))
-        return "core is free of Qt, yet it includes " + name;
+    if (!mayUseQt(path) && isQt(name))
+        return (liesIn(path, "core") ? "core is" : "plugins but editors are") +
+               (" free of Qt, yet it includes " + name);
     if (liesIn(path, "core") && isHeader && isAnyOf(name, {"GL/", "GLES", "EGL/", "KHR/"}))
         return "core's headers are free of OpenGL, yet it includes " + name;
     if (liesIn(path, "core") && isHeader && name.starts_with("CGAL/"))

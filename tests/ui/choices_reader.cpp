@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/reader.h"
-
-#include <QObject>
 
 #include <chrono>
 #include <thread>
@@ -10,11 +9,7 @@ namespace tetra {
 
 /// Knows files that end in ".choices" and gives a lattice of zeros that is named after what was chosen. The array
 /// "slow" takes until it is cancelled.
-class ChoicesReader : public QObject, public Reader {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_READER_INTERFACE FILE "choices_reader.json")
-    Q_INTERFACES(tetra::Reader)
-
+class ChoicesReader : public Reader {
 public:
     std::vector<std::string> nameFilters() const override { return {"Choices (*.choices)"}; }
     double score(const std::filesystem::path& path, std::span<const std::byte>) const override
@@ -78,4 +73,4 @@ public:
 
 } // namespace tetra
 
-#include "choices_reader.moc"
+TAN_PLUGIN(tetra::ChoicesReader, tetra::Reader)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/editor_page.h"
 
+#include "plugins/api/editor.h"
 #include "plugins/host/plugin_call.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/session_editor_host.h"

@@ -60,6 +60,7 @@ std::unique_ptr<PluginHost> wantedPlugins()
                               .disabled = disabledPlugins()};
     for (std::string& id : unwantedPlugins())
         options.disabled.push_back(std::move(id));
+    options.build.qt = parseVersion(qVersion()).value_or(Version{}); // which editors need
     return std::make_unique<PluginHost>(std::move(options));
 }
 

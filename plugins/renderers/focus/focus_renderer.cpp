@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/api/boundary_parameters.h"
+#include "plugins/api/plugin.h"
 #include "plugins/api/renderer.h"
 #include "plugins/api/scene_parameters.h"
 
 #include <tan/render.h>
-
-#include <QObject>
 
 #include <memory>
 #include <optional>
@@ -133,11 +132,7 @@ private:
 } // namespace
 
 /// A volume and isosurfaces in two resolutions, blended at the borders of the focus (R24, S18); without a focus in one.
-class FocusRenderer : public QObject, public tetra::Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "focus_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class FocusRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -161,4 +156,4 @@ public:
     }
 };
 
-#include "focus_renderer.moc"
+TAN_PLUGIN(FocusRenderer, tetra::Renderer)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/api/boundary_parameters.h"
+#include "plugins/api/plugin.h"
 #include "plugins/api/renderer.h"
 #include "plugins/api/scene_parameters.h"
 
 #include <tan/render.h>
-
-#include <QObject>
 
 namespace {
 using namespace tetra;
@@ -66,11 +65,7 @@ private:
 } // namespace
 
 /// Isosurfaces in a volume (R21).
-class HybridRenderer : public QObject, public tetra::Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "hybrid_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class HybridRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -86,4 +81,4 @@ public:
     }
 };
 
-#include "hybrid_renderer.moc"
+TAN_PLUGIN(HybridRenderer, tetra::Renderer)

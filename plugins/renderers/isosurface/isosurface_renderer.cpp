@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/api/boundary_parameters.h"
+#include "plugins/api/plugin.h"
 #include "plugins/api/renderer.h"
 #include "plugins/api/scene_parameters.h"
 
 #include <tan/render.h>
-
-#include <QObject>
 
 namespace {
 using namespace tetra;
@@ -39,11 +38,7 @@ private:
 } // namespace
 
 /// Surfaces on which the field has chosen values (R19).
-class IsosurfaceRenderer : public QObject, public tetra::Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "isosurface_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class IsosurfaceRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -63,4 +58,4 @@ public:
     }
 };
 
-#include "isosurface_renderer.moc"
+TAN_PLUGIN(IsosurfaceRenderer, tetra::Renderer)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/api/boundary_parameters.h"
+#include "plugins/api/plugin.h"
 #include "plugins/api/renderer.h"
 #include "plugins/api/scene_parameters.h"
 
 #include <tan/render.h>
-
-#include <QObject>
 
 namespace {
 using namespace tetra;
@@ -43,11 +42,7 @@ private:
 } // namespace
 
 /// The field as a translucent cloud (R20).
-class VolumeRenderer : public QObject, public tetra::Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "volume_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class VolumeRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -61,4 +56,4 @@ public:
     }
 };
 
-#include "volume_renderer.moc"
+TAN_PLUGIN(VolumeRenderer, tetra::Renderer)

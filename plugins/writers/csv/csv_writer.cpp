@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QObject>
 
 namespace tetra {
 
@@ -25,11 +24,7 @@ std::string columnName(const std::string& name)
 /// `.csv`: the points of any dataset as a table with the columns x, y, z and that of the values, called as the dataset
 /// calls them. Numbers are the shortest that are
 /// read as the same again. What connects the points is lost.
-class CsvWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "csv_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class CsvWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -58,4 +53,4 @@ public:
 
 } // namespace tetra
 
-#include "csv_writer.moc"
+TAN_PLUGIN(tetra::CsvWriter, tetra::Writer)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QObject>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetra {
@@ -39,10 +38,39 @@ std::string triple(const Eigen::Vector3f& vector)
     return "[" + formatNumber(vector[0]) + "," + formatNumber(vector[1]) + "," + formatNumber(vector[2]) + "]";
 }
 
-std::string jsonString(const std::string& text)
+/// How many bytes the letter at the front of a text has in UTF-8; 0 if it is none.
+std::size_t letterBytes(std::string_view text)
 {
-    const QByteArray list = QJsonDocument(QJsonArray{QString::fromStdString(text)}).toJson(QJsonDocument::Compact);
-    return list.mid(1, list.size() - 2).toStdString(); // without its brackets
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+    const unsigned first = byte(0), second = byte(1);
+    std::size_t bytes = 1;
+    if (first >= 0x80)
+        bytes = first < 0xc2 || first > 0xf4 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    for (std::size_t i = 1; i < bytes; ++i)
+        if ((byte(i) & 0xc0U) != 0x80)
+            return 0;
+    const bool isTooLong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+    const bool isNoLetter = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+    return isTooLong || isNoLetter ? 0 : bytes;
+}
+
+/// In quotes. What is no UTF-8, such as an old file's name, becomes U+FFFD.
+std::string jsonString(std::string_view text)
+{
+    constexpr std::string_view special = "\"\\\b\f\n\r\t", names = "\"\\bfnrt", digits = "0123456789abcdef";
+    std::string quoted = "\"";
+    while (!text.empty()) {
+        const std::size_t bytes = letterBytes(text);
+        const auto first = static_cast<unsigned char>(text[0]);
+        if (const auto found = special.find(text[0]); found != std::string_view::npos)
+            quoted += {'\\', names[found]};
+        else if (first < 0x20)
+            quoted += {'\\', 'u', '0', '0', digits[first / 16], digits[first % 16]};
+        else
+            quoted += bytes > 0 ? text.substr(0, bytes) : "\xef\xbf\xbd";
+        text.remove_prefix(std::max<std::size_t>(bytes, 1));
+    }
+    return quoted + '"';
 }
 
 void append(std::string& list, const std::string& entry)
@@ -217,18 +245,10 @@ Error tooLarge(const OutputFile& file)
 }
 
 } // namespace
-} // namespace tetra
-
-using namespace tetra;
 
 /// `.glb`, glTF 2.0 in one binary file: a mesh with a material for each part, and linear colours of the vertices
-/// (COLOR_0). In no namespace: moc loses count of those
-/// over texts with braces.
-class GlbWriter : public QObject, public tetra::Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "glb_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+/// (COLOR_0).
+class GlbWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -282,4 +302,6 @@ public:
     }
 };
 
-#include "glb_writer.moc"
+} // namespace tetra
+
+TAN_PLUGIN(tetra::GlbWriter, tetra::Writer)

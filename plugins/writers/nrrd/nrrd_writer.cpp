@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QObject>
 
 #include <algorithm>
 #include <bit>
@@ -110,11 +109,7 @@ Status writeGzip(std::span<const std::byte> content, OutputFile& file)
 
 /// `.nrrd`: NRRD0004 with the data attached, raw or gzip. Reading it gives the same lattice and
 /// samples, bit for bit, but for a rounding of directions that are not along the axes.
-class NrrdWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "nrrd_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class NrrdWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -155,4 +150,4 @@ public:
 
 } // namespace tetra
 
-#include "nrrd_writer.moc"
+TAN_PLUGIN(tetra::NrrdWriter, tetra::Writer)

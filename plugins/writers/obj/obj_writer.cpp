@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QObject>
 
 namespace tetra {
 namespace {
@@ -108,11 +107,7 @@ Status writePart(OutputFile& file, const SurfaceContent& content, const SurfaceP
 } // namespace
 
 /// `.obj`, Wavefront text: a group for each part; colours as `v x y z r g b`.
-class ObjWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "obj_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class ObjWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -141,4 +136,4 @@ public:
 
 } // namespace tetra
 
-#include "obj_writer.moc"
+TAN_PLUGIN(tetra::ObjWriter, tetra::Writer)

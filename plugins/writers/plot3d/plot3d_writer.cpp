@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QObject>
 
 #include <algorithm>
 
@@ -66,11 +65,7 @@ template <class Real> Status writeBoth(const Dataset& dataset, OutputFile& grid,
 /// `.xyz`, binary PLOT3D: the grid, curvilinear or regular, and the solution beside it (.q) with the values as its
 /// density and nothing else in it. Little-endian, one grid, no record marks, no iblank; single precision if that holds
 /// positions and values exactly. Reading gives the same positions and values.
-class Plot3dWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "plot3d_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class Plot3dWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -96,4 +91,4 @@ public:
 
 } // namespace tetra
 
-#include "plot3d_writer.moc"
+TAN_PLUGIN(tetra::Plot3dWriter, tetra::Writer)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QObject>
 
 #include <algorithm>
 #include <array>
@@ -131,11 +130,7 @@ Message lackOf(const std::vector<NamedArray>& arrays, const std::string& file)
 
 /// `.ply`, binary little endian: elements `vertex` and `face`. Colours are the bytes `red green blue` of the vertices.
 /// Values of triangles are left out: meshio reads no file where something stands behind the list of a face.
-class PlyWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "ply_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class PlyWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -189,4 +184,4 @@ public:
 
 } // namespace tetra
 
-#include "ply_writer.moc"
+TAN_PLUGIN(tetra::PlyWriter, tetra::Writer)

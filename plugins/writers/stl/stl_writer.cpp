@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
 
 #include <Eigen/Geometry>
 
-#include <QByteArray>
-#include <QObject>
-
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -21,16 +20,25 @@ namespace {
 constexpr std::size_t headBytes = 80;
 constexpr std::size_t triangleBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
+/// With three decimals.
+std::string decimalText(double number, std::chars_format format)
+{
+    std::array<char, 400> text{}; // any number fits
+    const auto written = std::to_chars(text.data(), text.data() + text.size(), number, format, 3);
+    return {text.data(), written.ptr};
+}
+
 /// The least number of four digits that is not less: how far a surface is away at most stays true.
 std::string roundedUp(double number)
 {
-    constexpr int decimals = 3; // and one digit before them
-    const QByteArray nearest = QByteArray::number(number, 'e', decimals);
-    if (nearest.toDouble() >= number)
-        return formatNumber(nearest.toDouble());
-    const qsizetype exponent = nearest.indexOf('e');
-    const double next = nearest.first(exponent).toDouble() + 1e-3;
-    return formatNumber((QByteArray::number(next, 'f', decimals) + nearest.mid(exponent)).toDouble());
+    const std::string nearest = decimalText(number, std::chars_format::scientific);
+    const double rounded = parseNumber<double>(nearest).value_or(number);
+    if (rounded >= number)
+        return formatNumber(rounded);
+    const std::size_t exponent = nearest.find('e');
+    const double next = parseNumber<double>(nearest.substr(0, exponent)).value_or(0) + 1e-3;
+    const std::string text = decimalText(next, std::chars_format::fixed) + nearest.substr(exponent);
+    return formatNumber(parseNumber<double>(text).value_or(number));
 }
 
 /// "deviation 0.12, ", or nothing where none was measured.
@@ -94,11 +102,7 @@ Status writeTriangles(const SurfacePart& part, TrianglesInFloats triangles, cons
 } // namespace
 
 /// `.stl`, binary: triangles without shared vertices. The format has no colours.
-class StlWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "stl_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class StlWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -142,4 +146,4 @@ public:
 
 } // namespace tetra
 
-#include "stl_writer.moc"
+TAN_PLUGIN(tetra::StlWriter, tetra::Writer)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QObject>
 
 #include <algorithm>
 #include <limits>
@@ -258,11 +257,7 @@ std::uint64_t bytesOf(const std::vector<NamedArray>& arrays)
 
 /// `.vtk`, legacy 4.2, binary: unstructured grids of tetrahedra, and polydata. Colours are the field `colour` of the
 /// vertices, three bytes each.
-class VtkLegacyWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "vtk_legacy_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class VtkLegacyWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -309,4 +304,4 @@ public:
 
 } // namespace tetra
 
-#include "vtk_legacy_writer.moc"
+TAN_PLUGIN(tetra::VtkLegacyWriter, tetra::Writer)

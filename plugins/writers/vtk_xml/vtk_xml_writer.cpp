@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/writer.h"
-
-#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -362,11 +361,7 @@ XmlGrid gridOf(const Dataset& dataset)
 
 /// `.vtu`: unstructured grids of tetrahedra or of triangles. `.vtp`: polydata. Colours are the array
 /// `colour` of the vertices, three bytes each.
-class VtkXmlWriter : public QObject, public Writer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "vtk_xml_writer.json")
-    Q_INTERFACES(tetra::Writer)
-
+class VtkXmlWriter : public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
@@ -399,4 +394,4 @@ public:
 
 } // namespace tetra
 
-#include "vtk_xml_writer.moc"
+TAN_PLUGIN(tetra::VtkXmlWriter, tetra::Writer)

@@ -155,7 +155,13 @@ private slots:
             << QStringList{"missing_dependency"} << "missing-dependency" << QStringList{"nowhere"};
         QTest::newRow("malformed metadata") << QStringList{"malformed"} << "malformed" << QStringList{"\"id\"", "text"};
         QTest::newRow("kind and interface differ")
-            << QStringList{"lying"} << "lying" << QStringList{"org.tan.Builder/1"};
+            << QStringList{"lying"} << "lying" << QStringList{"org.tan.Builder/2"};
+        QTest::newRow("a plugin of Qt, as they were for earlier versions of TAn")
+            << QStringList{"of_qt"} << "of_qt"
+            << QStringList{"built for an earlier version of TAn", "Install a later version of the plugin",
+                           "build it again"};
+        QTest::newRow("an earlier interface")
+            << QStringList{"earlier"} << "earlier" << QStringList{"built for an earlier version of TAn"};
         QTest::newRow("another build") << QStringList{"wrong_build"} << "wrong-build"
                                        << QStringList{"plan9-mips-cfront"};
     }
@@ -187,7 +193,7 @@ private slots:
             << QStringList{"needs_missing_library", "missing_library"} << "needs-missing-library"
             << QStringList{"\"missing-library\"", "libtan-fixture-missing.so"};
         QTest::newRow("implements another kind")
-            << QStringList{"impostor"} << "impostor" << QStringList{"does not implement org.tan.Builder/1"};
+            << QStringList{"impostor"} << "impostor" << QStringList{"does not implement org.tan.Builder/2"};
         QTest::newRow("throws when made") << QStringList{"throwing"} << "throwing" << QStringList{"no luck"};
         QTest::newRow("throws a number when made")
             << QStringList{"throwing_anything"} << "throwing-anything" << QStringList{"without saying why"};
@@ -310,7 +316,7 @@ private slots:
         QVERIFY(!unknown);
         QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
         QVERIFY2(unknown.error().text().find("None is installed") != std::string::npos, unknown.error().text().c_str());
-        QVERIFY(host.builder("lying").error().text().find("org.tan.Builder/1") != std::string::npos);
+        QVERIFY(host.builder("lying").error().text().find("org.tan.Builder/2") != std::string::npos);
         QVERIFY(!host.builder("good"));
     }
 

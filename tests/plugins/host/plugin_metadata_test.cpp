@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/api/editor.h"
-#include "plugins/api/reader.h"
-#include "plugins/api/renderer.h"
+#include "plugins/api/metadata.h"
 #include "plugins/host/compatibility.h"
 #include "plugins/host/load_error.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 #ifdef __clang__
@@ -22,12 +22,22 @@ QJsonObject own()
     return {{"id", "good"}, {"kind", "reader"}, {"version", "1.2.3"}, {"api", "1.0"}, {"name", "Good"}};
 }
 
+QString asQString(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
 QJsonObject whole(const QJsonObject& metadata)
 {
-    return {{"IID", TAN_READER_INTERFACE},
-            {"version", 0x060402},
-            {"build", QJsonArray{"linux-x86_64-gnu"}},
-            {"MetaData", metadata}};
+    return {{"interface", asQString(interfaceId<Reader>)},
+            {"qt", "6.4.2"},
+            {"build", "linux-x86_64-gnu"},
+            {"metadata", metadata}};
+}
+
+Result<PluginMetadata> parse(const QJsonObject& json)
+{
+    return parsePluginMetadata(QJsonDocument(json).toJson().toStdString());
 }
 
 HostBuild host()
@@ -47,7 +57,7 @@ private slots:
         metadata["requires"] = QJsonArray{"other", "third"};
         metadata["description"] = "Reads.";
         metadata["somethingNew"] = 5;
-        const auto parsed = parsePluginMetadata(whole(metadata));
+        const auto parsed = parse(whole(metadata));
         QVERIFY2(parsed, parsed ? "" : parsed.error().text().c_str());
         QCOMPARE(parsed->id, std::string("good"));
         QCOMPARE(parsed->kind, PluginKind::Reader);
@@ -83,53 +93,81 @@ private slots:
         metadata.remove(key);
         if (!value.isUndefined())
             metadata[key] = value;
-        const auto parsed = parsePluginMetadata(whole(metadata));
+        const auto parsed = parse(whole(metadata));
         QVERIFY(!parsed);
         QVERIFY2(parsed.error().text().find(key.toStdString()) != std::string::npos, parsed.error().text().c_str());
     }
 
-    void refusesNoMetadataAtAll() { QVERIFY(!parsePluginMetadata({})); }
+    void refusesNoMetadataAtAll()
+    {
+        for (const char* text : {"", "{}", "7", "[]", "{\"metadata\": 5}", "{\"metadata\": {}}", "{\"metadata\": "})
+            QVERIFY2(!parsePluginMetadata(text), text);
+    }
 
     void compatibility_data()
     {
         QTest::addColumn<QString>("api");
-        QTest::addColumn<int>("qt");
+        QTest::addColumn<QString>("qt");
         QTest::addColumn<QString>("build");
         QTest::addColumn<QString>("interface");
         QTest::addColumn<QString>("error"); // a word of it; empty means it fits
         const QString build = "linux-x86_64-gnu";
-        const QString reader = TAN_READER_INTERFACE;
-        QTest::newRow("the same") << "1.0" << 0x060402 << build << reader << "";
-        QTest::newRow("a later patch of Qt") << "1.0" << 0x060409 << build << reader << "";
-        QTest::newRow("an earlier Qt") << "1.0" << 0x060200 << build << reader << "";
-        QTest::newRow("a later api") << "1.1" << 0x060402 << build << reader << "newer version of TAn";
-        QTest::newRow("the next major api") << "2.0" << 0x060402 << build << reader << "newer version of TAn";
-        QTest::newRow("the previous major api")
-            << "0.9" << 0x060402 << build << reader << "newer version of the plugin";
-        QTest::newRow("a later Qt") << "1.0" << 0x060500 << build << reader << "Qt 6.5.0";
-        QTest::newRow("Qt 5") << "1.0" << 0x050f02 << build << reader << "Qt 5.15.2";
-        QTest::newRow("another compiler")
-            << "1.0" << 0x060402 << "linux-x86_64-clang" << reader << "linux-x86_64-clang";
-        QTest::newRow("no build tag") << "1.0" << 0x060402 << "" << reader << "tan_plugin_module()";
-        QTest::newRow("another interface") << "1.0" << 0x060402 << build << "org.tan.Builder/1"
+        const QString reader = asQString(interfaceId<Reader>);
+        QTest::newRow("the same") << "1.0"
+                                  << "6.4.2" << build << reader << "";
+        QTest::newRow("without Qt") << "1.0"
+                                    << "" << build << reader << "";
+        QTest::newRow("a later patch of Qt") << "1.0"
+                                             << "6.4.9" << build << reader << "";
+        QTest::newRow("an earlier Qt") << "1.0"
+                                       << "6.2.0" << build << reader << "";
+        QTest::newRow("a later api") << "1.1"
+                                     << "" << build << reader << "newer version of TAn";
+        QTest::newRow("the next major api") << "2.0"
+                                            << "" << build << reader << "newer version of TAn";
+        QTest::newRow("the previous major api") << "0.9"
+                                                << "" << build << reader << "newer version of the plugin";
+        QTest::newRow("that of an earlier TAn") << "0.1"
+                                                << "" << build << reader << "of an earlier TAn";
+        QTest::newRow("a later Qt") << "1.0"
+                                    << "6.5.0" << build << reader << "Qt 6.5.0";
+        QTest::newRow("Qt 5") << "1.0"
+                              << "5.15.2" << build << reader << "Qt 5.15.2";
+        QTest::newRow("another compiler") << "1.0"
+                                          << ""
+                                          << "linux-x86_64-clang" << reader << "linux-x86_64-clang";
+        QTest::newRow("no build tag") << "1.0"
+                                      << ""
+                                      << "" << reader << "tan_plugin_module()";
+        QTest::newRow("another interface") << "1.0"
+                                           << "" << build << "org.tan.Builder/1"
                                            << "org.tan.Builder/1";
-        QTest::newRow("a later interface") << "1.0" << 0x060402 << build << "org.tan.Reader/99"
+        QTest::newRow("a later interface") << "1.0"
+                                           << "" << build << "org.tan.Reader/99"
                                            << "org.tan.Reader/99";
+        QTest::newRow("no number") << "1.0"
+                                   << "" << build << "org.tan.Reader/"
+                                   << "org.tan.Reader/";
+        const char* const earlier = "built for an earlier version of TAn. Install a later version";
+        QTest::newRow("an earlier interface") << "1.0"
+                                              << "" << build << "org.tan.Reader/2" << earlier;
+        QTest::newRow("the first interface") << "1.0"
+                                             << "" << build << "org.tan.Reader/1" << earlier;
     }
     void compatibility()
     {
         QFETCH(QString, api);
-        QFETCH(int, qt);
+        QFETCH(QString, qt);
         QFETCH(QString, build);
         QFETCH(QString, interface);
         QFETCH(QString, error);
         QJsonObject metadata = own();
         metadata["api"] = api;
         QJsonObject json = whole(metadata);
-        json["version"] = qt;
-        json["build"] = QJsonArray{build};
-        json["IID"] = interface;
-        const auto parsed = parsePluginMetadata(json);
+        json["qt"] = qt;
+        json["build"] = build;
+        json["interface"] = interface;
+        const auto parsed = parse(json);
         QVERIFY(parsed);
         const Status status = checkCompatible(*parsed, host());
         QCOMPARE(status.ok(), error.isEmpty());
@@ -144,12 +182,12 @@ private slots:
         metadata["kind"] = "editor";
         metadata["edits"] = "transfer-function";
         QJsonObject json = whole(metadata);
-        json["IID"] = TAN_EDITOR_INTERFACE;
-        const auto parsed = parsePluginMetadata(json);
+        json["interface"] = asQString(interfaceId<Editor>);
+        const auto parsed = parse(json);
         QVERIFY(parsed);
         QVERIFY(checkCompatible(*parsed, host()));
-        json["IID"] = TAN_RENDERER_INTERFACE;
-        QVERIFY(!checkCompatible(*parsePluginMetadata(json), host()));
+        json["interface"] = asQString(interfaceId<Renderer>);
+        QVERIFY(!checkCompatible(*parse(json), host()));
     }
 
     void anEditorSaysWhatItEdits()
@@ -157,16 +195,27 @@ private slots:
         QJsonObject metadata = own();
         metadata["kind"] = "editor";
         QJsonObject json = whole(metadata);
-        json["IID"] = TAN_EDITOR_INTERFACE;
-        QVERIFY(parsePluginMetadata(json).error().text().find("\"edits\"") != std::string::npos);
+        json["interface"] = asQString(interfaceId<Editor>);
+        QVERIFY(parse(json).error().text().find("\"edits\"") != std::string::npos);
         metadata["edits"] = "example.curve";
-        json["MetaData"] = metadata;
-        const auto parsed = parsePluginMetadata(json);
+        json["metadata"] = metadata;
+        const auto parsed = parse(json);
         QCOMPARE(parsed->edits, std::string("example.curve"));
         QCOMPARE(parsed->title, std::string("Good"));
         metadata["title"] = "Curve";
-        json["MetaData"] = metadata;
-        QCOMPARE(parsePluginMetadata(json)->title, std::string("Curve"));
+        json["metadata"] = metadata;
+        QCOMPARE(parse(json)->title, std::string("Curve"));
+    }
+
+    /// Of a program without windows nobody knows the Qt, and it uses no editors.
+    void whereNoQtRunsNoneIsAskedFor()
+    {
+        QJsonObject json = whole(own());
+        json["qt"] = "6.9.0";
+        QVERIFY(!checkCompatible(*parse(json), host()));
+        HostBuild withoutQt = host();
+        withoutQt.qt = {};
+        QVERIFY(checkCompatible(*parse(json), withoutQt));
     }
 
     /// Every part of the tag counts, and the refusal names both builds and what to do.
@@ -186,7 +235,7 @@ private slots:
             tags = longer;
         }
         QCOMPARE(tags.size(), std::size_t(3 * 4 * 2 * 4));
-        auto plugin = *parsePluginMetadata(whole(own()));
+        auto plugin = *parse(whole(own()));
         for (const std::string& offered : tags)
             for (const std::string& built : tags) {
                 plugin.buildTag = built;
@@ -226,6 +275,12 @@ private slots:
         const std::string symbol =
             explainLoadError("Cannot load library /p/x.so: (/p/x.so: undefined symbol: _Zabc)", "").text();
         QVERIFY2(symbol.starts_with("It needs the function _Zabc,"), symbol.c_str());
+        QCOMPARE(explainLoadError("libvtk9.so.1: cannot open shared object file: No such file or directory",
+                                  "Install libvtk9.1.")
+                     .text(),
+                 std::string("The library libvtk9.so.1 is missing. Install libvtk9.1."));
+        QVERIFY(
+            explainLoadError("/p/x.so: undefined symbol: _Zabc", "").text().starts_with("It needs the function _Z"));
         QVERIFY(explainLoadError("file too short", "").text().find("file too short") != std::string::npos);
         QVERIFY(!explainLoadError("", "").empty());
     }
@@ -237,7 +292,7 @@ private slots:
         metadata["name[pt_BR]"] = "Leitor";
         metadata["description[de]"] = "Liest.";
         metadata["named"] = "no translation";
-        const auto parsed = parsePluginMetadata(whole(metadata));
+        const auto parsed = parse(whole(metadata));
         QVERIFY(parsed);
         QCOMPARE(parsed->names, (std::map<std::string, std::string>{{"de", "Leser"}, {"pt_BR", "Leitor"}}));
         QCOMPARE(parsed->descriptions, (std::map<std::string, std::string>{{"de", "Liest."}}));

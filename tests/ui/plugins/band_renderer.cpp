@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/renderer.h"
-
-#include <QObject>
 
 namespace tetra {
 namespace {
@@ -24,11 +23,7 @@ private:
 
 /// A mode with parameters of every type that the built-in modes have not: a band, which examples/editor edits, a colour
 /// and a vector. It shows nothing.
-class BandRenderer : public QObject, public Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "band_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class BandRenderer : public Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -58,4 +53,4 @@ public:
 
 } // namespace tetra
 
-#include "band_renderer.moc"
+TAN_PLUGIN(tetra::BandRenderer, tetra::Renderer)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/plugin.h"
 #include "plugins/api/renderer.h"
 #include "plugins/api/scene_parameters.h"
-
-#include <QObject>
 
 namespace tetra {
 namespace {
@@ -31,11 +30,7 @@ private:
 
 /// A mode with two transfer functions of its own, and without the one that the built-in modes share. Each is an outline
 /// as many pixels wide as its curve of opacities has points.
-class TwoFunctionsRenderer : public QObject, public Renderer {
-    Q_OBJECT
-    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "two_functions_renderer.json")
-    Q_INTERFACES(tetra::Renderer)
-
+class TwoFunctionsRenderer : public Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
@@ -58,4 +53,4 @@ public:
 
 } // namespace tetra
 
-#include "two_functions_renderer.moc"
+TAN_PLUGIN(tetra::TwoFunctionsRenderer, tetra::Renderer)

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/plugin_file.h"
+
+#include "plugins/api/plugin_note.h"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <link.h>
+
+namespace tetra {
+namespace {
+
+/// Those of all libraries together; a linker writes less than a hundred bytes.
+constexpr std::size_t mostBytesOfNotes = 1 << 20;
+
+/// Of the note that plugins of Qt have; those for earlier versions of TAn are such.
+constexpr std::string_view ownerOfQtNotes{"qt-project!\0", 12};
+
+Error refused(Message text)
+{
+    return {ErrorKind::BadInput, std::move(text)};
+}
+
+Error noPlugin(const Message& why)
+{
+    return refused(Message::say("It is not a plugin, or is damaged: %1 Install it again, or remove the file.", why));
+}
+
+/// A part of the file, if all of it is there.
+std::optional<std::string_view> partOf(std::string_view file, std::uint64_t offset, std::uint64_t size)
+{
+    if (offset > file.size() || size > file.size() - offset)
+        return std::nullopt;
+    return file.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+}
+
+template <class Value> std::optional<Value> valueAt(std::string_view file, std::uint64_t offset)
+{
+    static_assert(std::is_trivially_copyable_v<Value>);
+    const auto bytes = partOf(file, offset, sizeof(Value));
+    if (!bytes)
+        return std::nullopt;
+    Value value;
+    std::memcpy(&value, bytes->data(), sizeof(Value));
+    return value;
+}
+
+using Head = ElfW(Ehdr);
+using Segment = ElfW(Phdr);
+
+/// That of a shared library of machines with pointers and an order of bytes as this one has.
+std::optional<Head> headOf(std::string_view file)
+{
+    constexpr unsigned char bits = sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32;
+    constexpr unsigned char order = std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB;
+    const auto head = valueAt<Head>(file, 0);
+    if (!head || !file.starts_with(std::string_view(ELFMAG, SELFMAG)) || head->e_ident[EI_CLASS] != bits ||
+        head->e_ident[EI_DATA] != order || head->e_type != ET_DYN || head->e_phentsize != sizeof(Segment))
+        return std::nullopt;
+    return head;
+}
+
+/// The parts of the file with notes; none if a part of what is loaded or of the list of sections, which comes last, is
+/// not in the file: loading one that is cut short can end the program.
+std::optional<std::vector<std::string_view>> notesOf(std::string_view file, const Head& head)
+{
+    std::vector<std::string_view> notes;
+    std::size_t total = 0;
+    for (std::uint64_t i = 0; i < head.e_phnum; ++i) {
+        const auto segment = valueAt<Segment>(file, std::uint64_t(head.e_phoff) + i * sizeof(Segment));
+        if (!segment)
+            return std::nullopt;
+        if (segment->p_type != PT_LOAD && segment->p_type != PT_NOTE)
+            continue;
+        const auto part = partOf(file, segment->p_offset, segment->p_filesz);
+        if (!part)
+            return std::nullopt;
+        if (segment->p_type == PT_NOTE && part->size() <= mostBytesOfNotes - total) {
+            total += part->size();
+            notes.push_back(*part);
+        }
+    }
+    if (!partOf(file, head.e_shoff, std::uint64_t(head.e_shnum) * head.e_shentsize))
+        return std::nullopt;
+    return notes;
+}
+
+/// The text of our note, of which `content` is what follows its mark.
+Result<std::string> textOf(std::string_view content)
+{
+    const auto size = valueAt<std::uint32_t>(content, 0), sum = valueAt<std::uint32_t>(content, sizeof(std::uint32_t));
+    const auto text = size && sum && *size <= mostNoteBytes ? partOf(content, 2 * sizeof(std::uint32_t), *size)
+                                                            : std::optional<std::string_view>();
+    if (!text || noteChecksum(*text) != *sum)
+        return noPlugin(Message::say("its metadata are damaged."));
+    return std::string(*text);
+}
+
+} // namespace
+
+Message builtForEarlierTan()
+{
+    return Message::say("It was built for an earlier version of TAn. Install a later version of the plugin, or build "
+                        "it again with the headers of this TAn.");
+}
+
+Result<std::string> pluginText(std::span<const std::byte> library)
+{
+    const std::string_view file(reinterpret_cast<const char*>(library.data()), library.size());
+    const auto head = headOf(file);
+    if (!head)
+        return noPlugin(Message::say("it is no shared library for this machine."));
+    const auto notes = notesOf(file, *head);
+    if (!notes)
+        return noPlugin(Message::say("it ends too early."));
+    // Linkers differ in how they pad notes, so they are not gone through: they are searched for ours.
+    for (const std::string_view note : *notes)
+        if (const auto mark = note.find(pluginNoteMark); mark != std::string_view::npos)
+            return textOf(note.substr(mark + pluginNoteMark.size()));
+    for (const std::string_view note : *notes)
+        if (note.find(ownerOfQtNotes) != std::string_view::npos)
+            return refused(builtForEarlierTan());
+    return noPlugin(Message::say("it has no metadata."));
+}
+
+Result<std::string> pluginText(const std::filesystem::path& library)
+{
+    const auto file = MappedFile::open(library);
+    if (!file && file.error().kind == ErrorKind::OutOfResource)
+        return file.error();
+    return file ? pluginText((*file)->bytes()) : noPlugin(file.error().message);
+}
+
+} // namespace tetra
