@@ -55,11 +55,11 @@ std::uint32_t orderOfFloat(float number) noexcept
     return static_cast<std::uint32_t>(orderOf(number));
 }
 
-/// The float nearest to a double that other floats gave; the same on every machine.
-std::uint32_t predictedOrder(double number) noexcept
+/// The order of the float that other floats let expect (PACKED_MESH.md).
+std::uint32_t expectedOrder(double expected) noexcept
 {
     constexpr double largest = 3.4e38;
-    return orderOfFloat(number == number ? static_cast<float>(std::clamp(number, -largest, largest)) : 0.0f);
+    return orderOfFloat(nearestNumber<float>(std::clamp(expected, -largest, largest)));
 }
 
 /// What an encoder is given and a decoder finds: a difference of two integers of 32 bits.
@@ -108,7 +108,7 @@ public:
         for (std::size_t i = 0; i < size; ++i) {
             std::int64_t expected = i == 0 ? 0 : table_[i - 1];
             if (i > 1)
-                expected = predictedOrder(2 * double(floatOfOrder(table_[i - 1])) - floatOfOrder(table_[i - 2]));
+                expected = expectedOrder(2 * double(floatOfOrder(table_[i - 1])) - floatOfOrder(table_[i - 2]));
             const std::int64_t entry = expected + codeDifference(coder, model, table_[i] - expected);
             if (entry < 0 || entry > 0xffffffff || (i > 0 && entry <= table_[i - 1]))
                 return false;
@@ -135,7 +135,7 @@ public:
                 if (table_.empty())
                     mean += floatOfOrder(code);
             }
-            expected = table_.empty() ? predictedOrder(mean / double(near.size()))
+            expected = table_.empty() ? expectedOrder(mean / double(near.size()))
                                       : static_cast<std::int64_t>((sum + near.size() / 2) / near.size());
             if (near.size() > 1)
                 context = static_cast<std::size_t>(std::bit_width(largest - least)) / 2;

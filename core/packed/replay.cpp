@@ -18,7 +18,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -48,16 +47,6 @@ struct PositionModels {
     GapCoder gaps;
 };
 
-/// The sample closest to what a mesh says.
-template <class T> T roundedSample(double expected)
-{
-    if constexpr (std::is_integral_v<T>)
-        return static_cast<T>(std::clamp(std::floor(expected + 0.5), static_cast<double>(std::numeric_limits<T>::min()),
-                                         static_cast<double>(std::numeric_limits<T>::max())));
-    else
-        return static_cast<T>(expected);
-}
-
 /// Sets the samples of `points` to what the mesh says of them, rounded.
 void takeExpected(SampleType type, std::byte* samples, std::span<const std::uint32_t> points,
                   std::span<const double> expected)
@@ -65,7 +54,7 @@ void takeExpected(SampleType type, std::byte* samples, std::span<const std::uint
     visitSampleType(type, [&]<class T>() {
         T* const of = reinterpret_cast<T*>(samples);
         for (std::size_t i = 0; i < points.size(); ++i)
-            of[points[i]] = roundedSample<T>(expected[i]);
+            of[points[i]] = nearestNumber<T>(expected[i]);
     });
 }
 
@@ -75,7 +64,7 @@ bool agreesWith(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::sp
     return visitSampleType(mesh.type(), [&]<class T>() {
         const std::span<const T> samples = mesh.samplesAs<T>();
         for (std::size_t i = 0; i < points.size(); ++i)
-            if (orderOf(roundedSample<T>(expected[i])) != orderOf(samples[points[i]]))
+            if (orderOf(nearestNumber<T>(expected[i])) != orderOf(samples[points[i]]))
                 return false;
         return true;
     });

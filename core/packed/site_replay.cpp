@@ -217,7 +217,7 @@ public:
             if (!std::isnan(guess[i]) && (std::isnan(guess[best]) || cost[i] < cost[best]))
                 best = i;
         constexpr unsigned bits = 8 * sizeof(T);
-        const auto orderOfGuess = [&guess](std::size_t i) { return orderOf(closest<T>(guess[i])); };
+        const auto orderOfGuess = [&guess](std::size_t i) { return orderOf(nearestNumber<T>(guess[i])); };
         const auto context = static_cast<std::size_t>(std::clamp(cost[best] / 2, 0.0, double(contexts - 1)));
         const std::uint64_t from = orderOfGuess(best);
         std::uint64_t coded = zigzag(orderOf(exact), from, bits);
@@ -239,11 +239,6 @@ public:
 
 private:
     static constexpr std::size_t contexts = 32;
-
-    template <class T> static T closest(double number)
-    {
-        return std::abs(number) <= static_cast<double>(std::numeric_limits<T>::max()) ? static_cast<T>(number) : 0;
-    }
 
     std::array<std::array<double, guesses>, 3> costs_{};
     std::array<std::array<NumberModel, contexts>, 3> models_;
