@@ -3,6 +3,7 @@
 
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
+#include "core/history/build_facts.h"
 #include "core/history/model_writer.h"
 #include "core/packed/free_points.h"
 #include "core/packed/number_order.h"
@@ -133,19 +134,12 @@ std::optional<Refinement> replayRecipe(const ModelDescription& description, std:
     Refinement recipe;
     recipe.block = blockCells;
     recipe.metric = description.metric;
-    for (const auto& [name, text] : description.parameters) {
-        if (name == "error") {
-            const auto error = parseNumber<double>(text);
-            if (!error || !(*error >= 0 && *error <= 100))
-                return std::nullopt;
-            recipe.error = *error;
-        } else if (name == "weights") {
-            const auto weighting = parseWeighting(text);
-            if (!weighting)
-                return std::nullopt;
-            recipe.weighting = *weighting;
-        }
-    }
+    const BuildFacts facts = buildFacts(description);
+    recipe.error = facts.error.value_or(recipe.error);
+    auto weighting = parseWeighting(facts.weights);
+    if (!weighting || !(recipe.error >= 0 && recipe.error <= 100))
+        return std::nullopt;
+    recipe.weighting = *std::move(weighting);
     return recipe;
 }
 
@@ -1221,7 +1215,7 @@ Status HistoryOfBlocks::handOver(std::span<const std::array<std::uint32_t, 4>> s
 bool mayBeReplayed(const Model& model)
 {
     const ModelDescription& about = model.description();
-    return about.domain == DomainClass::RegularLattice && about.delaunay && about.builder == "refinement" &&
+    return about.domain == DomainClass::RegularLattice && about.delaunay && buildFacts(about).isRefined &&
            ReplayMesh::fits(about.lattice, 0);
 }
 

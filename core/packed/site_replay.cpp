@@ -3,6 +3,7 @@
 
 #include "core/base/rounding.h"
 #include "core/history/batch_builder.h"
+#include "core/history/build_facts.h"
 #include "core/mesh/topology.h"
 #include "core/packed/free_points.h"
 #include "core/packed/number_order.h"
@@ -83,13 +84,10 @@ private:
 bool maySitesTell(const Model& model)
 {
     const ModelDescription& about = model.description();
-    if (!isOnLattice(about.domain) || !about.delaunay || about.builder != "refinement" || model.siteCount() < 8 ||
-        !ReplayMesh::fits(about.lattice, 0))
+    const BuildFacts facts = buildFacts(about);
+    if (!isOnLattice(about.domain) || !about.delaunay || !facts.isRefined || facts.isWeighted() ||
+        facts.hasPaperSelection || facts.claimsInSpace || model.siteCount() < 8 || !ReplayMesh::fits(about.lattice, 0))
         return false;
-    for (const auto& [name, text] : about.parameters)
-        if ((name == "weights" && !text.empty()) || (name == "selection" && text == "paper") ||
-            (name == "error-in" && text == "space"))
-            return false;
     // Blocks have more corners.
     const auto keys = model.runningKeys();
     return std::isinf(keys[7]) &&
