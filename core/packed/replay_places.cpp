@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/refine/insertion/local_delaunay.h"
 #include "core/refine/lattice/lattice_delaunay.h"
+#include "core/refine/lattice/point_location.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>

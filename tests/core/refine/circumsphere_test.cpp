@@ -2,6 +2,7 @@
 #include "core/refine/curvilinear/curvilinear_grid.h"
 
 #include "core/refine/lattice/lattice_delaunay.h"
+#include "core/refine/lattice/point_location.h"
 
 #include <QTest>
 
