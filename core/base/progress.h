@@ -4,6 +4,7 @@
 #include <tan/base.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,19 @@
 #include <utility>
 
 namespace tetra {
+
+/// Of work that makes what is kept whole: it reports to `progress`, but is cancelled only where that is cancelled and
+/// isKept() says no, which each report asks.
+inline Progress untilGivenUp(const Progress& progress, std::function<bool()> isKept)
+{
+    const std::stop_source givenUp;
+    return {givenUp.get_token(),
+            [progress, isKept = std::move(isKept), givenUp](double fraction, const Message& activity) {
+                progress.report(fraction, activity);
+                if (progress.cancelled() && !isKept())
+                    givenUp.request_stop();
+            }};
+}
 
 /// Progress of work that many threads do in pieces: adds up what they have done and reports it in order, so that the
 /// fraction never falls.

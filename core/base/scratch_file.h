@@ -3,6 +3,7 @@
 
 #include <tan/base.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -76,6 +77,17 @@ public:
         if (last_.size() == chunkSize)
             spool();
         last_.push_back(element);
+    }
+
+    void append(std::span<const T> elements)
+    {
+        while (!elements.empty()) {
+            if (last_.size() == chunkSize)
+                spool();
+            const auto taken = elements.first(std::min(elements.size(), chunkSize - last_.size()));
+            last_.insert(last_.end(), taken.begin(), taken.end());
+            elements = elements.subspan(taken.size());
+        }
     }
 
     /// Calls visit(std::span<const T>), which gives a Status, for all elements in order; ends with its first error.

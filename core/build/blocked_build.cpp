@@ -2,6 +2,7 @@
 #include "core/build/blocked_build.h"
 
 #include "core/base/folder.h"
+#include "core/base/progress.h"
 #include "core/base/work_folder.h"
 #include "core/build/build_state.h"
 #include "core/build/disk_need.h"
@@ -10,7 +11,6 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
-#include <stop_token>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -109,15 +109,8 @@ Result<BuildReport> BuildInBlocks::run(const Progress& progress)
     const bool isKept = !refined && refined.error().kind == ErrorKind::Cancelled && kept() && coarse_;
     if (!refined && !isKept)
         return refined.error();
-    // What is kept is kept whole.
-    std::stop_source givenUp;
-    const Progress merging = progress.part(refinedShare, 1);
-    const Progress untilGivenUp(givenUp.get_token(), [&](double fraction, const Message& activity) {
-        merging.report(fraction, activity);
-        if (merging.cancelled() && !kept())
-            givenUp.request_stop();
-    });
-    auto report = merge(isKept ? *coarse_ : *runs_, untilGivenUp);
+    const Progress merging = untilGivenUp(progress.part(refinedShare, 1), [this] { return kept(); });
+    auto report = merge(isKept ? *coarse_ : *runs_, merging);
     if (report)
         report->stoppedEarly = isKept;
     return report;

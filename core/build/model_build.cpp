@@ -6,6 +6,7 @@
 #include "core/base/guarded.h"
 #include "core/base/mapped_file.h"
 #include "core/build/decimation_build.h"
+#include "core/history/build_facts.h"
 #include "core/history/format.h"
 #include "core/history/model_writer.h"
 
@@ -137,20 +138,20 @@ std::string nameOf(DecimationOrder order)
 ModelDescription provenanceOf(const Refinement& refinement, const Dataset& dataset)
 {
     ModelDescription description;
-    description.builder = "refinement";
+    description.builder = buildText::refinement;
     Parameters& parameters = description.parameters;
-    parameters.emplace_back("error", formatNumber(refinement.error));
+    parameters.emplace_back(buildText::error, formatNumber(refinement.error));
     if (dataset.domain == DomainClass::Curvilinear)
         parameters.emplace_back("warping", formatNumber(refinement.warping));
     if (isOnLattice(dataset.domain))
-        parameters.emplace_back("block", !refinement.block       ? "automatic"
-                                         : *refinement.block > 0 ? std::to_string(*refinement.block)
-                                                                 : "none");
+        parameters.emplace_back(buildText::block, !refinement.block       ? "automatic"
+                                                  : *refinement.block > 0 ? std::to_string(*refinement.block)
+                                                                          : "none");
     if (dataset.domain == DomainClass::Curvilinear)
-        parameters.emplace_back("selection", refinement.paperSelection ? "paper" : "normalised");
+        parameters.emplace_back(buildText::selection, refinement.paperSelection ? buildText::paper : "normalised");
     if (refinement.inSpace)
-        parameters.emplace_back("error-in", "space");
-    parameters.emplace_back("weights", weightingText(refinement.weighting));
+        parameters.emplace_back(buildText::errorIn, buildText::space);
+    parameters.emplace_back(buildText::weights, weightingText(refinement.weighting));
     if (dataset.domain == DomainClass::RegularLattice)
         description.metric = refinement.metric;
     return description;
@@ -161,7 +162,7 @@ ModelDescription provenanceOf(const Decimation& decimation, const Dataset& datas
     ModelDescription description;
     description.builder = "decimation";
     Parameters& parameters = description.parameters;
-    parameters.emplace_back("error", formatNumber(decimation.error));
+    parameters.emplace_back(buildText::error, formatNumber(decimation.error));
     if (dataset.domain != DomainClass::RegularLattice)
         parameters.emplace_back("warping", formatNumber(decimation.warping));
     parameters.emplace_back("finest", formatNumber(decimation.finest));
@@ -169,8 +170,8 @@ ModelDescription provenanceOf(const Decimation& decimation, const Dataset& datas
     if (decimation.computational)
         parameters.emplace_back("space", "computational");
     if (dataset.domain == DomainClass::Irregular)
-        parameters.emplace_back("distance", decimation.twoSided ? "two-sided" : "one-sided");
-    parameters.emplace_back("weights", weightingText(decimation.weighting));
+        parameters.emplace_back(buildText::distance, decimation.twoSided ? buildText::twoSided : "one-sided");
+    parameters.emplace_back(buildText::weights, weightingText(decimation.weighting));
     return description;
 }
 

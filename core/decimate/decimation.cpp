@@ -2,6 +2,7 @@
 #include "core/decimate/decimation.h"
 
 #include "core/base/guarded.h"
+#include "core/base/progress.h"
 #include "core/decimate/collapse_orders.h"
 #include "core/decimate/decimated_mesh.h"
 #include "core/geometry/hilbert_order.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -145,15 +145,8 @@ Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const Decimat
     if (Status status = sink.begin(traits); !status)
         return status.error();
     const std::vector<CollapseLog::Coarsest> coarsest = decimated.coarsest();
-    // What is kept is kept whole.
-    std::stop_source givenUp;
-    const Progress writing = progress.part(.9, 1);
-    const Progress untilGivenUp(givenUp.get_token(), [&](double fraction, const Message& activity) {
-        writing.report(fraction, activity);
-        if (writing.cancelled() && !isKept())
-            givenUp.request_stop();
-    });
-    if (Status status = log.replay(renumbered.originals(), coarsest, 0, sink, untilGivenUp); !status)
+    const Progress writing = untilGivenUp(progress.part(.9, 1), isKept);
+    if (Status status = log.replay(renumbered.originals(), coarsest, 0, sink, writing); !status)
         return status.error();
     const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
     return DecimationResult{pointCount, pointCount - log.collapseCount(), log.tetrahedronCount() + coarsest.size(),

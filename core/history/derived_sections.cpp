@@ -21,26 +21,6 @@ using format::SectionId;
 
 // Reading.
 
-namespace {
-
-bool claims(const ModelDescription& description, const char* parameter, const char* value)
-{
-    return std::ranges::find(description.parameters, std::pair<std::string, std::string>(parameter, value)) !=
-           description.parameters.end();
-}
-
-} // namespace
-
-bool claimsTwoSides(const ModelDescription& description)
-{
-    return claims(description, "distance", "two-sided");
-}
-
-bool claimsInSpace(const ModelDescription& description)
-{
-    return claims(description, "error-in", "space");
-}
-
 DerivedSections derivedSections(const Model& model)
 {
     DerivedSections derived;

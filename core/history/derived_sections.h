@@ -30,18 +30,6 @@ struct DerivedSections {
     std::span<const format::FaultyCell> faultyCells;      ///< of irregular data
 };
 
-/// Whether the parameter `distance` claims that no place of a mesh's boundary is farther from the original's than its
-/// key allows, either (FORMAT.md).
-bool claimsTwoSides(const ModelDescription& description);
-/// Whether the parameter `error-in` claims that the error in space of a mesh is at most its key, too (FORMAT.md, C12).
-bool claimsInSpace(const ModelDescription& description);
-/// Of batches the file tells the warping from one side and the error in the grid: their bounds do not hold what either
-/// claims, as keys do.
-inline bool claimsByKeysAlone(const ModelDescription& description)
-{
-    return claimsTwoSides(description) || claimsInSpace(description);
-}
-
 /// Refers to the mapped file. Reads no more than its header and its table: elements want Model::check(), as all do.
 DerivedSections derivedSections(const Model& model);
 

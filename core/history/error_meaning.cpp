@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/error_meaning.h"
 
-#include "core/history/derived_sections.h"
+#include "core/history/build_facts.h"
 
 namespace tetra {
 
@@ -9,7 +9,7 @@ ErrorMeaning errorMeaning(const ModelDescription& model)
 {
     if (model.domain != DomainClass::Curvilinear)
         return ErrorMeaning::Only;
-    return claimsInSpace(model) ? ErrorMeaning::InSpace : ErrorMeaning::InGrid;
+    return buildFacts(model).claimsInSpace ? ErrorMeaning::InSpace : ErrorMeaning::InGrid;
 }
 
 ErrorMeaning errorMeaning(const ModelDescription& model, const MeshQuery& query)

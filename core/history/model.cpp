@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/checksum.h"
 #include "core/base/rounding.h"
-#include "core/history/derived_sections.h"
+#include "core/history/build_facts.h"
 #include "core/history/file_layout.h"
 #include "core/history/lattice_frame.h"
 #include "core/history/section_checks.h"
@@ -105,7 +105,7 @@ Model::Model(File file, ModelDescription description, std::filesystem::path plac
     if (file_->layout.has(SectionId::BatchEnds))
         map(batchEnds_, SectionId::BatchEnds);
     if (file_->layout.has(SectionId::BatchErrors) && file_->layout.has(SectionId::BatchWarpings) &&
-        !claimsByKeysAlone(description_)) {
+        !buildFacts(description_).claimsByKeysAlone()) {
         map(batchErrors_, SectionId::BatchErrors);
         map(batchWarpings_, SectionId::BatchWarpings);
     }

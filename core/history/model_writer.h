@@ -17,6 +17,20 @@
 
 namespace tetra {
 
+// Who writes model files. One SectionWriter lays each of them out, sums it up and completes it, and one
+// writeDerivedSections() adds what follows from the arrays. What fills the arrays is not one writer but several, since
+// histories come in several ways:
+// - From a build of a whole dataset, site after site: ModelWriter. The other sites of tetrahedra, most of a file, go
+//   straight to their place; of the rest, whose place depends on their number, what is final waits in a spool file.
+// - From a build in blocks, one run a block, of which each batch takes its share: mergeRuns() (merged_model.h), by the
+//   ModelFileWriter that ModelWriter uses, too. One writer for both would have a build of a whole dataset write one run
+//   and merge that: then every small build would write all that it has twice, and read it once more.
+// - From another model: prefix_copy.cpp takes the beginning of each section, placed_copy.cpp every section but the
+//   text and the frame. Neither makes steps of a history out of them.
+// - From a packed model whose history is decoded (core/packed/parts.cpp): the arrays are complete and in memory, and
+//   sections come in the order of the file that was packed, so that every byte is the same.
+// Packed files have a front like these, but chunks in place of sections: core/packed/packed_file.cpp lays them out.
+
 /// Which samples of a dataset are known to those who write a model of it.
 enum class KnownSamples {
     All,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
 #include "core/data/dataset_checks.h"
+#include "core/history/build_facts.h"
 #include "core/history/file_layout.h"
 #include "core/history/lattice_frame.h"
 #include "core/history/section_writer.h"
@@ -30,15 +31,14 @@ bool isReplaced(const Section& section)
 /// Weights that hold at places of the world would mean others.
 Status checkWeights(const Model& model)
 {
-    for (const auto& [name, text] : model.description().parameters)
-        if (name == "weights" && (text.find("point:") != std::string::npos || text.find("box:") != std::string::npos))
-            return Error{
-                ErrorKind::WrongUsage,
-                Message::say("'%1' was built with weights at places ('%2'), which would lie elsewhere than they "
-                             "were meant. Build it again from data that say where they lie.",
-                             model.path().string(), text),
-                model.path()};
-    return {};
+    const std::string weights = buildFacts(model.description()).weights;
+    if (weights.find("point:") == std::string::npos && weights.find("box:") == std::string::npos)
+        return {};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("'%1' was built with weights at places ('%2'), which would lie elsewhere than they "
+                              "were meant. Build it again from data that say where they lie.",
+                              model.path().string(), weights),
+                 model.path()};
 }
 
 /// What the copy says of itself.

@@ -3,6 +3,7 @@
 
 #include "core/base/checksum.h"
 #include "core/base/file_writer.h"
+#include "core/history/build_facts.h"
 #include "core/history/derived_sections.h"
 #include "core/history/lattice_frame.h"
 #include "core/history/section_writer.h"
@@ -516,7 +517,7 @@ PrefixEnd prefixFor(const ModelFront& front, const Accuracy& accuracy)
     const double error = accuracy.error / 100 * front.description.range.extent();
     const double warping = accuracy.warping / 100 * front.description.bounds.diagonal().norm();
     // What such a model tells of error and warping apart holds from one side only.
-    const double weight = claimsTwoSides(front.description) ? front.description.warpingWeight : 0;
+    const double weight = buildFacts(front.description).claimsTwoSides ? front.description.warpingWeight : 0;
     const auto found = std::ranges::find_if(front.levels, [&](const LevelEntry& level) {
         const auto key = static_cast<double>(level.key);
         return weight > 0 ? key <= error && key <= weight * warping

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
-#include "core/history/derived_sections.h"
+#include "core/history/build_facts.h"
 #include "core/history/prefix_copy.h"
 #include "core/opening/file_state.h"
 #include "core/opening/opening_folder.h"
@@ -133,7 +133,7 @@ ModelFacts ExplicitSource::facts() const
     facts.tetrahedra = header.tetrahedronCount;
     const double extent = about.range.extent(), diagonal = about.bounds.diagonal().norm();
     const auto percent = [](double part, double whole) { return whole > 0 ? 100 * part / whole : 0; };
-    const bool byKey = claimsTwoSides(about); // the warping that is told apart is of one side only
+    const bool byKey = buildFacts(about).claimsTwoSides; // the warping that is told apart is of one side only
     for (std::size_t level = 0; level < std::max<std::size_t>(front_.levels.size(), 1); ++level) {
         LevelEntry entry{.key = header.finalKey, .error = header.finalKey};
         if (level < front_.levels.size())

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -33,6 +35,24 @@ template <class T> constexpr T numberOfOrder(std::uint64_t order) noexcept
         using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
         const Bits bits = static_cast<Bits>(order), sign = Bits(1) << (8 * sizeof(T) - 1);
         return std::bit_cast<T>((bits & sign) != 0 ? static_cast<Bits>(bits ^ sign) : static_cast<Bits>(~bits));
+    }
+}
+
+/// The number of a type that is next to an expectation, halves of integers upwards: the sample that a mesh lets expect,
+/// the coordinate that neighbours do. Of integers the least or the largest where it is beyond them. 0 where it is no
+/// number, or no float: an extrapolation may be anything, and the bits of a NaN are not the same on every machine.
+template <class T> T nearestNumber(double expected)
+{
+    if constexpr (std::is_integral_v<T>) {
+        constexpr auto least = static_cast<double>(std::numeric_limits<T>::min());
+        constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
+        return expected >= least ? static_cast<T>(std::floor(std::min(expected, most - 0.5) + 0.5))
+                                 : std::numeric_limits<T>::min();
+    } else if constexpr (sizeof(T) == 4) {
+        constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
+        return std::abs(expected) <= most ? static_cast<float>(expected) : 0;
+    } else {
+        return std::isnan(expected) ? 0 : expected;
     }
 }
 

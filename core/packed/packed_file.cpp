@@ -112,10 +112,8 @@ Status PackedFileWriter::addChunk(std::uint32_t kind, std::span<const std::byte>
 {
     PackedChunkHead head{0, kind, static_cast<std::uint32_t>(bytes.size())};
     head.checksum = sumOfChunk(head, bytes);
-    for (const std::byte byte : std::as_bytes(std::span(&head, 1)))
-        chunks_.push_back(byte);
-    for (const std::byte byte : bytes)
-        chunks_.push_back(byte);
+    chunks_.append(std::as_bytes(std::span(&head, 1)));
+    chunks_.append(bytes);
     return spool_.status();
 }
 

@@ -16,6 +16,7 @@
 #include <deque>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -42,8 +43,8 @@ static_assert(sizeof(PackedMeshHeader) == 48 && std::endian::native == std::endi
 /// No decision costs less than about 1/700 bit, and a tetrahedron takes at least one.
 constexpr std::uint64_t mostTetrahedraInByte = std::uint64_t(8) << 10;
 constexpr std::uint32_t mostFactBytes = 1 << 20;
-/// What a mesh takes while it is unpacked, with the copies that are handed out: 16 and perhaps 8 bytes a tetrahedron,
-/// 76 a vertex, each twice.
+/// What a mesh takes while it is unpacked: 16 and perhaps 8 bytes a tetrahedron, 76 a vertex, each twice where its
+/// array grows or is handed out as floats.
 constexpr std::uint64_t bytesOfTetrahedron = 48, bytesOfVertex = 152;
 
 float floatOfOrder(std::uint32_t order) noexcept
@@ -55,11 +56,11 @@ std::uint32_t orderOfFloat(float number) noexcept
     return static_cast<std::uint32_t>(orderOf(number));
 }
 
-/// The float nearest to a double that other floats gave; the same on every machine.
-std::uint32_t predictedOrder(double number) noexcept
+/// The order of the float that other floats let expect (PACKED_MESH.md).
+std::uint32_t expectedOrder(double expected) noexcept
 {
     constexpr double largest = 3.4e38;
-    return orderOfFloat(number == number ? static_cast<float>(std::clamp(number, -largest, largest)) : 0.0f);
+    return orderOfFloat(nearestNumber<float>(std::clamp(expected, -largest, largest)));
 }
 
 /// What an encoder is given and a decoder finds: a difference of two integers of 32 bits.
@@ -108,7 +109,7 @@ public:
         for (std::size_t i = 0; i < size; ++i) {
             std::int64_t expected = i == 0 ? 0 : table_[i - 1];
             if (i > 1)
-                expected = predictedOrder(2 * double(floatOfOrder(table_[i - 1])) - floatOfOrder(table_[i - 2]));
+                expected = expectedOrder(2 * double(floatOfOrder(table_[i - 1])) - floatOfOrder(table_[i - 2]));
             const std::int64_t entry = expected + codeDifference(coder, model, table_[i] - expected);
             if (entry < 0 || entry > 0xffffffff || (i > 0 && entry <= table_[i - 1]))
                 return false;
@@ -135,7 +136,7 @@ public:
                 if (table_.empty())
                     mean += floatOfOrder(code);
             }
-            expected = table_.empty() ? predictedOrder(mean / double(near.size()))
+            expected = table_.empty() ? expectedOrder(mean / double(near.size()))
                                       : static_cast<std::int64_t>((sum + near.size() / 2) / near.size());
             if (near.size() > 1)
                 context = static_cast<std::size_t>(std::bit_width(largest - least)) / 2;
@@ -312,8 +313,8 @@ public:
 
     std::array<CodedFloats, 4>& ofVertices() noexcept { return ofVertices_; } ///< coordinates and value
     std::array<CodedFloats, 2>& ofTetrahedra() noexcept { return ofTetrahedra_; }
-    const Buffer<Tetrahedron>& tetrahedra() const noexcept { return tetrahedra_; }
-    const Buffer<Eigen::Vector3d>& places() const noexcept { return places_; }
+    Buffer<Tetrahedron> takeTetrahedra() noexcept { return std::move(tetrahedra_); }
+    Buffer<Eigen::Vector3d> takePlaces() noexcept { return std::move(places_); }
 
     /// Cancelled, or BadInput if what is decoded is no mesh.
     Status run(const Progress& progress)
@@ -804,11 +805,11 @@ Result<UnpackedMesh> unpackedMesh(std::span<const std::byte> bytes, std::uint64_
         return done.error();
 
     UnpackedMesh result;
-    result.mesh.positions = walk.places();
+    result.mesh.positions = walk.takePlaces();
     result.mesh.values.resize(header.vertices);
     for (std::size_t vertex = 0; vertex < header.vertices; ++vertex)
         result.mesh.values[vertex] = walk.ofVertices()[3][vertex];
-    result.mesh.tetrahedra = walk.tetrahedra();
+    result.mesh.tetrahedra = walk.takeTetrahedra();
     if (lives) {
         result.birthErrors.resize(header.tetrahedra);
         result.deathErrors.resize(header.tetrahedra);

@@ -59,22 +59,6 @@ Triangle faceOf(const Tetrahedron& sites, std::size_t face)
     return {sites[a], sites[b], sites[c]};
 }
 
-/// The sample next to a number.
-template <class T> T nearestSample(double number)
-{
-    if constexpr (std::is_integral_v<T>) {
-        constexpr auto least = static_cast<double>(std::numeric_limits<T>::min());
-        constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
-        return number >= least ? static_cast<T>(std::floor(std::min(number, most - 0.5) + 0.5))
-                               : std::numeric_limits<T>::min();
-    } else if constexpr (sizeof(T) == 4) {
-        return std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max()) ? static_cast<float>(number)
-                                                                                          : 0;
-    } else {
-        return std::isnan(number) ? 0 : number; // one of many NaNs, which machines choose differently
-    }
-}
-
 double powerOfTen(unsigned exponent)
 {
     double power = 1;
@@ -100,7 +84,7 @@ template <class T> unsigned decimalsIn(T number)
     for (unsigned digits = 0; digits <= mostDecimals; ++digits) {
         const double unit = powerOfTen(digits);
         const auto units = wholeUnits(static_cast<double>(number), unit);
-        if (units && orderOf(number) == orderOf(nearestSample<T>(static_cast<double>(*units) / unit)))
+        if (units && orderOf(number) == orderOf(nearestNumber<T>(static_cast<double>(*units) / unit)))
             return digits;
     }
     return mostDecimals + 1;
@@ -1430,7 +1414,7 @@ template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, 
         };
         for (std::size_t axis = 0; axis < 3; ++axis) {
             constexpr unsigned bits = 8 * sizeof(T);
-            const std::uint64_t from = orderOf(nearestSample<T>(predicted[axis]));
+            const std::uint64_t from = orderOf(nearestNumber<T>(predicted[axis]));
             T exact{};
             if constexpr (encodes) {
                 if constexpr (sizeof(T) == 4)
@@ -1448,7 +1432,7 @@ template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, 
                         units = static_cast<std::uint64_t>(*wholeUnits(static_cast<double>(exact), unit));
                     units =
                         unzigzag(wideNumber(models_.decimal[digits > 4 ? 1 : 0], zigzag(units, near, 64)), near, 64);
-                    keep(axis, nearestSample<T>(static_cast<double>(static_cast<std::int64_t>(units)) / unit));
+                    keep(axis, nearestNumber<T>(static_cast<double>(static_cast<std::int64_t>(units)) / unit));
                     continue;
                 }
             }
@@ -1570,7 +1554,7 @@ template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
         if constexpr (encodes)
             std::memcpy(&truth, truth_.model->values().data() + site * sizeof(T), sizeof(T));
         const auto key = static_cast<double>(key_);
-        const auto from = [&](double expected) { return orderOf(nearestSample<T>(expected)); };
+        const auto from = [&](double expected) { return orderOf(nearestNumber<T>(expected)); };
         const auto distance = [&](double expected) { return zigzag(orderOf(truth), from(expected), bits); };
         bool byKey = false, above = false;
         if (interpolated && key > 0 && std::isfinite(key)) {

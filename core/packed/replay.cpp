@@ -3,6 +3,7 @@
 
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
+#include "core/history/build_facts.h"
 #include "core/history/model_writer.h"
 #include "core/packed/free_points.h"
 #include "core/packed/number_order.h"
@@ -18,7 +19,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -48,16 +48,6 @@ struct PositionModels {
     GapCoder gaps;
 };
 
-/// The sample closest to what a mesh says.
-template <class T> T roundedSample(double expected)
-{
-    if constexpr (std::is_integral_v<T>)
-        return static_cast<T>(std::clamp(std::floor(expected + 0.5), static_cast<double>(std::numeric_limits<T>::min()),
-                                         static_cast<double>(std::numeric_limits<T>::max())));
-    else
-        return static_cast<T>(expected);
-}
-
 /// Sets the samples of `points` to what the mesh says of them, rounded.
 void takeExpected(SampleType type, std::byte* samples, std::span<const std::uint32_t> points,
                   std::span<const double> expected)
@@ -65,7 +55,7 @@ void takeExpected(SampleType type, std::byte* samples, std::span<const std::uint
     visitSampleType(type, [&]<class T>() {
         T* const of = reinterpret_cast<T*>(samples);
         for (std::size_t i = 0; i < points.size(); ++i)
-            of[points[i]] = roundedSample<T>(expected[i]);
+            of[points[i]] = nearestNumber<T>(expected[i]);
     });
 }
 
@@ -75,7 +65,7 @@ bool agreesWith(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::sp
     return visitSampleType(mesh.type(), [&]<class T>() {
         const std::span<const T> samples = mesh.samplesAs<T>();
         for (std::size_t i = 0; i < points.size(); ++i)
-            if (orderOf(roundedSample<T>(expected[i])) != orderOf(samples[points[i]]))
+            if (orderOf(nearestNumber<T>(expected[i])) != orderOf(samples[points[i]]))
                 return false;
         return true;
     });
@@ -144,19 +134,12 @@ std::optional<Refinement> replayRecipe(const ModelDescription& description, std:
     Refinement recipe;
     recipe.block = blockCells;
     recipe.metric = description.metric;
-    for (const auto& [name, text] : description.parameters) {
-        if (name == "error") {
-            const auto error = parseNumber<double>(text);
-            if (!error || !(*error >= 0 && *error <= 100))
-                return std::nullopt;
-            recipe.error = *error;
-        } else if (name == "weights") {
-            const auto weighting = parseWeighting(text);
-            if (!weighting)
-                return std::nullopt;
-            recipe.weighting = *weighting;
-        }
-    }
+    const BuildFacts facts = buildFacts(description);
+    recipe.error = facts.error.value_or(recipe.error);
+    auto weighting = parseWeighting(facts.weights);
+    if (!weighting || !(recipe.error >= 0 && recipe.error <= 100))
+        return std::nullopt;
+    recipe.weighting = *std::move(weighting);
     return recipe;
 }
 
@@ -1232,7 +1215,7 @@ Status HistoryOfBlocks::handOver(std::span<const std::array<std::uint32_t, 4>> s
 bool mayBeReplayed(const Model& model)
 {
     const ModelDescription& about = model.description();
-    return about.domain == DomainClass::RegularLattice && about.delaunay && about.builder == "refinement" &&
+    return about.domain == DomainClass::RegularLattice && about.delaunay && buildFacts(about).isRefined &&
            ReplayMesh::fits(about.lattice, 0);
 }
 

@@ -5,6 +5,7 @@
 #include "core/refine/insertion/sample_scan.h"
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/lattice_samples.h"
+#include "core/refine/lattice/point_location.h"
 
 #include <tan/base.h>
 #include <tan/data.h>

@@ -2,15 +2,15 @@
 #include "core/packed/replay_places.h"
 
 #include "core/base/progress.h"
-#include "core/base/simd.h"
+#include "core/refine/insertion/local_delaunay.h"
 #include "core/refine/lattice/lattice_delaunay.h"
+#include "core/refine/lattice/point_location.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -20,74 +20,6 @@ namespace tetra {
 namespace {
 
 constexpr MarkedText replayingBlocks = Message::marked("Replaying the insertions");
-
-/// Walks of several points at a time, since each step of one waits for memory, always across the face that the point is
-/// farthest beyond. `slots`: where they begin, and then the tetrahedra that have the points; none if that leads out of
-/// the mesh.
-TETRA_SIMD_INLINE void walkTogether(const LatticeDelaunay& mesh, const PackedPoint* points, std::uint32_t* slots,
-                                    std::size_t count)
-{
-    constexpr std::size_t atOnce = 8;
-    struct Walk {
-        std::int32_t x, y, z;
-        std::uint32_t slot;
-        std::size_t number;
-    };
-    const PackedLattice lattice = mesh.lattice();
-    std::array<Walk, atOnce> walks;
-    std::size_t walking = 0, next = 0;
-    const auto begin = [&](Walk& walk) {
-        const PackedPoint point = points[next];
-        walk = {lattice.x(point), lattice.y(point), lattice.z(point), slots[next], next};
-        ++next;
-        mesh.prefetch(walk.slot);
-    };
-    while (walking < atOnce && next < count)
-        begin(walks[walking++]);
-    while (walking > 0)
-        for (std::size_t i = 0; i < walking;) {
-            Walk& walk = walks[i];
-            const DelaunayTetrahedron& tetrahedron = mesh[walk.slot];
-            Int4 vertices, offsetX, offsetY, offsetZ;
-            std::memcpy(&vertices, &tetrahedron.vertices, sizeof vertices);
-            lattice.unpack(vertices, offsetX, offsetY, offsetZ);
-            const Double4 x = __builtin_convertvector(offsetX - walk.x, Double4);
-            const Double4 y = __builtin_convertvector(offsetY - walk.y, Double4);
-            const Double4 z = __builtin_convertvector(offsetZ - walk.z, Double4);
-            // Six times the volume of the point with the face opposite to each vertex: a . (b x c) of the other three.
-            const Double4 firstX = __builtin_shufflevector(x, x, 1, 0, 3, 2),
-                          firstY = __builtin_shufflevector(y, y, 1, 0, 3, 2),
-                          firstZ = __builtin_shufflevector(z, z, 1, 0, 3, 2);
-            const Double4 secondX = __builtin_shufflevector(x, x, 2, 3, 0, 1),
-                          secondY = __builtin_shufflevector(y, y, 2, 3, 0, 1),
-                          secondZ = __builtin_shufflevector(z, z, 2, 3, 0, 1);
-            const Double4 thirdX = __builtin_shufflevector(x, x, 3, 2, 1, 0),
-                          thirdY = __builtin_shufflevector(y, y, 3, 2, 1, 0),
-                          thirdZ = __builtin_shufflevector(z, z, 3, 2, 1, 0);
-            const Double4 volume = firstX * (secondY * thirdZ - secondZ * thirdY) +
-                                   firstY * (secondZ * thirdX - secondX * thirdZ) +
-                                   firstZ * (secondX * thirdY - secondY * thirdX);
-            std::uint32_t least = 0;
-            double leastVolume = volume[0];
-            for (std::uint32_t face = 1; face < 4; ++face) {
-                least = volume[face] < leastVolume ? face : least;
-                leastVolume = std::min(leastVolume, volume[face]);
-            }
-            if (leastVolume < 0) {
-                walk.slot = tetrahedron.neighbours[least];
-                if (walk.slot != LatticeDelaunay::none) {
-                    mesh.prefetch(walk.slot);
-                    ++i;
-                    continue;
-                }
-            }
-            slots[walk.number] = walk.slot;
-            if (next < count)
-                begin(walks[i++]);
-            else
-                walks[i] = walks[--walking];
-        }
-}
 
 } // namespace
 
@@ -107,24 +39,16 @@ public:
     void label(PackedPoint point, std::uint32_t number) { mesh_.label(point, number); }
 
 private:
-    /// A tetrahedron for each cell of a grid, the last that was made there. Where nothing was made in a cell, a larger
-    /// one that has it tells.
-    struct Hints {
-        std::uint32_t bits;                   ///< of a coordinate that count within a cell
-        std::array<std::size_t, 2> strides{}; ///< along y and z
-        std::vector<std::uint32_t> tetrahedra{};
-    };
-
-    std::uint32_t& hintOf(Hints& hints, PackedPoint point) const
+    std::uint32_t& hintOf(HintGrid& hints, PackedPoint point) const
     {
         const PackedLattice& lattice = mesh_.lattice();
-        const auto along = [&](std::int32_t coordinate) { return static_cast<std::size_t>(coordinate) >> hints.bits; };
-        return hints.tetrahedra[along(lattice.z(point)) * hints.strides[1] +
-                                along(lattice.y(point)) * hints.strides[0] + along(lattice.x(point))];
+        return hints[hints.cellOf(static_cast<std::uint32_t>(lattice.x(point)),
+                                  static_cast<std::uint32_t>(lattice.y(point)),
+                                  static_cast<std::uint32_t>(lattice.z(point)))];
     }
     std::uint32_t startFor(PackedPoint point)
     {
-        for (Hints& hints : hints_)
+        for (HintGrid& hints : hints_)
             if (const std::uint32_t hint = hintOf(hints, point);
                 hint != LatticeDelaunay::none && mesh_[hint].determinant() != 0)
                 return hint;
@@ -132,7 +56,8 @@ private:
     }
 
     LatticeDelaunay mesh_;
-    std::array<Hints, 3> hints_ = {Hints{1}, Hints{3}, Hints{5}};
+    /// Of tetrahedra, the last that was made in each cell; where none was, a larger cell tells.
+    std::array<HintGrid, 3> hints_;
     std::uint32_t last_ = 0; ///< that was made
 };
 
@@ -140,11 +65,10 @@ Status ReplayedBlock::start(const LatticeBox& box, const LatticeMetric& metric, 
 {
     if (const Status started = mesh_.start(box.size, metric, !odd); !started)
         return started;
-    for (Hints& hints : hints_) {
-        const auto cellsAlong = [&](std::size_t axis) { return std::size_t((box.size[axis] - 1) >> hints.bits) + 1; };
-        hints.strides = {cellsAlong(0), cellsAlong(0) * cellsAlong(1)};
-        hints.tetrahedra.assign(hints.strides[1] * cellsAlong(2), LatticeDelaunay::none);
-    }
+    constexpr std::array<std::uint32_t, 3> edges = {2, 8, 32};
+    const BlockDivision oneBlock(box.size, 0);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        hints_[i] = HintGrid(oneBlock, edges[i]);
     last_ = LatticeDelaunay::startCount - 1;
     return {};
 }
@@ -154,7 +78,7 @@ bool ReplayedBlock::place(std::span<const PackedPoint> points, std::vector<std::
     slots.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         slots[i] = startFor(points[i]);
-    dispatch<walkTogether>(mesh_, points.data(), slots.data(), points.size());
+    locate(mesh_, points, slots);
     return std::ranges::find(slots, LatticeDelaunay::none) == slots.end();
 }
 
@@ -162,13 +86,7 @@ template <class Added>
 bool ReplayedBlock::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots, const Added& added)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        // Waiting for memory is most of an insertion: what the next ones need is fetched step by step.
-        if (i + 4 < points.size())
-            mesh_.prefetch(slots[i + 4]);
-        if (i + 2 < points.size())
-            mesh_.prefetchNeighbours(slots[i + 2]);
-        if (i + 1 < points.size())
-            mesh_.prefetchSurroundings(slots[i + 1]);
+        fetchAhead(mesh_, i, points.size(), [&](std::size_t next) { return slots[next]; });
         // An earlier one of the step may have destroyed it.
         std::uint32_t slot = slots[i];
         if (!mesh_.conflicts(points[i], slot))
@@ -176,7 +94,7 @@ bool ReplayedBlock::add(std::span<const PackedPoint> points, std::span<const std
         if (slot == LatticeDelaunay::none || !mesh_.insert(points[i], slot))
             return false;
         last_ = mesh_.created().front();
-        for (Hints& hints : hints_)
+        for (HintGrid& hints : hints_)
             hintOf(hints, points[i]) = last_;
         added(i);
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/rounding.h"
 #include "core/history/batch_builder.h"
+#include "core/history/build_facts.h"
 #include "core/mesh/topology.h"
 #include "core/packed/free_points.h"
 #include "core/packed/number_order.h"
@@ -83,13 +84,10 @@ private:
 bool maySitesTell(const Model& model)
 {
     const ModelDescription& about = model.description();
-    if (!isOnLattice(about.domain) || !about.delaunay || about.builder != "refinement" || model.siteCount() < 8 ||
-        !ReplayMesh::fits(about.lattice, 0))
+    const BuildFacts facts = buildFacts(about);
+    if (!isOnLattice(about.domain) || !about.delaunay || !facts.isRefined || facts.isWeighted() ||
+        facts.hasPaperSelection || facts.claimsInSpace || model.siteCount() < 8 || !ReplayMesh::fits(about.lattice, 0))
         return false;
-    for (const auto& [name, text] : about.parameters)
-        if ((name == "weights" && !text.empty()) || (name == "selection" && text == "paper") ||
-            (name == "error-in" && text == "space"))
-            return false;
     // Blocks have more corners.
     const auto keys = model.runningKeys();
     return std::isinf(keys[7]) &&
@@ -217,7 +215,7 @@ public:
             if (!std::isnan(guess[i]) && (std::isnan(guess[best]) || cost[i] < cost[best]))
                 best = i;
         constexpr unsigned bits = 8 * sizeof(T);
-        const auto orderOfGuess = [&guess](std::size_t i) { return orderOf(closest<T>(guess[i])); };
+        const auto orderOfGuess = [&guess](std::size_t i) { return orderOf(nearestNumber<T>(guess[i])); };
         const auto context = static_cast<std::size_t>(std::clamp(cost[best] / 2, 0.0, double(contexts - 1)));
         const std::uint64_t from = orderOfGuess(best);
         std::uint64_t coded = zigzag(orderOf(exact), from, bits);
@@ -239,11 +237,6 @@ public:
 
 private:
     static constexpr std::size_t contexts = 32;
-
-    template <class T> static T closest(double number)
-    {
-        return std::abs(number) <= static_cast<double>(std::numeric_limits<T>::max()) ? static_cast<T>(number) : 0;
-    }
 
     std::array<std::array<double, guesses>, 3> costs_{};
     std::array<std::array<NumberModel, contexts>, 3> models_;

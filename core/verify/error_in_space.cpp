@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/verify/error_in_space.h"
 
-#include "core/history/derived_sections.h"
+#include "core/history/build_facts.h"
 #include "core/mesh/tetrahedron_planes.h"
 #include "core/mesh/topology.h"
 
@@ -23,7 +23,7 @@ class PlaceErrors {
 public:
     PlaceErrors(const MeshToVerify& mesh, std::span<const BoundaryFace> boundary)
         : mesh_(mesh), dataset_(mesh.original.dataset), error_(Residual::error(mesh)),
-          isJudged_(mesh.ofHistory() && claimsInSpace(mesh.model.description())),
+          isJudged_(mesh.ofHistory() && buildFacts(mesh.model.description()).claimsInSpace),
           residuals_(dataset_.pointCount(), std::numeric_limits<double>::infinity())
     {
         for (const BoundaryFace& face : boundary)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
+#include "core/history/build_facts.h"
 #include "core/history/derived_sections.h"
 #include "core/verify/cell_check.h"
 #include "core/verify/error_in_space.h"
@@ -47,7 +48,7 @@ class Claims {
 public:
     explicit Claims(const Model& model)
         : model_(model), weight_(model.description().warpingWeight),
-          byKeysAlone_(claimsByKeysAlone(model.description())), derived_(derivedSections(model))
+          byKeysAlone_(buildFacts(model.description()).claimsByKeysAlone()), derived_(derivedSections(model))
     {
     }
 

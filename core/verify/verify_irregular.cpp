@@ -2,7 +2,7 @@
 #include "core/verify/verify_irregular.h"
 
 #include "core/base/disjoint_sets.h"
-#include "core/history/derived_sections.h"
+#include "core/history/build_facts.h"
 #include "core/mesh/topology.h"
 
 #include <algorithm>
@@ -571,7 +571,7 @@ void verifyTwoSides(const MeshToVerify& mesh, const MeshBoundary& boundary, Leve
     verdict.twoSidedWarping = std::max(verdict.measured.warping.largest, percent * distances.found);
     verdict.twoSidedBound = std::max(verdict.measured.warping.largest, percent * distances.bound);
     const double claimed = mesh.bounds.areUniform() ? mesh.bounds.warping(0) : std::numeric_limits<double>::infinity();
-    if (claimsTwoSides(mesh.model.description()) && mesh.weights.empty() &&
+    if (buildFacts(mesh.model.description()).claimsTwoSides && mesh.weights.empty() &&
         distances.found > claimed + mesh.original.warpingAllowance)
         verdict.failures.push_back("The boundary goes " + textOf(percent * distances.found) +
                                    " % of the diagonal away from that of the data, more than the claimed " +

@@ -3,6 +3,7 @@
 
 #include "core/base/checksum.h"
 #include "core/base/progress.h"
+#include "core/history/build_facts.h"
 #include "core/history/file_layout.h"
 #include "core/verify/exact_cell.h"
 #include "core/verify/findings.h"
@@ -439,11 +440,7 @@ std::vector<LatticePoint> verifySites(const Model& model, const Dataset& origina
 Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vector<std::string>& failures,
                           const Progress& progress)
 {
-    const auto& parameters = model.description().parameters;
-    const auto given = std::ranges::find(parameters, "weights", &std::pair<std::string, std::string>::first);
-    if (given == parameters.end())
-        return Weights{};
-    const Result<Weighting> weighting = parseWeighting(given->second);
+    const Result<Weighting> weighting = parseWeighting(buildFacts(model.description()).weights);
     if (!weighting) {
         failures.push_back("The model's weights cannot be read. " + weighting.error().text());
         return Weights{};

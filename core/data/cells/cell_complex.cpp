@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/cells/cell_complex.h"
 
+#include "core/mesh/topology.h"
+
 #include <tan/data.h>
 
 namespace tetra {
@@ -10,7 +12,14 @@ namespace {
 using Face = CellTopology::Face;
 using Edge = std::array<std::uint8_t, 2>;
 
-constexpr std::array<Face, 4> tetrahedronFaces = {{{{1, 2, 3}, 3}, {{0, 3, 2}, 3}, {{0, 1, 3}, 3}, {{0, 2, 1}, 3}}};
+constexpr std::array<Face, 4> tetrahedronFaces = [] {
+    std::array<Face, 4> faces{};
+    for (std::size_t face = 0; face < 4; ++face) {
+        const auto& [a, b, c] = cornersOfFace[face];
+        faces[face] = {{a, b, c}, 3};
+    }
+    return faces;
+}();
 constexpr std::array<Edge, 6> tetrahedronEdges = {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
 constexpr std::array<Face, 5> pyramidFaces = {

@@ -70,9 +70,10 @@ private:
 /// Opens the model that is to be written, once its size is known.
 using ModelFileOpener = std::function<Result<std::unique_ptr<ModelFileWriter>>(const FixedCounts&)>;
 
-/// Merges the runs of all blocks into one model, on all threads that TBB may use; the result does not depend on their
-/// number nor on the slices in which large groups are taken. Memory: some buffers, the sites of one batch, and a slice
-/// a thread. Errors: the runs' and the model's files, memory, cancelled.
+/// Merges the runs of all blocks into one model (why builds of whole datasets do not go this way: model_writer.h), on
+/// all threads that TBB may use; the result does not depend on their number nor on the slices in which large groups are
+/// taken. Memory: some buffers, the sites of one batch, and a slice a thread. Errors: the runs' and the model's files,
+/// memory, cancelled.
 Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
 

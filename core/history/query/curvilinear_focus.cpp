@@ -2,6 +2,7 @@
 #include "core/history/query/curvilinear_focus.h"
 
 #include "core/base/guarded.h"
+#include "core/history/build_facts.h"
 #include "core/history/pair_limits.h"
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
@@ -10,7 +11,6 @@
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -43,21 +43,10 @@ CurvilinearGrid gridOf(const Model& model, std::span<const Eigen::Vector3d> posi
     });
 }
 
-std::string parameterOf(const Model& model, std::string_view name)
-{
-    for (const auto& [key, value] : model.description().parameters)
-        if (key == name)
-            return value;
-    return {};
-}
-
-/// The coupled blocks of the build: their edge in cells, where the build was told one, else one block.
+/// The coupled blocks of the build: one block, unless it was told how large they are.
 BlockDivision divisionOf(const Model& model)
 {
-    const std::string text = parameterOf(model, "block");
-    std::uint32_t edge = 0;
-    std::from_chars(text.data(), text.data() + text.size(), edge);
-    return {model.description().lattice.size, edge};
+    return {model.description().lattice.size, buildFacts(model.description()).blockCells};
 }
 
 /// The pair in the model's ratio whose larger limit is that of the two: a mesh that keeps it has few sites too many.
@@ -322,7 +311,8 @@ bool CurvilinearFocus::fits(const Model& model)
     const auto& size = model.description().lattice.size;
     return model.description().domain == DomainClass::Curvilinear && model.description().delaunay &&
            !model.samples().empty() && model.description().lattice.pointCount() <= mostCurvilinearPoints &&
-           PackedLattice::fits(size) && exactWithMetric(size, {1, 1, 1}) && parameterOf(model, "weights").empty();
+           PackedLattice::fits(size) && exactWithMetric(size, {1, 1, 1}) &&
+           !buildFacts(model.description()).isWeighted();
 }
 
 CurvilinearFocus::CurvilinearFocus(const Model& model) : work_(std::make_unique<Work>(model)) {}

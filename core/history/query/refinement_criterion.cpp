@@ -2,6 +2,7 @@
 #include "core/history/query/refinement_criterion.h"
 
 #include "core/base/rounding.h"
+#include "core/history/build_facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +17,6 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 double percentOf(std::uint16_t half)
 {
     return 100 * static_cast<double>(halfToFloat(half));
-}
-
-bool weighted(const Model& model)
-{
-    return std::ranges::any_of(model.description().parameters,
-                               [](const auto& one) { return one.first == "weights" && !one.second.empty(); });
 }
 
 /// The box outside of which the field has its largest number, whatever the value; none if it is not known.
@@ -56,7 +51,7 @@ std::uint16_t halfWithin(double percent)
 RefinementCriterion::RefinementCriterion(const Model& model, const MeshQuery& query, const SitePlaces& places)
     : model_(model), query_(query), places_(places), warps_(!model.ownWarpings().empty()),
       byValue_(query.error.dependsOnValue() || (warps_ && query.warping.dependsOnValue())),
-      valuesBounded_(!weighted(model))
+      valuesBounded_(!buildFacts(model.description()).isWeighted())
 {
     const ValueRange error = query.error.bounds();
     const ValueRange warping = query.warping.bounds();

@@ -3,6 +3,7 @@
 
 #include "core/base/guarded.h"
 #include "core/base/simd.h"
+#include "core/history/build_facts.h"
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
@@ -256,20 +257,14 @@ namespace {
 /// What is kept for a point takes memory only where it is touched, but address space everywhere.
 constexpr std::uint64_t mostPoints = 1ull << 30;
 
-bool isWeighted(const Model& model)
-{
-    return std::ranges::any_of(model.description().parameters, [](const auto& parameter) {
-        return parameter.first == "weights" && !parameter.second.empty();
-    });
-}
-
 } // namespace
 
 std::optional<BlockDivision> focusDivision(const Model& model)
 {
     const Lattice& lattice = model.description().lattice;
     if (model.description().domain != DomainClass::RegularLattice || !model.description().delaunay ||
-        isWeighted(model) || lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
+        buildFacts(model.description()).isWeighted() || lattice.pointCount() > mostPoints ||
+        !PackedLattice::fits(lattice.size))
         return std::nullopt;
     const std::span<const float> errors = model.runningKeys();
     const auto end = std::ranges::partition_point(

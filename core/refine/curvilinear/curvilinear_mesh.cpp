@@ -7,6 +7,7 @@
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/refine/greedy.h"
 #include "core/refine/lattice/lattice_delaunay.h"
+#include "core/refine/lattice/point_location.h"
 #include "core/refine/lattice/star.h"
 
 #include <algorithm>
@@ -571,7 +572,7 @@ CurvilinearMesh::Candidate CurvilinearMesh::at(std::uint64_t wholePoint)
         grid_->lattice().pack(static_cast<std::uint32_t>(wholePoint % options_.size[0]) - origin[0],
                               static_cast<std::uint32_t>(row % options_.size[1]) - origin[1],
                               static_cast<std::uint32_t>(row / options_.size[1]) - origin[2]);
-    const std::uint32_t slot = walkTo(delaunay_, point, hint_);
+    const std::uint32_t slot = placeIn(delaunay_, point, hint_).slot;
     if (std::ranges::find(delaunay_[slot].vertices, point) != delaunay_[slot].vertices.end())
         return {};
     return {point, slot, 0};

@@ -200,22 +200,13 @@ void LocalDelaunay::acceptChanges()
     changedCount_ = 0;
 }
 
-/// Waiting for memory is most of an insertion: what the next ones need is fetched step by step.
 void LocalDelaunay::fetchAhead(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots,
                                std::size_t next) const
 {
     if (slots.empty() && next + 6 < points.size())
         hints_.prefetch(cellOf(points[next + 6]));
-    const auto withHint = [&](std::size_t steps, const auto& fetch) {
-        if (next + steps >= points.size())
-            return;
-        const std::uint32_t slot = slots.empty() ? hints_[cellOf(points[next + steps])] : slots[next + steps];
-        if (slot != HintGrid::none)
-            fetch(slot);
-    };
-    withHint(4, [this](std::uint32_t slot) { mesh_.prefetch(slot); });
-    withHint(2, [this](std::uint32_t slot) { mesh_.prefetchNeighbours(slot); });
-    withHint(1, [this](std::uint32_t slot) { mesh_.prefetchSurroundings(slot); });
+    tetra::fetchAhead(mesh_, next, points.size(),
+                      [&](std::size_t i) { return slots.empty() ? hints_[cellOf(points[i])] : slots[i]; });
 }
 
 bool LocalDelaunay::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots)

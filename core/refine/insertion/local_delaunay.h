@@ -5,6 +5,7 @@
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/lattice_delaunay.h"
 #include "core/refine/lattice/packed_lattice.h"
+#include "core/refine/lattice/point_location.h"
 
 #include <tan/base.h>
 

@@ -99,7 +99,7 @@ public:
 
     /// Fetch a tetrahedron that is likely to be inserted into soon into the cache, then its neighbours, then theirs and
     /// what is kept for their vertices; each needs the one before: at millions of sites waiting for memory is most of
-    /// an insertion.
+    /// an insertion (fetchAhead()).
     void prefetch(std::uint32_t slot) const { __builtin_prefetch(&at(slot)); }
     void prefetchNeighbours(std::uint32_t slot) const
     {
@@ -163,25 +163,20 @@ private:
     Star star_;
 };
 
-/// The live tetrahedron that contains `point`, found by walking from `slot`, a live one in the same box, which must
-/// contain the point: always across a face that separates the two. In a Delaunay mesh that ends. Exact; O(cube root of
-/// the number of tetrahedra) from an arbitrary start.
-std::uint32_t walkTo(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
-
-/// Where a point lies: a tetrahedron that contains it, and six times the volume of the point with the face opposite to
-/// each of its vertices. None of these is negative; together they are the determinant.
-struct PlacedPoint {
-    std::uint32_t slot = LatticeDelaunay::none;
-    std::array<std::int64_t, 4> volumes{};
-};
-
-/// Six times the volume of a point with the face opposite to each vertex of a positive tetrahedron: negative where the
-/// point lies beyond the face.
-std::array<std::int64_t, 4> volumesAt(const PackedLattice& lattice, PackedPoint point,
-                                      const std::array<PackedPoint, 4>& vertices);
-
-/// As walkTo(), but across the face that the point is farthest beyond. No slot if that leads out of the mesh.
-PlacedPoint placeIn(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
+/// Of insertions one after the other: fetches what those after number `next` of `count` need, step by step. slotOf(i)
+/// is where insertion i will probably begin, or none.
+template <class SlotOf>
+void fetchAhead(const LatticeDelaunay& delaunay, std::size_t next, std::size_t count, const SlotOf& slotOf)
+{
+    const auto fetch = [&](std::size_t steps, const auto& what) {
+        if (next + steps < count)
+            if (const std::uint32_t slot = slotOf(next + steps); slot != LatticeDelaunay::none)
+                what(slot);
+    };
+    fetch(4, [&](std::uint32_t slot) { delaunay.prefetch(slot); });
+    fetch(2, [&](std::uint32_t slot) { delaunay.prefetchNeighbours(slot); });
+    fetch(1, [&](std::uint32_t slot) { delaunay.prefetchSurroundings(slot); });
+}
 
 /// The points of a box but its corners, each with one of the five tetrahedra of the box's start that it lies in, which
 /// are those from `firstSlot` on.

@@ -57,6 +57,24 @@ private slots:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
+    /// Elements that are appended together lie as if one by one, wherever chunks end.
+    void takesManyAtOnce()
+    {
+        const QTemporaryDir folder;
+        SpoolFile file(folder.path().toStdString());
+        SpooledArray<std::uint32_t> numbers(file);
+        std::vector<std::uint32_t> expected;
+        for (const std::uint32_t count : {0u, 3u, 16'381u, 1u, 40'000u, 0u, 16'384u, 7u}) {
+            std::vector<std::uint32_t> some;
+            for (std::uint32_t i = 0; i < count; ++i)
+                some.push_back(static_cast<std::uint32_t>(expected.size()) + i);
+            numbers.append(some);
+            expected.insert(expected.end(), some.begin(), some.end());
+        }
+        QCOMPARE(numbers.size(), expected.size());
+        QVERIFY(contentOf(numbers) == expected);
+    }
+
     void stopsWhereTheReaderStops()
     {
         const QTemporaryDir folder;

@@ -2,6 +2,7 @@
 #include "core/refine/curvilinear/curvilinear_grid.h"
 
 #include "core/refine/lattice/lattice_delaunay.h"
+#include "core/refine/lattice/point_location.h"
 
 #include <QTest>
 
@@ -53,7 +54,7 @@ private slots:
         std::uint32_t hint = 0;
         int cured = 0, incurable = 0;
         for (const PackedPoint point : order) {
-            const std::uint32_t containing = walkTo(delaunay, point, hint);
+            const std::uint32_t containing = placeIn(delaunay, point, hint).slot;
             QVERIFY(delaunay.insert(point, containing));
             hint = delaunay.created()[0];
             for (const std::uint32_t slot : delaunay.created()) {
