@@ -11779,6 +11779,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>its model cannot have %1 bytes</source>
         <translation>il suo modello non può avere %1 byte</translation>
     </message>
+    <message>
+        <source>The view cannot be read: %1</source>
+        <translation>La vista non può essere letta: %1</translation>
+    </message>
+    <message>
+        <source>it must be an object, in braces.</source>
+        <translation>deve essere un oggetto, tra graffe.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
