@@ -11803,6 +11803,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>it has no metadata.</source>
         <translation>Es hat keine Metadaten.</translation>
     </message>
+    <message>
+        <source>The view cannot be read: %1</source>
+        <translation>Die Ansicht kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>it must be an object, in braces.</source>
+        <translation>sie muss ein Objekt sein, in geschweiften Klammern.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -11803,6 +11803,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>it has no metadata.</source>
         <translation>non ha metadati.</translation>
     </message>
+    <message>
+        <source>The view cannot be read: %1</source>
+        <translation>La vista non può essere letta: %1</translation>
+    </message>
+    <message>
+        <source>it must be an object, in braces.</source>
+        <translation>deve essere un oggetto, tra graffe.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -3,10 +3,10 @@
 
 #include "app/command_line/arguments.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/session/lens.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
+#include <tan/view.h>
 
 #include <filesystem>
 #include <optional>

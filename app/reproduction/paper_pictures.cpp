@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/paper_pictures.h"
 
-#include "ui/session/appearance.h"
+#include "ui/session/rendering_modes.h"
 #include "ui/session/shown_error.h"
 #include "ui/workbench/view_picture.h"
+
+#include <tan/view.h>
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <unordered_set>
@@ -289,6 +290,66 @@ const JsonValue* JsonValue::find(std::string_view name) const noexcept
 Result<JsonValue> parseJson(std::string_view text)
 {
     return JsonReader(text).read();
+}
+
+namespace {
+
+std::string numberText(const std::string& text)
+{
+    constexpr double most = 0x1p63;
+    if (text.find_first_of(".eE") == std::string::npos)
+        return text;
+    const auto number = parseNumber<double>(text);
+    const bool isWhole = number && std::abs(*number) < most && *number == std::trunc(*number);
+    return isWhole ? std::to_string(static_cast<std::int64_t>(*number)) : text;
+}
+
+/// One line for each of a list, between the two brackets.
+template <class List, class Add>
+void addLines(const List& list, std::string_view brackets, int level, std::string& text, const Add& add)
+{
+    constexpr std::size_t blanks = 4;
+    text += {brackets[0], '\n'};
+    for (std::size_t left = list.size(); const auto& one : list) {
+        text.append(blanks * static_cast<std::size_t>(level + 1), ' ');
+        add(one);
+        text += --left > 0 ? ",\n" : "\n";
+    }
+    text.append(blanks * static_cast<std::size_t>(level), ' ');
+    text += brackets[1];
+}
+
+void addValue(const JsonValue& value, int level, std::string& text)
+{
+    if (const JsonArray* const array = value.array()) {
+        addLines(*array, "[]", level, text, [&](const JsonValue& element) { addValue(element, level + 1, text); });
+    } else if (const JsonObject* const object = value.object()) {
+        std::vector<const JsonMember*> members;
+        for (const JsonMember& member : *object)
+            members.push_back(&member);
+        std::ranges::sort(members, {}, [](const JsonMember* member) -> const std::string& { return member->first; });
+        addLines(members, "{}", level, text, [&](const JsonMember* member) {
+            text += jsonString(member->first) + ": ";
+            addValue(member->second, level + 1, text);
+        });
+    } else if (const std::string* const string = value.string()) {
+        text += jsonString(*string);
+    } else if (const JsonValue::Number* const number = value.number()) {
+        text += numberText(number->text);
+    } else if (const bool* const truth = std::get_if<bool>(&value.content)) {
+        text += *truth ? "true" : "false";
+    } else {
+        text += "null";
+    }
+}
+
+} // namespace
+
+std::string formatJson(const JsonValue& value)
+{
+    std::string text;
+    addValue(value, 0, text);
+    return text + '\n';
 }
 
 std::string jsonString(std::string_view text)

@@ -33,7 +33,7 @@ struct TAN_INTERNAL JsonValue {
         std::string text;
     };
     std::variant<std::nullptr_t, bool, Number, std::string, JsonArray, JsonObject> content = nullptr;
-    TextPlace place;
+    TextPlace place{};
 
     const JsonArray* array() const noexcept { return std::get_if<JsonArray>(&content); }
     const JsonObject* object() const noexcept { return std::get_if<JsonObject>(&content); }
@@ -46,6 +46,11 @@ struct TAN_INTERNAL JsonValue {
 /// Reads one JSON text strictly: UTF-8, no comments, no trailing commas, no member twice, nothing after the value, at
 /// most 64 levels. O(bytes). The error says where.
 TAN_INTERNAL Result<JsonValue> parseJson(std::string_view text);
+
+/// The text of a value for people to read: a line for each element and each member, four blanks for each level, the
+/// members of an object in the order of their names, a line feed at the end. Numbers have the text that they came with,
+/// but whole ones of 64 bits no exponent. What parseJson() reads again, if its numbers are numbers. O(bytes).
+std::string formatJson(const JsonValue& value);
 
 /// `text` as a JSON string, with its quotes; what is no UTF-8 in it, such as an old file name, as U+FFFD.
 TAN_INTERNAL std::string jsonString(std::string_view text);

@@ -14,9 +14,7 @@
 namespace tetra {
 
 /// The parameters that renderers share, so that what was chosen stays when another renderer takes over. A renderer
-/// takes those that it can do; the shell knows the ids.
-inline constexpr const char* isovaluesId = "isovalues";
-inline constexpr const char* transferId = "transfer";
+/// takes those that it can do; the shell knows the ids. Those of isovalues and transfer function: tan/parameter.h.
 inline constexpr const char* shadedId = "shaded";
 inline constexpr const char* litId = "lit";
 inline constexpr const char* outlineId = "outline";

@@ -14,12 +14,12 @@
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "ui/animation/frame_pacer.h"
-#include "ui/session/accuracy_scale.h"
 #include "ui/work/steady_heap.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/transfer.h>
+#include <tan/view.h>
 
 #include <QApplication>
 #include <QCommandLineParser>

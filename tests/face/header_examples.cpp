@@ -11,8 +11,10 @@
 #include <model_example.h>
 #include <open_example.h>
 #include <packed_example.h>
+#include <parameter_example.h>
 #include <query_example.h>
 #include <render_example.h>
 #include <transfer_example.h>
 #include <verify_example.h>
 #include <version_example.h>
+#include <view_example.h>

@@ -4,10 +4,12 @@
 #include <tan/build.h>
 #include <tan/open.h>
 #include <tan/packed.h>
+#include <tan/parameter.h>
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/verify.h>
 #include <tan/version.h>
+#include <tan/view.h>
 
 #include <iosfwd>
 
@@ -27,5 +29,9 @@ tetra::Result<std::shared_ptr<const tetra::ExtractedMesh>> meshOfOnePercent(std:
 tetra::MeshQuery ballInFocus(const Eigen::Vector3d& centre, double radius);
 tetra::Result<std::string> proved(const tetra::Model& model, const tetra::Dataset& original);
 tetra::Result<std::string> blueToYellow(double least, double largest, double thickness);
+bool hasThickLines(const tetra::ParameterValues& chosen);
+std::string viewOfBall(const tetra::Model& model, const tetra::Sphere& ball, double isovalue);
+tetra::Result<std::shared_ptr<const tetra::ExtractedMesh>> meshInView(std::string_view text,
+                                                                      std::shared_ptr<const tetra::Model> model);
 tetra::Result<tetra::Picture> look(std::shared_ptr<const tetra::TetrahedralMesh> mesh, double isovalue,
                                    const tetra::TransferFunction& function);

@@ -134,6 +134,34 @@ private slots:
         QCOMPARE(at(0, 0), white);
     }
 
+    void parametersHaveDefaults()
+    {
+        QVERIFY(!hasThickLines({}));
+        QVERIFY(hasThickLines({{"line-width", 3.0}}));
+        QVERIFY(!hasThickLines({{"line-width", std::int64_t(3)}})); // of another type: the default
+    }
+
+    /// The view's mesh is finer in the ball: as many tetrahedra as the query of the view asks for by hand.
+    void aViewIsATextAndAMesh()
+    {
+        const Sphere ball{{1.6, 1.6, 1.6}, 0.4};
+        const std::string text = viewOfBall(*model_, ball, 1);
+        const auto view = viewFromText(text);
+        QVERIFY2(view.ok(), view ? "" : view.error().text().c_str());
+        QCOMPARE(view->camera.elevation, 60.0);
+        QCOMPARE(view->isovalues.size(), std::size_t(1));
+        const auto mesh = meshInView(text, model_);
+        QVERIFY2(mesh.ok(), mesh ? "" : mesh.error().text().c_str());
+        MeshQuery asked;
+        asked.error = SpaceRamp{ball, 0.5, 2, 0};
+        const auto byHand = MeshExtractor(model_).extract(asked);
+        QVERIFY(byHand.ok());
+        QCOMPARE((*mesh)->mesh.tetrahedra.size(), (*byHand)->mesh.tetrahedra.size());
+        asked.error = 2;
+        QVERIFY((*mesh)->mesh.tetrahedra.size() > (*MeshExtractor(model_).extract(asked))->mesh.tetrahedra.size());
+        QCOMPARE(meshInView("{", model_).error().kind, ErrorKind::BadInput);
+    }
+
     /// A user's file is no model, and stays; options that make no sense are refused before anything is written.
     void nothingIsLost()
     {

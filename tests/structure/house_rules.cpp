@@ -33,7 +33,8 @@ constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/
                            tanVerify = "core/include/tan/verify.h", tanTransfer = "core/include/tan/transfer.h",
                            tanOpen = "core/include/tan/open.h", tanRender = "core/include/tan/render.h",
                            tanPacked = "core/include/tan/packed.h", tanVersion = "core/include/tan/version.h",
-                           tanZones = "core/include/tan/zones.h";
+                           tanZones = "core/include/tan/zones.h", tanParameter = "core/include/tan/parameter.h",
+                           tanView = "core/include/tan/view.h";
 
 const std::vector<Room>& rooms()
 {
@@ -51,6 +52,8 @@ const std::vector<Room>& rooms()
         {tanPacked, {tanBase, tanModel}},
         {tanVersion, {tanBase}},
         {tanZones, {tanBase, tanData}},
+        {tanParameter, {tanBase, tanTransfer, tanRender}},
+        {tanView, {tanBase, tanMesh, tanData, tanModel, tanQuery, tanTransfer, tanRender, tanParameter}},
         {"core/base", {tanBase}},
         {"core/version", {tanBase, tanVersion}},
         {"core/remote", {tanBase, tanVersion, "core/base"}},
@@ -101,6 +104,9 @@ const std::vector<Room>& rooms()
         {"core/render/gl", {tanBase, tanRender, "core/base", "core/render", "core/render/volume"}},
         {"core/render/picking",
          {tanBase, tanMesh, tanRender, "core/base", "core/mesh", "core/render", "core/render/volume"}},
+        {"core/view",
+         {tanBase, tanMesh, tanData, tanModel, tanQuery, tanTransfer, tanRender, tanParameter, tanView, "core/base",
+          "core/history", "core/transfer"}},
         {"plugins/api", {"core/include"}},
         {"plugins/samples", {"core"}},
         {"plugins/host", {"core", "plugins/api"}},
@@ -135,7 +141,7 @@ const std::vector<Room>& rooms()
         {"plugins/writers", {"core/include", "plugins/api"}},
         {"ui/work", {"core"}},
         {"ui/animation", {"core"}},
-        {"ui/session", {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui/animation"}},
+        {"ui/session", {"core", "plugins/api", "plugins/host", "plugins/widgets"}},
         {"ui/annotations", {"core", "plugins/api", "ui/session"}},
         {"ui/workbench",
          {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "ui/work", "ui/animation",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/view/accuracy_scale.h"
 #include "tests/ui/sample_files.h"
-#include "ui/session/accuracy_scale.h"
+#include "ui/session/accuracy_keys.h"
 
 #include <tan/query.h>
 

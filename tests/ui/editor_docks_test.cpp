@@ -4,9 +4,10 @@
 
 #include "plugins/widgets/colour_button.h"
 #include "ui/panels/session_editor_host.h"
-#include "ui/session/view_json.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/widgets/mnemonics.h"
+
+#include <tan/view.h>
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -313,10 +314,8 @@ private:
     /// As a session that is saved and opened again has them.
     ParameterValues settingsKept() const
     {
-        std::optional<Error> error;
-        ViewValue again;
-        readView(JsonFields(toJson(session().view()), {}, error), again);
-        return error ? ParameterValues() : again.appearance.settings;
+        const auto again = viewFromText(viewToText(session().view()));
+        return again ? again->appearance.settings : ParameterValues();
     }
 
     QTemporaryDir folder_;

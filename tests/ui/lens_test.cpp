@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lens over the picture (C5): where it lies and what it shows, by mouse and by keys, and what is kept of it.
+#include "core/view/lens.h"
 #include "tests/ui/sample_window.h"
 #include "ui/annotations/picture_projection.h"
 #include "ui/session/session_document.h"

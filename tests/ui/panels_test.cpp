@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/view/accuracy_scale.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/colour_button.h"

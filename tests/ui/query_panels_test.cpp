@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/view/accuracy_scale.h"
 #include "tests/ui/sample_window.h"
 #include "tests/waiting.h"
-#include "ui/session/accuracy_scale.h"
+
+#include <tan/view.h>
 
 #include <QAction>
 #include <QCheckBox>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/view/accuracy_scale.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/sample_files.h"
-#include "ui/session/accuracy_scale.h"
 #include "ui/session/session.h"
 #include "ui/session/shown_mesh.h"
+
+#include <tan/view.h>
 
 #include <QLocale>
 #include <QTemporaryDir>

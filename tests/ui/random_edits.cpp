@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/random_edits.h"
 
+#include "core/view/animation.h"
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/copying.h"
 #include "plugins/widgets/curves/moving.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/view/appearance.h"
 #include "plugins/widgets/colour_button.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/volume/volume_mesh.h"
 #include "core/verify/verify_mesh.h"
+#include "core/view/accuracy_scale.h"
+#include "core/view/appearance.h"
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/folded_model.h"
 #include "tests/ui/sample_window.h"
 #include "ui/panels/model_statistics.h"
-#include "ui/session/accuracy_scale.h"
 #include "ui/session/session_document.h"
 
 #include <tan/build.h>

@@ -2,6 +2,7 @@
 #include "ui/annotations/annotation_content.h"
 
 #include "core/data/value_scale.h"
+#include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/annotations/field_name.h"
 #include "ui/session/files.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/view_value.h"
-
 #include <tan/data.h>
 #include <tan/render.h>
 #include <tan/transfer.h>
+#include <tan/view.h>
 
 #include <QFont>
 #include <QString>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_painter.h"
 
+#include "core/view/lens.h"
 #include "ui/annotations/annotation_layout.h"
 
 #include <QFontMetricsF>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/view/lens.h"
 #include "ui/annotations/annotation_content.h"
-#include "ui/session/lens.h"
+
+#include <tan/view.h>
 
 #include <QImage>
 #include <QSizeF>

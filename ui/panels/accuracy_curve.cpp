@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/accuracy_curve.h"
 
+#include "core/view/accuracy_scale.h"
 #include "plugins/widgets/number_text.h"
+#include "ui/session/accuracy_keys.h"
 #include "ui/session/message_text.h"
 
 #include <QKeyEvent>

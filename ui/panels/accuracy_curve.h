@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/history/error_meaning.h"
-#include "ui/session/accuracy_scale.h"
+#include "core/view/accuracy_scale.h"
 
 #include <QWidget>
 

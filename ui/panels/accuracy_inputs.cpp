@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/accuracy_inputs.h"
 
-#include "ui/session/accuracy_scale.h"
-#include "ui/session/query_state.h"
+#include "core/view/accuracy_scale.h"
+#include "ui/session/accuracy_keys.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>

@@ -2,6 +2,7 @@
 #include "ui/panels/accuracy_panel.h"
 
 #include "core/history/whole_elsewhere.h"
+#include "core/view/accuracy_scale.h"
 #include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"

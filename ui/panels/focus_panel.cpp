@@ -8,10 +8,11 @@
 #include "plugins/widgets/value_box.h"
 #include "ui/panels/accuracy_inputs.h"
 #include "ui/panels/lens_inputs.h"
-#include "ui/session/accuracy_scale.h"
 #include "ui/widgets/checked_button.h"
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
+
+#include <tan/view.h>
 
 #include <QComboBox>
 #include <QEvent>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/key_frame_list.h"
 
+#include "core/view/animation.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/session.h"
 

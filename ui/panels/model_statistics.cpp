@@ -2,14 +2,15 @@
 #include "ui/panels/model_statistics.h"
 
 #include "core/history/whole_elsewhere.h"
+#include "core/view/accuracy_scale.h"
 #include "plugins/widgets/number_text.h"
-#include "ui/session/accuracy_scale.h"
 #include "ui/session/files.h"
 #include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 
 #include <tan/query.h>
+#include <tan/view.h>
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/accuracy_scale.h"
 #include "ui/workbench/scene_builder.h"
 
 #include <tan/model.h>
+#include <tan/view.h>
 
 #include <QString>
 

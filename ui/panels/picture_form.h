@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/view_value.h"
+#include <tan/view.h>
 
 #include <QSize>
 #include <QWidget>

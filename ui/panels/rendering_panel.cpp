@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/rendering_panel.h"
 
+#include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"

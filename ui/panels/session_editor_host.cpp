@@ -2,6 +2,7 @@
 #include "ui/panels/session_editor_host.h"
 
 #include "core/data/value_scale.h"
+#include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"

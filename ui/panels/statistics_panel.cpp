@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/statistics_panel.h"
 
+#include "core/view/accuracy_scale.h"
+#include "core/view/appearance.h"
 #include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/accuracy_curve.h"

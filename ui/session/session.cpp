@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/session.h"
 
+#include "core/view/appearance.h"
+#include "core/view/view_value.h"
 #include "plugins/api/scene_parameters.h"
-#include "ui/session/accuracy_scale.h"
-#include "ui/session/appearance.h"
+
+#include <tan/view.h>
 
 #include <QCoreApplication>
 

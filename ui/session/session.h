@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ui/session/shown_mesh.h"
-#include "ui/session/view_value.h"
 
 #include <tan/model.h>
 #include <tan/query.h>
+#include <tan/view.h>
 
 #include <QUndoStack>
 

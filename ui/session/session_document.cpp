@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/session_document.h"
 
+#include "core/view/view_text.h"
 #include "ui/session/files.h"
-#include "ui/session/view_json.h"
 
 #include <tan/open.h>
 
@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QImageReader>
+#include <QJsonArray>
 #include <QJsonDocument>
 
 #include <cstddef>
@@ -140,7 +141,7 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     if (document.range)
         model["range"] = QJsonArray{document.range->minimum, document.range->maximum};
     QJsonObject ours = {{"format", formatName}, {"version", formatVersion}, {"model", model}};
-    ours = over(ours, toJson(document.view));
+    ours = over(ours, QJsonDocument::fromJson(QByteArray::fromStdString(viewToText(document.view))).object());
     if (!document.hasCamera)
         ours.remove("camera");
     QJsonObject found = document.found;
@@ -170,10 +171,14 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     const Result<QJsonObject> root = objectOf(text);
     if (!root)
         return root.error();
+    // As Qt writes it: without what Qt takes and core does not, a member that is there twice for one.
+    const Result<JsonValue> members = parseJson(QJsonDocument(*root).toJson().toStdString());
+    if (!members)
+        return wrong(members.error().message);
     SessionDocument document;
     document.found = *root;
     std::optional<Error> error;
-    const JsonFields fields(*root, {}, error);
+    const JsonFields fields(&*members, {}, error);
     const JsonFields model = fields.fields("model");
     std::string path, relative, absolute, identity;
     model.read("path", path);
@@ -189,9 +194,10 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
         document.relativeModel = placeOf(relative);
     if (!absolute.empty())
         document.absoluteModel = placeOf(absolute);
-    document.withDirections = model.object().value("withDirections").toBool();
-    const QJsonArray corners = model.object().value("bounds").toArray();
-    const QJsonArray range = model.object().value("range").toArray();
+    const QJsonObject foundModel = root->value("model").toObject();
+    document.withDirections = foundModel.value("withDirections").toBool();
+    const QJsonArray corners = foundModel.value("bounds").toArray();
+    const QJsonArray range = foundModel.value("range").toArray();
     for (const QJsonValue& corner : corners)
         document.bounds.extend(Eigen::Vector3d(corner[0].toDouble(), corner[1].toDouble(), corner[2].toDouble()));
     if (range.size() == 2)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/view_value.h"
-
 #include <tan/data.h>
 #include <tan/render.h>
+#include <tan/view.h>
 
 #include <Eigen/Geometry>
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "plugins/api/renderer.h"
-#include "ui/session/query_state.h"
 
 #include <tan/model.h>
 #include <tan/query.h>
 #include <tan/transfer.h>
+#include <tan/view.h>
 
 namespace tetra {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/lens_tool.h"
 
+#include "core/view/lens.h"
 #include "ui/session/message_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workbench/workbench.h"

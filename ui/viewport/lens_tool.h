@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/view/lens.h"
 #include "ui/annotations/annotation_painter.h"
 #include "ui/session/session.h"
 #include "ui/work/latest_job.h"

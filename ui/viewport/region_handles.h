@@ -2,9 +2,9 @@
 #pragma once
 
 #include "ui/annotations/picture_projection.h"
-#include "ui/session/query_state.h"
 
 #include <tan/render.h>
+#include <tan/view.h>
 
 #include <optional>
 #include <vector>

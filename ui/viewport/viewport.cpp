@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/viewport.h"
 
+#include "core/view/lens.h"
 #include "ui/widgets/motion.h"
 #include "ui/workbench/view_picture.h"
 

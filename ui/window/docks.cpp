@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/docks.h"
 
+#include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/animation_panel.h"
@@ -12,7 +13,6 @@
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
 #include "ui/panels/view_panel.h"
-#include "ui/session/appearance.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/mnemonics.h"
 

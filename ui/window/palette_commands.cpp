@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/palette_commands.h"
 
+#include "core/view/accuracy_scale.h"
 #include "plugins/widgets/number_text.h"
-#include "ui/session/accuracy_scale.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/window/docks.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/exporting.h"
 
+#include "core/view/accuracy_scale.h"
 #include "plugins/host/output_check.h"
-#include "ui/session/accuracy_scale.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ui/session/shown_mesh.h"
-#include "ui/session/view_value.h"
 #include "ui/workbench/picture_file.h"
 
 #include <tan/base.h>
+#include <tan/view.h>
 
 #include <QStringList>
 

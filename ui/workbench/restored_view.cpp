@@ -5,6 +5,7 @@
 // value of the model can be is left out. Whatever is left out is told.
 #include "ui/workbench/restored_view.h"
 
+#include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/workbench/view_picture.h"
 

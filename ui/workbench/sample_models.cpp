@@ -8,15 +8,14 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
-#include "ui/session/accuracy_scale.h"
-#include "ui/session/appearance.h"
 #include "ui/session/files.h"
-#include "ui/session/query_state.h"
+#include "ui/session/rendering_modes.h"
 #include "ui/workbench/picture_file.h"
 #include "ui/workbench/view_picture.h"
 
 #include <tan/model.h>
 #include <tan/version.h>
+#include <tan/view.h>
 
 #include <QCoreApplication>
 #include <QStandardPaths>

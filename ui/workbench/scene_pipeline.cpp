@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/scene_pipeline.h"
 
+#include "core/view/lens.h"
 #include "plugins/api/boundary_parameters.h"
 #include "ui/session/logarithm_text.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/view/lens.h"
 #include "plugins/api/renderer.h"
-#include "ui/session/lens.h"
 #include "ui/session/shown_mesh.h"
 #include "ui/workbench/picture_file.h"
 
@@ -10,6 +10,7 @@
 #include <tan/model.h>
 #include <tan/query.h>
 #include <tan/render.h>
+#include <tan/view.h>
 
 #include <memory>
 #include <mutex>

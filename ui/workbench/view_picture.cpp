@@ -4,13 +4,15 @@
 #include "core/base/guarded.h"
 #include "core/base/text.h"
 #include "core/history/whole_elsewhere.h"
+#include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/annotations/annotation_painter.h"
-#include "ui/session/accuracy_scale.h"
+#include "ui/session/rendering_modes.h"
 #include "ui/session/shown_error.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
+#include <tan/view.h>
 
 #include <algorithm>
 

@@ -4,11 +4,11 @@
 #include "plugins/api/renderer.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/annotations/annotation_content.h"
-#include "ui/session/view_value.h"
 #include "ui/workbench/picture_file.h"
 #include "ui/workbench/scene_pipeline.h"
 
 #include <tan/model.h>
+#include <tan/view.h>
 
 #include <QSize>
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the docks Accuracy and Statistics are driven, and what each changes (R26).
+#include "core/view/accuracy_scale.h"
+#include "core/view/appearance.h"
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/ui/folded_model.h"
 #include "tests/waiting.h"
-#include "ui/session/accuracy_scale.h"
-#include "ui/session/appearance.h"
+
+#include <tan/view.h>
 
 #include <QClipboard>
 #include <QGuiApplication>

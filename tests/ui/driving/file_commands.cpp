@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions of the menus File and Edit are driven, and what each changes.
+#include "core/view/appearance.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
-#include "ui/session/appearance.h"
 #include "ui/session/files.h"
 #include "ui/workbench/recent_files.h"
 #include "ui/workbench/sample_models.h"
+
+#include <tan/view.h>
 
 #include <QAction>
 #include <QClipboard>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the docks Rendering, View and Isovalues are driven, and what each changes (R19, R20, R21, R27).
+#include "core/view/appearance.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/ui/driving/scene_facts.h"
-#include "ui/session/appearance.h"
+
+#include <tan/view.h>
 
 #include <QComboBox>
 #include <QSettings>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions are driven that are about the value picked in the picture.
+#include "core/view/appearance.h"
 #include "plugins/widgets/curves/joined_function.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
-#include "ui/session/appearance.h"
 #include "ui/viewport/value_pick.h"
+
+#include <tan/view.h>
 
 namespace tetra {
 namespace {

@@ -2,13 +2,15 @@
 // How the actions of the editor of transfer functions are driven, its menus and its presets, and what each changes
 // (R18). What an edit makes of a function is the matter of tests/plugins/widgets/curves; here it is which edit, of
 // which points, by how much.
+#include "core/view/appearance.h"
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/copying.h"
 #include "plugins/widgets/curves/moving.h"
 #include "plugins/widgets/curves/reshaping.h"
 #include "plugins/widgets/curves/whole_function.h"
 #include "tests/ui/driving/driver.h"
-#include "ui/session/appearance.h"
+
+#include <tan/view.h>
 
 #include <QAbstractButton>
 #include <QClipboard>

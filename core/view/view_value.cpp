@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/view_value.h"
+#include "core/view/view_value.h"
+
+#include <tan/view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +12,13 @@ namespace tetra {
 namespace {
 
 /// In the order of ViewPart.
-template <class View> auto partsOf(View& view)
+template <class View> auto viewParts(View& view)
 {
     return std::tie(view.query, view.appearance.mode, view.appearance.transfer, view.appearance.settings,
                     view.isovalues, view.annotations, view.animation, view.camera, view.background, view.lens);
 }
 
-constexpr auto partCount = std::tuple_size_v<decltype(partsOf(std::declval<const ViewValue&>()))>;
+constexpr auto partCount = std::tuple_size_v<decltype(viewParts(std::declval<const ViewValue&>()))>;
 
 /// Calls `call` with the number of each part, as a constant.
 template <class Call> void forEachPart(Call call)
@@ -30,7 +32,7 @@ template <class Call> void forEachPart(Call call)
 
 constexpr ViewPart partNumbered(std::size_t number)
 {
-    return static_cast<ViewPart>(1 << number);
+    return static_cast<ViewPart>(1U << number);
 }
 
 } // namespace
@@ -45,24 +47,24 @@ ViewParts differingParts(const ViewValue& one, const ViewValue& other)
 {
     ViewParts differing;
     forEachPart([&](auto part) {
-        differing.setFlag(partNumbered(part), std::get<part>(partsOf(one)) != std::get<part>(partsOf(other)));
+        if (std::get<part>(viewParts(one)) != std::get<part>(viewParts(other)))
+            differing |= partNumbered(part);
     });
     return differing;
 }
 
 PartialView::PartialView(const ViewValue& view, ViewParts parts)
 {
-    parts_.reserve(static_cast<std::size_t>(qPopulationCount(static_cast<quint32>(parts.toInt()))));
     forEachPart([&](auto part) {
         if (parts & partNumbered(part))
-            parts_.emplace_back(std::in_place_index<part>, std::get<part>(partsOf(view)));
+            parts_.emplace_back(std::in_place_index<part>, std::get<part>(viewParts(view)));
     });
 }
 
 ViewValue PartialView::putInto(ViewValue view) const
 {
     for (const Part& part : parts_)
-        std::visit([&](const auto& value) { std::get<std::decay_t<decltype(value)>&>(partsOf(view)) = value; }, part);
+        std::visit([&](const auto& value) { std::get<std::decay_t<decltype(value)>&>(viewParts(view)) = value; }, part);
     return view;
 }
 

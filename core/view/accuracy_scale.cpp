@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/accuracy_scale.h"
-
-#include <Qt>
+#include "core/view/accuracy_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,9 @@ namespace {
 
 /// The round numbers of a decade, close enough together that a step is a small change.
 constexpr std::array<double, 10> roundNumbers{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
+
+/// Those of budgets.
+constexpr std::array<double, 6> roundAccuracies{1, 1.5, 2, 3, 5, 7};
 
 double roundedToThreeDigits(double value)
 {
@@ -79,20 +80,19 @@ double steppedAccuracy(double percent, int steps)
     return all[static_cast<std::size_t>(index)];
 }
 
-std::optional<double> accuracyByKey(double percent, int key)
+std::uint64_t steppedBudget(std::uint64_t budget, int steps)
 {
-    constexpr int page = 5;
-    switch (key) {
-    case Qt::Key_Left:
-    case Qt::Key_Down: return steppedAccuracy(percent, -1);
-    case Qt::Key_Right:
-    case Qt::Key_Up: return steppedAccuracy(percent, 1);
-    case Qt::Key_PageDown: return steppedAccuracy(percent, -page);
-    case Qt::Key_PageUp: return steppedAccuracy(percent, page);
-    case Qt::Key_Home: return coarsestOnScale;
-    case Qt::Key_End: return 0;
-    default: return std::nullopt;
-    }
+    std::vector<double> ladder;
+    for (double decade = 1000; decade < 1e10; decade *= 10)
+        for (const double number : roundAccuracies)
+            ladder.push_back(number * decade);
+    const auto count = static_cast<double>(budget);
+    auto index = std::ranges::lower_bound(ladder, count) - ladder.begin();
+    // Between two round numbers the first step up goes to the next one, not past it.
+    if (steps > 0 && index < std::ssize(ladder) && ladder[static_cast<std::size_t>(index)] > count)
+        --steps;
+    index = std::clamp<std::ptrdiff_t>(index + steps, 0, std::ssize(ladder) - 1);
+    return static_cast<std::uint64_t>(ladder[static_cast<std::size_t>(index)]);
 }
 
 std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice& warping, int points)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/query_state.h"
+#include "core/view/accuracy_scale.h"
+
+#include <tan/view.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -11,14 +12,12 @@ namespace tetra {
 namespace {
 
 /// The least that a region may measure, as a part of the diagonal: less cannot be seen or grabbed.
-constexpr double leastPart = 1e-3;
+constexpr double leastRegionPart = 1e-3;
 /// Errors that the budget makes larger are no less than this before it does, %: it is finer than what 16 bits resolve,
 /// and what is looked at grows with what is asked for.
 constexpr double finestWithBudget = 1e-3;
 /// A mesh that varies is never much better anywhere than the uniform one of the same size: this is room enough.
 constexpr double roomForScale = 4;
-/// The round numbers of a decade.
-constexpr std::array<double, 6> roundAccuracies{1, 1.5, 2, 3, 5, 7};
 
 double numberOr(double value, double otherwise)
 {
@@ -38,7 +37,7 @@ MovableRegion corrected(const MovableRegion& region, const FocusState& usual, co
 {
     constexpr double slack = 1e-9; // of what was corrected and written
     const double diagonal = model.diagonal();
-    const double least = leastPart * diagonal;
+    const double least = leastRegionPart * diagonal;
     const Eigen::AlignedBox3d& bounds = model.description().bounds;
     const Eigen::Vector3d around = Eigen::Vector3d::Constant(slack * diagonal);
     FocusState place = usual.movedTo(region);
@@ -62,13 +61,14 @@ FocusState corrected(FocusState focus, const FocusState& before, const Model& mo
     const Eigen::AlignedBox3d& bounds = model.description().bounds;
     const double diagonal = model.diagonal();
     focus.centre = numbersOr(focus.centre, before.centre).cwiseMax(bounds.min()).cwiseMin(bounds.max());
-    focus.size = numbersOr(focus.size, before.size).cwiseMax(leastPart * diagonal).cwiseMin(2 * diagonal);
-    focus.radius = std::clamp(numberOr(focus.radius, before.radius), leastPart * diagonal, diagonal);
+    focus.size = numbersOr(focus.size, before.size).cwiseMax(leastRegionPart * diagonal).cwiseMin(2 * diagonal);
+    focus.radius = std::clamp(numberOr(focus.radius, before.radius), leastRegionPart * diagonal, diagonal);
     focus.error = std::clamp(numberOr(focus.error, before.error), 0.0, 100.0);
     focus.falloff = std::clamp(numberOr(focus.falloff, before.falloff), 0.0, diagonal);
-    focus.distance = std::clamp(numberOr(focus.distance, before.distance), leastPart * diagonal, diagonal);
+    focus.distance = std::clamp(numberOr(focus.distance, before.distance), leastRegionPart * diagonal, diagonal);
     const double extent = model.description().range.extent();
-    focus.valueFalloff = std::clamp(numberOr(focus.valueFalloff, before.valueFalloff), leastPart * extent, extent);
+    focus.valueFalloff =
+        std::clamp(numberOr(focus.valueFalloff, before.valueFalloff), leastRegionPart * extent, extent);
     focus.others.resize(std::min(focus.others.size(), mostFocusRegions - 1), Sphere());
     for (MovableRegion& region : focus.others)
         region = corrected(region, focus, model);
@@ -84,7 +84,7 @@ Box corrected(const Box& box, const Box& before, const Model& model)
     const Eigen::Vector3d other = numbersOr(box.largest, before.largest);
     const Eigen::Vector3d least = one.cwiseMin(other).cwiseMax(bounds.min()).cwiseMin(bounds.max());
     const Eigen::Vector3d largest = one.cwiseMax(other).cwiseMax(bounds.min()).cwiseMin(bounds.max());
-    const Eigen::Vector3d thickness = Eigen::Vector3d::Constant(leastPart * model.diagonal());
+    const Eigen::Vector3d thickness = Eigen::Vector3d::Constant(leastRegionPart * model.diagonal());
     const Eigen::Vector3d end = largest.cwiseMax(least + thickness).cwiseMin(bounds.max());
     return {least.cwiseMin(end - thickness).cwiseMax(bounds.min()), end};
 }
@@ -355,21 +355,6 @@ MeshSize plannedSize(const QueryState& query, const Model& model)
 {
     return meshSizeAt(model,
                       query.byBudget ? bothWithin(errorWithin(model, query.budget)) : query.warping.with(query.error));
-}
-
-std::uint64_t steppedBudget(std::uint64_t budget, int steps)
-{
-    std::vector<double> ladder;
-    for (double decade = 1000; decade < 1e10; decade *= 10)
-        for (const double number : roundAccuracies)
-            ladder.push_back(number * decade);
-    const auto count = static_cast<double>(budget);
-    auto index = std::ranges::lower_bound(ladder, count) - ladder.begin();
-    // Between two round numbers the first step up goes to the next one, not past it.
-    if (steps > 0 && index < std::ssize(ladder) && ladder[static_cast<std::size_t>(index)] > count)
-        --steps;
-    index = std::clamp<std::ptrdiff_t>(index + steps, 0, std::ssize(ladder) - 1);
-    return static_cast<std::uint64_t>(ladder[static_cast<std::size_t>(index)]);
 }
 
 } // namespace tetra

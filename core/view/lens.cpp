@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/lens.h"
+#include "core/view/lens.h"
 
 #include <algorithm>
 #include <cmath>

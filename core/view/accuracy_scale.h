@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
 #include <tan/model.h>
 #include <tan/query.h>
+#include <tan/view.h>
 
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace tetra {
@@ -22,29 +23,18 @@ inline constexpr double finestOnScale = 0.01;
 /// The position where the logarithmic part ends.
 inline constexpr double logarithmicPart = 0.94;
 
-/// How the warping of curvilinear and irregular data is limited beside the error (C1).
-enum class WarpingLimit { AsError, Own, None };
-struct WarpingChoice {
-    WarpingLimit limit = WarpingLimit::AsError;
-    double percent = 1; ///< of the diagonal, if Own
-    bool operator==(const WarpingChoice&) const = default;
-
-    /// What one number on the scale asks for: this error in % of the value range, and the warping by it or as chosen.
-    Accuracy with(double error) const;
-};
-
 /// What one number on the scale asks for if nothing else is chosen.
-Accuracy bothWithin(double percent);
+TAN_INTERNAL Accuracy bothWithin(double percent);
 
 /// Where an error (in %) lies on the scale, in [0, 1].
-double accuracyPosition(double percent);
+TAN_INTERNAL double accuracyPosition(double percent);
 /// The error at a position, to three significant digits; zero in the outer half of the gap.
-double accuracyAt(double position);
+TAN_INTERNAL double accuracyAt(double position);
 /// The next round number that is finer (steps > 0) or coarser (steps < 0).
-double steppedAccuracy(double percent, int steps);
+TAN_INTERNAL double steppedAccuracy(double percent, int steps);
 
-/// What a key (Qt::Key) does on the scale: arrows step, page keys step wider, Home and End go to its ends.
-std::optional<double> accuracyByKey(double percent, int key);
+/// A round number of tetrahedra, larger (steps > 0) or smaller.
+TAN_INTERNAL std::uint64_t steppedBudget(std::uint64_t budget, int steps);
 
 /// A point of the curve of Fig. 10.
 struct CurvePoint {
@@ -56,12 +46,10 @@ struct CurvePoint {
 /// The size of the mesh against the error, from coarse to fine over the whole scale; the last point is at zero. With a
 /// warping of its own that of the prefix, which the mesh does not exceed. O(points * log sites), and then O(points *
 /// batches).
-std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice& warping = {}, int points = 240);
+TAN_INTERNAL std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice& warping = {},
+                                                      int points = 240);
 
-/// 1 % if its mesh is quick to extract and to draw. Else the most accurate round number from 2 % upwards whose mesh can
-/// still be worked with: what a coarser one shows is more often its error than the data.
-double startingError(const Model& model);
-/// The same, given the number of tetrahedra at an error in %.
-double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt);
+/// startingError() of a model (tan/view.h), given the number of its tetrahedra at an error in %.
+TAN_INTERNAL double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt);
 
 } // namespace tetra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What moves in a film goes through its keys, smoothly, and stays where its keys are equal.
-#include "ui/animation/camera_path.h"
+#include "core/view/camera_path.h"
+
+#include <tan/view.h>
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/animation/camera_path.h"
+#include "core/view/camera_path.h"
 
 #include <algorithm>
 #include <cmath>

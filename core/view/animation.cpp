@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/animation/animation.h"
+#include "core/view/animation.h"
 
-#include "ui/animation/blending.h"
-#include "ui/animation/camera_path.h"
+#include "core/view/blending.h"
+#include "core/view/camera_path.h"
+
+#include <tan/view.h>
 
 #include <algorithm>
 #include <cmath>

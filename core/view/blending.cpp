@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/animation/blending.h"
+#include "core/view/blending.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tan/render.h>
+#include <tan/view.h>
 
 #include <span>
 
@@ -26,17 +27,6 @@ struct CameraKey {
 /// is no such horizon: then the quaternions of their orientations go such ways, and are made unit ones. The projection
 /// is that of the last key. O(keys).
 Camera cameraAt(std::span<const CameraKey> keys, double time);
-
-/// A film of the camera moving around its target.
-struct Turntable {
-    /// Round the up axis; or up and down, around the horizontal one, and back: the camera does not go over a pole,
-    /// where what is seen would turn upside down.
-    enum class Axis { Vertical, Horizontal };
-    Axis axis = Axis::Vertical;
-    double degrees = 360; ///< to turn by; up and down: from the lowest to the highest place
-    int frames = 120;
-    bool operator==(const Turntable&) const = default;
-};
 
 /// The camera of a frame, from 0 on: `start` at frame 0. Frames are spaced evenly over the whole way so that the one
 /// after the last would end it: a whole turn, or up and down, can be played over and over. Up and down it stops at the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lies between two transfer functions, or two lists of isosurfaces.
-#include "ui/animation/blending.h"
+#include "core/view/blending.h"
 
 #include <QTest>
 

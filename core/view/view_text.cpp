@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A view as a text and back: what is told in a place of its own (query_text.cpp, appearance_text.cpp), what is written
+// over the picture, the film, the camera, and all of it.
+#include "core/view/view_text.h"
+
+#include <tan/render.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tetra {
+namespace {
+
+constexpr std::array filmNames = {"turntable", "keyFrames"};
+constexpr std::array turntableAxisNames = {"vertical", "horizontal"};
+
+JsonValue annotationsToJson(const AnnotationState& annotations)
+{
+    JsonObject members;
+    for (std::size_t i = 0; i < annotationCount; ++i)
+        members.emplace_back(annotationNames[i],
+                             jsonOf(JsonObject{{"shown", jsonOf(annotations.places[i].shown)},
+                                               {"corner", jsonName(cornerNames, annotations.places[i].corner)}}));
+    if (annotations.barEnds)
+        members.emplace_back("barEnds", jsonOf(JsonObject{{"least", jsonNumber(annotations.barEnds->least)},
+                                                          {"largest", jsonNumber(annotations.barEnds->largest)}}));
+    return jsonOf(std::move(members));
+}
+
+void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
+{
+    for (std::size_t i = 0; i < annotationCount; ++i) {
+        const JsonFields place = fields.fields(annotationNames[i]);
+        place.read("shown", annotations.places[i].shown);
+        place.readName("corner", cornerNames, annotations.places[i].corner);
+    }
+    if (fields.members() != nullptr)
+        annotations.barEnds.reset(); // where they are left out, they are those of the data
+    if (!fields.has("barEnds"))
+        return;
+    BarEnds ends;
+    const JsonFields written = fields.fields("barEnds");
+    written.read("least", ends.least);
+    written.read("largest", ends.largest);
+    if (isUsable(ends))
+        annotations.barEnds = ends;
+}
+
+JsonValue lensToJson(const LensState& lens)
+{
+    return jsonOf(JsonObject{{"shape", jsonName(lensShapeNames, lens.shape)},
+                             {"x", jsonNumber(lens.x)},
+                             {"y", jsonNumber(lens.y)},
+                             {"radius", jsonNumber(lens.radius)},
+                             {"magnification", jsonNumber(lens.magnification)},
+                             {"error", jsonNumber(lens.error)}});
+}
+
+void readLens(const JsonFields& fields, LensState& lens)
+{
+    fields.readName("shape", lensShapeNames, lens.shape);
+    fields.read("x", lens.x);
+    fields.read("y", lens.y);
+    fields.read("radius", lens.radius);
+    fields.read("magnification", lens.magnification);
+    fields.read("error", lens.error);
+}
+
+JsonValue cameraToJson(const Camera& camera)
+{
+    auto json = parseJson(cameraToText(camera));
+    return json ? *std::move(json) : jsonOf(JsonObject()); // with numbers that are none it is no camera
+}
+
+void readCamera(const JsonFields& fields, Camera& camera)
+{
+    const JsonValue* const found = fields.find("camera");
+    if (found == nullptr)
+        return;
+    const Eigen::AlignedBox3d usual(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
+    if (const auto read = cameraFromText(formatJson(*found), usual))
+        camera = *read;
+    else
+        fields.refuse(read.error());
+}
+
+JsonValue keyToJson(const KeyFrame& key)
+{
+    return jsonOf(JsonObject{{"time", jsonNumber(key.time)},
+                             {"camera", cameraToJson(key.frame.camera)},
+                             {"transfer", toJson(key.frame.transfer)},
+                             {"isovalues", toJson(key.frame.isovalues)},
+                             {"error", jsonNumber(key.frame.error)},
+                             {"byBudget", jsonOf(key.frame.byBudget)},
+                             {"budget", jsonNumber(key.frame.budget)}});
+}
+
+KeyFrame readKey(const JsonFields& fields)
+{
+    KeyFrame key;
+    fields.read("time", key.time);
+    readCamera(fields, key.frame.camera);
+    readTransfer(fields, key.frame.transfer);
+    readIsovalues(fields, key.frame.isovalues);
+    fields.read("error", key.frame.error);
+    fields.read("byBudget", key.frame.byBudget);
+    readBudget(fields, key.frame.budget);
+    return key;
+}
+
+JsonValue filmToJson(const Animation& animation)
+{
+    JsonArray keys;
+    for (const KeyFrame& key : animation.keys)
+        keys.push_back(keyToJson(key));
+    const Turntable& turntable = animation.turntable;
+    return jsonOf(JsonObject{{"kind", jsonName(filmNames, animation.kind)},
+                             {"framesPerSecond", jsonNumber(animation.framesPerSecond)},
+                             {"turntable", jsonOf(JsonObject{{"axis", jsonName(turntableAxisNames, turntable.axis)},
+                                                             {"degrees", jsonNumber(turntable.degrees)},
+                                                             {"frames", jsonNumber(turntable.frames)}})},
+                             {"keys", jsonOf(std::move(keys))}});
+}
+
+void readFilm(const JsonFields& fields, Animation& animation)
+{
+    fields.readName("kind", filmNames, animation.kind);
+    fields.read("framesPerSecond", animation.framesPerSecond);
+    const JsonFields turntable = fields.fields("turntable");
+    turntable.readName("axis", turntableAxisNames, animation.turntable.axis);
+    turntable.read("degrees", animation.turntable.degrees);
+    double frames = animation.turntable.frames;
+    turntable.read("frames", frames);
+    animation.turntable.frames = static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(mostFrames)));
+    if (fields.has("keys"))
+        animation.keys.clear();
+    for (const JsonFields& key : fields.list("keys"))
+        animation.keys.push_back(readKey(key));
+    animation = corrected(std::move(animation));
+}
+
+} // namespace
+
+void readView(const JsonFields& fields, ViewValue& view)
+{
+    readQuery(fields.fields("mesh"), view.query);
+    readAppearance(fields.fields("look"), view.appearance);
+    readIsovalues(fields, view.isovalues);
+    readCamera(fields, view.camera);
+    readAnnotations(fields.fields("annotations"), view.annotations);
+    readFilm(fields.fields("animation"), view.animation);
+    if (fields.has("background"))
+        view.background = readColour(fields, "background", {});
+    readLens(fields.fields("lens"), view.lens);
+}
+
+std::string viewToText(const ViewValue& view)
+{
+    JsonObject members{{"mesh", toJson(view.query)},
+                       {"look", toJson(view.appearance)},
+                       {"isovalues", toJson(view.isovalues)},
+                       {"annotations", annotationsToJson(view.annotations)},
+                       {"animation", filmToJson(view.animation)},
+                       {"camera", cameraToJson(view.camera)},
+                       {"lens", lensToJson(view.lens)}};
+    if (view.background)
+        members.emplace_back("background", toJson(*view.background));
+    return formatJson(jsonOf(std::move(members)));
+}
+
+Result<ViewValue> viewFromText(std::string_view text, const ViewValue& usual)
+{
+    const auto wrong = [](const Message& what) {
+        return Error{ErrorKind::BadInput, Message::say("The view cannot be read: %1", what)};
+    };
+    const Result<JsonValue> root = parseJson(text);
+    if (!root)
+        return wrong(root.error().message);
+    if (root->object() == nullptr)
+        return wrong(Message::say("it must be an object, in braces."));
+    std::optional<Error> error;
+    ViewValue view = usual;
+    readView(JsonFields(&*root, {}, error), view);
+    if (error)
+        return wrong(error->message);
+    return view;
+}
+
+} // namespace tetra

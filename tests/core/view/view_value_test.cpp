@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a view differs, and parts of views: each part by itself, and any of them together.
+#include "core/view/view_value.h"
+
+#include <QTest>
+
+#include <array>
+#include <functional>
+
+using namespace tetra;
+
+namespace {
+
+/// One change of each part, in the order of ViewPart.
+const std::array<std::function<void(ViewValue&)>, 10> changes = {
+    [](ViewValue& view) { view.query.focus.others.emplace_back(Sphere{}); },
+    [](ViewValue& view) { view.appearance.mode = "volume"; },
+    [](ViewValue& view) { view.appearance.transfer.unitDistance = 2; },
+    [](ViewValue& view) { view.appearance.settings["outline"] = false; },
+    [](ViewValue& view) { view.isovalues.emplace_back(); },
+    [](ViewValue& view) { view.annotations.barEnds = BarEnds{}; },
+    [](ViewValue& view) { view.animation.turntable.frames = 7; },
+    [](ViewValue& view) { view.camera.azimuth = 31; },
+    [](ViewValue& view) { view.background = Colour{}; },
+    [](ViewValue& view) { view.lens.x = 0.4; }};
+constexpr unsigned allChanges = (1U << changes.size()) - 1;
+
+/// With those of the changes whose bits are set.
+ViewValue changed(unsigned bits)
+{
+    ViewValue view;
+    for (std::size_t part = 0; part < changes.size(); ++part)
+        if ((bits >> part & 1) != 0)
+            changes[part](view);
+    return view;
+}
+
+ViewParts partsIn(unsigned bits)
+{
+    ViewParts parts;
+    for (std::size_t part = 0; part < changes.size(); ++part)
+        if ((bits >> part & 1) != 0)
+            parts |= static_cast<ViewPart>(1U << part);
+    return parts;
+}
+
+static_assert(!ViewParts());
+static_assert(ViewPart::Scene & ViewPart::Transfer);
+static_assert(!(ViewPart::Scene & ViewPart::Camera));
+static_assert((ViewPart::Mode | ViewPart::Transfer | ViewPart::Settings) == ViewParts(ViewPart::Appearance));
+static_assert((~ViewParts(ViewPart::Camera) & ViewPart::Lens) == ViewParts(ViewPart::Lens));
+
+} // namespace
+
+class ViewValueTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyPartIsTold()
+    {
+        for (unsigned bits = 0; bits <= allChanges; ++bits) {
+            QVERIFY(differingParts({}, changed(bits)) == partsIn(bits));
+            QVERIFY(differingParts(changed(bits), changed(allChanges)) == partsIn(allChanges & ~bits));
+        }
+    }
+
+    void partsArePutIntoOthers()
+    {
+        const ViewValue all = changed(allChanges);
+        for (unsigned bits = 0; bits <= allChanges; ++bits) {
+            const PartialView parts(all, partsIn(bits));
+            QVERIFY(parts.parts() == partsIn(bits));
+            QVERIFY(parts.putInto({}) == changed(bits));
+            QVERIFY(parts.putInto(all) == all);
+            PartialView completed = parts;
+            completed.complete(PartialView({}, partsIn(0b1010101010)));
+            QVERIFY(completed == PartialView(changed(bits), partsIn(bits | 0b1010101010)));
+        }
+    }
+
+    void aFrameIsWhatMoves()
+    {
+        const ViewValue before, after = changed(allChanges);
+        const ViewValue framed = withFrame(before, frameOf(after));
+        QVERIFY(differingParts(before, framed) == (ViewPart::Transfer | ViewPart::Isovalues | ViewPart::Camera));
+        QVERIFY(frameOf(framed) == frameOf(after));
+        QVERIFY(viewAtFrame(after, 0) == after); // a turntable starts from the view
+    }
+};
+
+QTEST_GUILESS_MAIN(ViewValueTest)
+#include "view_value_test.moc"
