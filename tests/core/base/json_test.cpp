@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/json.h"
+#include "core/base/json_writer.h"
 
 #include <QTest>
 
@@ -96,7 +96,7 @@ private slots:
         const auto parsed = parseJson("{\"b\": 1, \"a\": 2, \"\\u0062b\": 3}");
         QVERIFY(parsed.ok());
         QCOMPARE(parsed->object()->size(), std::size_t(3));
-        QCOMPARE((*parsed->object())[0].first, std::string("b"));
+        QCOMPARE(parsed->object()->begin()->first, std::string("b"));
         QCOMPARE(parsed->find("bb")->number()->text, std::string("3"));
     }
 
