@@ -3,6 +3,7 @@
 
 #include "app/command_line/error_statistics.h"
 #include "app/command_line/table.h"
+#include "core/base/json_writer.h"
 #include "core/data/value_scale.h"
 #include "core/transfer/remark_texts.h"
 
@@ -81,7 +82,7 @@ std::string reachedText(const QJsonObject& figures)
 
 QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
-    return QJsonDocument::fromJson(QByteArray::fromStdString(meshFigures(model, query, mesh))).object();
+    return QJsonDocument::fromJson(QByteArray::fromStdString(compactJson(meshFigures(model, query, mesh)))).object();
 }
 
 } // namespace tetra

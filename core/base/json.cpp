@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/json.h"
 
+#include "core/base/json_writer.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -152,7 +153,7 @@ private:
         const auto isThere = [&](const std::string& name) {
             constexpr std::size_t few = 16;
             if (members.size() < few)
-                return std::ranges::find(members, name, &JsonMember::first) != members.end();
+                return members.find(name) != nullptr;
             if (names.empty())
                 for (const JsonMember& member : members)
                     names.insert(member.first);
@@ -173,7 +174,7 @@ private:
                 std::optional<JsonValue> member = readValue(depth + 1);
                 if (!member)
                     return std::nullopt;
-                members.emplace_back(std::move(*name), std::move(*member));
+                members.append(std::move(*name), std::move(*member));
                 skipBlanks();
             } while (take(","));
             if (!take("}"))
@@ -278,102 +279,43 @@ Message describePlace(const TextPlace& place)
     return Message::say("line %1, column %2", place.line, place.column);
 }
 
+JsonObject::JsonObject(std::initializer_list<JsonMember> members)
+{
+    for (const JsonMember& member : members)
+        (*this)[member.first] = member.second;
+}
+
+JsonValue& JsonObject::operator[](std::string_view name)
+{
+    const auto found = std::ranges::find(members_, name, &JsonMember::first);
+    return found != members_.end() ? found->second : members_.emplace_back(name, JsonValue()).second;
+}
+
+const JsonValue* JsonObject::find(std::string_view name) const noexcept
+{
+    const auto found = std::ranges::find(members_, name, &JsonMember::first);
+    return found == members_.end() ? nullptr : &found->second;
+}
+
+void JsonObject::append(std::string name, JsonValue value)
+{
+    members_.emplace_back(std::move(name), std::move(value));
+}
+
+JsonValue JsonValue::ofFloating(double number)
+{
+    return std::isfinite(number) ? JsonValue(Number{jsonNumber(number)}) : JsonValue();
+}
+
 const JsonValue* JsonValue::find(std::string_view name) const noexcept
 {
     const JsonObject* members = object();
-    if (members == nullptr)
-        return nullptr;
-    const auto found = std::ranges::find(*members, name, &JsonMember::first);
-    return found == members->end() ? nullptr : &found->second;
+    return members != nullptr ? members->find(name) : nullptr;
 }
 
 Result<JsonValue> parseJson(std::string_view text)
 {
     return JsonReader(text).read();
-}
-
-namespace {
-
-std::string numberText(const std::string& text)
-{
-    constexpr double most = 0x1p63;
-    if (text.find_first_of(".eE") == std::string::npos)
-        return text;
-    const auto number = parseNumber<double>(text);
-    const bool isWhole = number && std::abs(*number) < most && *number == std::trunc(*number);
-    return isWhole ? std::to_string(static_cast<std::int64_t>(*number)) : text;
-}
-
-/// One line for each of a list, between the two brackets.
-template <class List, class Add>
-void addLines(const List& list, std::string_view brackets, int level, std::string& text, const Add& add)
-{
-    constexpr std::size_t blanks = 4;
-    text += {brackets[0], '\n'};
-    for (std::size_t left = list.size(); const auto& one : list) {
-        text.append(blanks * static_cast<std::size_t>(level + 1), ' ');
-        add(one);
-        text += --left > 0 ? ",\n" : "\n";
-    }
-    text.append(blanks * static_cast<std::size_t>(level), ' ');
-    text += brackets[1];
-}
-
-void addValue(const JsonValue& value, int level, std::string& text)
-{
-    if (const JsonArray* const array = value.array()) {
-        addLines(*array, "[]", level, text, [&](const JsonValue& element) { addValue(element, level + 1, text); });
-    } else if (const JsonObject* const object = value.object()) {
-        std::vector<const JsonMember*> members;
-        for (const JsonMember& member : *object)
-            members.push_back(&member);
-        std::ranges::sort(members, {}, [](const JsonMember* member) -> const std::string& { return member->first; });
-        addLines(members, "{}", level, text, [&](const JsonMember* member) {
-            text += jsonString(member->first) + ": ";
-            addValue(member->second, level + 1, text);
-        });
-    } else if (const std::string* const string = value.string()) {
-        text += jsonString(*string);
-    } else if (const JsonValue::Number* const number = value.number()) {
-        text += numberText(number->text);
-    } else if (const bool* const truth = std::get_if<bool>(&value.content)) {
-        text += *truth ? "true" : "false";
-    } else {
-        text += "null";
-    }
-}
-
-} // namespace
-
-std::string formatJson(const JsonValue& value)
-{
-    std::string text;
-    addValue(value, 0, text);
-    return text + '\n';
-}
-
-std::string jsonString(std::string_view text)
-{
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string quoted = "\"";
-    while (true) {
-        const std::size_t good = utf8Bytes(text);
-        for (const char character : text.substr(0, good)) {
-            const auto byte = static_cast<unsigned char>(character);
-            if (character == '"' || character == '\\') {
-                quoted += {'\\', character};
-            } else if (byte < 0x20) {
-                quoted += "\\u00";
-                quoted += {digits[byte / 16], digits[byte % 16]};
-            } else {
-                quoted.push_back(character);
-            }
-        }
-        if (good == text.size())
-            return quoted + '"';
-        quoted += "\xef\xbf\xbd"; // U+FFFD
-        text.remove_prefix(good + 1);
-    }
 }
 
 } // namespace tetra

@@ -3,7 +3,10 @@
 
 #include <tan/base.h>
 
+#include <concepts>
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,35 +27,76 @@ Message describePlace(const TextPlace& place);
 struct JsonValue;
 using JsonArray = std::vector<JsonValue>;
 using JsonMember = std::pair<std::string, JsonValue>;
-using JsonObject = std::vector<JsonMember>; ///< in the order of the text
 
-/// A value of a JSON text (RFC 8259) and where it begins there. Numbers keep their text, so that the reader chooses the
-/// type and loses nothing.
+/// The members of an object in the order in which they were read or made, each name once. A look at one of them takes
+/// O(members).
+class TAN_INTERNAL JsonObject {
+public:
+    JsonObject() = default;
+    JsonObject(std::initializer_list<JsonMember> members);
+
+    /// The member of that name; where there is none, one is made at the end, null.
+    JsonValue& operator[](std::string_view name);
+    /// Null if there is none.
+    const JsonValue* find(std::string_view name) const noexcept;
+    bool contains(std::string_view name) const noexcept { return find(name) != nullptr; }
+    /// Adds a member whose name no other has.
+    void append(std::string name, JsonValue value);
+
+    std::size_t size() const noexcept { return members_.size(); }
+    bool empty() const noexcept { return members_.empty(); }
+    auto begin() const noexcept { return members_.begin(); }
+    auto end() const noexcept { return members_.end(); }
+    auto begin() noexcept { return members_.begin(); }
+    auto end() noexcept { return members_.end(); }
+
+private:
+    std::vector<JsonMember> members_;
+};
+
+/// A value of a JSON text (RFC 8259) that is read or made. Numbers keep their text, so that the reader chooses the type
+/// and loses nothing; how numbers are written is told at jsonNumber() (json_writer.h).
 struct TAN_INTERNAL JsonValue {
     struct Number {
         std::string text;
     };
-    std::variant<std::nullptr_t, bool, Number, std::string, JsonArray, JsonObject> content = nullptr;
-    TextPlace place{};
+
+    JsonValue() = default;
+    JsonValue(std::nullptr_t) {}
+    template <std::same_as<bool> Truth> JsonValue(Truth truth) : content(truth) {}
+    template <WholeNumber Type> JsonValue(Type number) : content(Number{std::to_string(number)}) {}
+    /// Null if the number is not finite, as JSON has no word for that.
+    template <std::floating_point Type> JsonValue(Type number) : JsonValue(ofFloating(static_cast<double>(number))) {}
+    JsonValue(Number number) : content(std::move(number)) {}
+    JsonValue(std::string text) : content(std::move(text)) {}
+    JsonValue(std::string_view text) : content(std::string(text)) {}
+    JsonValue(const char* text) : content(std::string(text)) {}
+    JsonValue(JsonArray elements) : content(std::move(elements)) {}
+    JsonValue(JsonObject members) : content(std::move(members)) {}
 
     const JsonArray* array() const noexcept { return std::get_if<JsonArray>(&content); }
+    JsonArray* array() noexcept { return std::get_if<JsonArray>(&content); }
     const JsonObject* object() const noexcept { return std::get_if<JsonObject>(&content); }
+    JsonObject* object() noexcept { return std::get_if<JsonObject>(&content); }
     const std::string* string() const noexcept { return std::get_if<std::string>(&content); }
     const Number* number() const noexcept { return std::get_if<Number>(&content); }
+    /// A number as one of C++; none if this is no number, or one that does not fit.
+    template <class Type> std::optional<Type> numberAs() const
+    {
+        return number() != nullptr ? parseNumber<Type>(number()->text) : std::nullopt;
+    }
     /// The member of an object; null if there is none, or this is no object.
     const JsonValue* find(std::string_view name) const noexcept;
+
+    std::variant<std::nullptr_t, bool, Number, std::string, JsonArray, JsonObject> content = nullptr;
+    TextPlace place; ///< where it begins in the text that was read
+
+private:
+    static JsonValue ofFloating(double number);
 };
 
 /// Reads one JSON text strictly: UTF-8, no comments, no trailing commas, no member twice, nothing after the value, at
 /// most 64 levels. O(bytes). The error says where.
 TAN_INTERNAL Result<JsonValue> parseJson(std::string_view text);
-
-/// The text of a value for people to read: a line for each element and each member, four blanks for each level, the
-/// members of an object in the order of their names, a line feed at the end. Numbers have the text that they came with,
-/// but whole ones of 64 bits no exponent. What parseJson() reads again, if its numbers are numbers. O(bytes).
-std::string formatJson(const JsonValue& value);
-
-/// `text` as a JSON string, with its quotes; what is no UTF-8 in it, such as an old file name, as U+FFFD.
-TAN_INTERNAL std::string jsonString(std::string_view text);
 
 } // namespace tetra

@@ -63,12 +63,6 @@ constexpr std::array<CodeRange, 20> notSeen = {
      {0x2060, 0x206f}, {0x3164, 0x3164},   {0xfeff, 0xfeff},   {0xffa0, 0xffa0},   {0xfff0, 0xfffb},
      {0xfffe, 0xffff}, {0x13430, 0x1343f}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe007f}}};
 
-bool isSeen(std::uint32_t code) noexcept
-{
-    return std::ranges::none_of(notSeen,
-                                [&](const CodeRange& range) { return range.first <= code && code <= range.last; });
-}
-
 std::string hexadecimal(std::uint32_t number, std::size_t digits)
 {
     std::string text(digits, '0');
@@ -110,6 +104,18 @@ std::size_t utf8Bytes(std::string_view text) noexcept
     return place;
 }
 
+TextCharacter firstCharacter(std::string_view text) noexcept
+{
+    const std::size_t length = characterBytes(text);
+    return length == 0 ? TextCharacter{} : TextCharacter{codeOf(text, length), length};
+}
+
+bool isSeenAsItself(std::uint32_t code) noexcept
+{
+    return std::ranges::none_of(notSeen,
+                                [&](const CodeRange& range) { return range.first <= code && code <= range.last; });
+}
+
 std::string visibleText(std::string text)
 {
     if (std::ranges::all_of(text, [](char c) { return c >= ' ' && c < 0x7f; }))
@@ -119,7 +125,7 @@ std::string visibleText(std::string text)
         const std::size_t length = characterBytes(rest);
         if (length == 0)
             shown += "\\x" + hexadecimal(static_cast<unsigned char>(rest[0]), 2);
-        else if (const std::uint32_t code = codeOf(rest, length); isSeen(code))
+        else if (const std::uint32_t code = codeOf(rest, length); isSeenAsItself(code))
             shown += rest.substr(0, length);
         else
             shown += escapeOf(code);

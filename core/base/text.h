@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,17 @@ inline std::string smallLetters(std::string_view text)
 
 /// The bytes at the front of `text` that are UTF-8 (RFC 3629); all of them, if the text is.
 std::size_t utf8Bytes(std::string_view text) noexcept;
+
+/// The character at the front of a text.
+struct TextCharacter {
+    std::uint32_t code = 0xfffd; ///< what stands for a byte that is no UTF-8
+    std::size_t bytes = 1;
+};
+/// `text` is not empty.
+TextCharacter firstCharacter(std::string_view text) noexcept;
+
+/// Whether a character is seen as itself; visibleText() replaces others.
+bool isSeenAsItself(std::uint32_t code) noexcept;
 
 /// A text of somebody else (a file or its name, a server, a plugin) for people: what would not be seen as itself stands
 /// there as an escape, so that it neither commands a terminal nor passes for another line or another order of letters.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
-#include "core/base/json.h"
+#include "core/base/json_writer.h"
 #include "core/history/error_meaning.h"
 #include "core/history/pair_limits.h"
 #include "core/history/query_words.h"

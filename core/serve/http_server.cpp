@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/serve/http_server.h"
 
-#include "core/base/json.h"
+#include "core/base/json_writer.h"
 #include "core/base/system_error.h"
 #include "core/base/text.h"
 #include "core/serve/http_places.h"

@@ -4,7 +4,6 @@
 #include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
-#include "core/serve/json_text.h"
 #include "core/verify/verify_mesh.h"
 
 #include <algorithm>
@@ -26,14 +25,9 @@ void addField(Facts& facts, const std::string& name, const ErrorField& field, do
         facts.emplace_back(name + "_field", toText(field));
 }
 
-std::string sizeFigures(const MeshSize& size)
+JsonObject sizeFigures(const MeshSize& size)
 {
-    return JsonObjectText()
-        .add("error", size.error)
-        .add("warping", size.warping)
-        .add("sites", size.sites)
-        .add("tetrahedra", size.tetrahedra)
-        .text();
+    return {{"error", size.error}, {"warping", size.warping}, {"sites", size.sites}, {"tetrahedra", size.tetrahedra}};
 }
 
 /// Six digits of a number, as many as a place needs to be found.
@@ -89,36 +83,38 @@ Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh&
     return facts;
 }
 
-std::string meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
+JsonObject meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
-    JsonObjectText figures;
-    figures.add("sites", mesh.mesh.positions.size())
-        .add("tetrahedra", mesh.mesh.tetrahedra.size())
-        .add("error_kind", wordOf(errorKindWords, errorMeaning(model.description(), query)));
+    JsonObject figures{{"sites", mesh.mesh.positions.size()},
+                       {"tetrahedra", mesh.mesh.tetrahedra.size()},
+                       {"error_kind", wordOf(errorKindWords, errorMeaning(model.description(), query))}};
     if (query.range) {
         if (model.elsewhere() != nullptr) // the sizes of its meshes are known only about
-            return figures.text();
+            return figures;
         MeshSize coarse = meshSizeAt(model, query.range->one), fine = meshSizeAt(model, query.range->other);
         if (coarse.sites > fine.sites)
             std::swap(coarse, fine);
-        return figures.addText("coarse", sizeFigures(coarse)).addText("fine", sizeFigures(fine)).text();
+        figures["coarse"] = sizeFigures(coarse);
+        figures["fine"] = sizeFigures(fine);
+        return figures;
     }
     const Accuracy kept = keptEverywhere(query, mesh.scale);
     const bool warps = model.description().warpingWeight > 0;
     if (mesh.reached) {
-        figures.add("reached_error", mesh.reached->error).add("reached_warping", warps ? mesh.reached->warping : 0.0);
+        figures["reached_error"] = mesh.reached->error;
+        figures["reached_warping"] = warps ? mesh.reached->warping : 0.0;
         if (holdsLogarithms(model.description().parameters))
-            figures.add("reached_factor", factorOf(mesh.reached->error, model.description().range));
+            figures["reached_factor"] = factorOf(mesh.reached->error, model.description().range);
     }
-    return figures.add("error", kept.error)
-        .add("warping", warps ? kept.warping : 0.0)
-        .add("scale", mesh.scale)
-        .add("method", wordOf(methodWords, mesh.method))
-        .add("kept_sites", mesh.keptSites)
-        .add("kept_tetrahedra", mesh.keptTetrahedra)
-        .add("whole_sites", mesh.wholeSites)
-        .add("whole_tetrahedra", mesh.wholeTetrahedra)
-        .text();
+    figures["error"] = kept.error;
+    figures["warping"] = warps ? kept.warping : 0.0;
+    figures["scale"] = mesh.scale;
+    figures["method"] = wordOf(methodWords, mesh.method);
+    figures["kept_sites"] = mesh.keptSites;
+    figures["kept_tetrahedra"] = mesh.keptTetrahedra;
+    figures["whole_sites"] = mesh.wholeSites;
+    figures["whole_tetrahedra"] = mesh.wholeTetrahedra;
+    return figures;
 }
 
 Status checkNotEmpty(const MeshQuery& query, const Model& model, const TetrahedralMesh& mesh)

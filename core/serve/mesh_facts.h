@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/json.h"
+
 #include <tan/model.h>
 #include <tan/query.h>
 
@@ -20,8 +22,8 @@ std::vector<std::pair<std::string, std::variant<double, std::string>>>
 meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
           const std::optional<double>& errorInSpace = {});
 
-/// Its size, what it keeps, and what it was chosen from, as JSON.
-std::string meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
+/// Its size, what it keeps, and what it was chosen from, for programs.
+JsonObject meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
 
 /// An error (WrongUsage) if the mesh that the query's window and values chose from a model has no tetrahedra, which is
 /// hardly what was meant.

@@ -2,13 +2,13 @@
 #include "core/serve/model_server.h"
 
 #include "core/base/checksum.h"
+#include "core/base/json_writer.h"
 #include "core/base/text.h"
 #include "core/history/error_meaning.h"
 #include "core/history/format.h"
 #include "core/history/query_words.h"
 #include "core/packed/packed_mesh.h"
 #include "core/remote/percent_encoding.h"
-#include "core/serve/json_text.h"
 #include "core/serve/mesh_facts.h"
 #include "core/serve/served_query.h"
 #include "core/serve/served_sizes.h"
@@ -124,9 +124,9 @@ std::optional<AskedRange> askedRange(std::string_view header, std::uint64_t size
     return AskedRange{*first, std::min(size - 1, last.value_or(size - 1)) - *first + 1};
 }
 
-ServedAnswer jsonAnswer(const JsonObjectText& object)
+ServedAnswer jsonAnswer(const JsonObject& object)
 {
-    return textAnswer(200, "application/json", object.text() + "\n");
+    return textAnswer(200, "application/json", compactJson(object) + "\n");
 }
 
 Error beingChanged()
@@ -205,32 +205,29 @@ PlaceScale scaleOf(const Model& model)
 /// what ExtractedMesh says.
 std::string factsText(const ServedFile& file, const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
-    JsonArrayText facts;
+    JsonArray facts;
     for (const auto& [name, value] : meshFacts(model, query, mesh)) {
-        JsonArrayText fact;
-        fact.add(name);
         if (const auto* text = std::get_if<std::string>(&value))
-            fact.add(name == "model" ? std::filesystem::path(file.name).filename().string() : *text);
+            facts.push_back(
+                JsonArray{name, name == "model" ? std::filesystem::path(file.name).filename().string() : *text});
         else
-            fact.add(std::get<double>(value));
-        facts.addText(fact.text());
+            facts.push_back(JsonArray{name, std::get<double>(value)});
     }
-    JsonObjectText ofMesh;
-    ofMesh.add("whole_sites", mesh.wholeSites)
-        .add("whole_tetrahedra", mesh.wholeTetrahedra)
-        .add("kept_sites", mesh.keptSites)
-        .add("kept_tetrahedra", mesh.keptTetrahedra)
-        .add("scale", mesh.scale)
-        .add("method", wordOf(methodWords, mesh.method));
-    if (mesh.reached)
-        ofMesh.add("reached_error", mesh.reached->error).add("reached_warping", mesh.reached->warping);
-    return JsonObjectText()
-        .addText("figures", meshFigures(model, query, mesh))
-        .addText("facts", facts.text())
-        .addText("mesh", ofMesh.text())
-        .add("overlaps", mesh.overlaps)
-        .add("tag", file.tag)
-        .text();
+    JsonObject ofMesh{{"whole_sites", mesh.wholeSites},
+                      {"whole_tetrahedra", mesh.wholeTetrahedra},
+                      {"kept_sites", mesh.keptSites},
+                      {"kept_tetrahedra", mesh.keptTetrahedra},
+                      {"scale", mesh.scale},
+                      {"method", wordOf(methodWords, mesh.method)}};
+    if (mesh.reached) {
+        ofMesh["reached_error"] = mesh.reached->error;
+        ofMesh["reached_warping"] = mesh.reached->warping;
+    }
+    return compactJson(JsonObject{{"figures", meshFigures(model, query, mesh)},
+                                  {"facts", facts},
+                                  {"mesh", ofMesh},
+                                  {"overlaps", mesh.overlaps},
+                                  {"tag", file.tag}});
 }
 
 } // namespace
@@ -382,7 +379,7 @@ ServedAnswer ModelServer::answerWhoMay(const ServedRequest& request)
 
 ServedAnswer ModelServer::list(const ServedRequest& request) const
 {
-    JsonArrayText models;
+    JsonArray models;
     const auto names = folder_.names(limits_.listed);
     if (!names)
         return cannotLook(names.error());
@@ -397,17 +394,15 @@ ServedAnswer ModelServer::list(const ServedRequest& request) const
         if (!file || file->size < sizeof header || !file->read(0, {reinterpret_cast<char*>(&header), sizeof header}) ||
             header.magic != format::magic)
             continue;
-        models.addText(JsonObjectText()
-                           .add("file", name)
-                           .add("url", "/" + percentEncoded(name))
-                           .add("bytes", file->size)
-                           .add("changed", isoDate(file->changed))
-                           .add("tag", file->tag)
-                           .add("sites", std::uint64_t(header.siteCount))
-                           .add("tetrahedra", std::uint64_t(header.tetrahedronCount))
-                           .text());
+        models.push_back(JsonObject{{"file", name},
+                                    {"url", "/" + percentEncoded(name)},
+                                    {"bytes", file->size},
+                                    {"changed", isoDate(file->changed)},
+                                    {"tag", file->tag},
+                                    {"sites", std::uint64_t(header.siteCount)},
+                                    {"tetrahedra", std::uint64_t(header.tetrahedronCount)}});
     }
-    return jsonAnswer(JsonObjectText().addText("models", models.text()));
+    return jsonAnswer({{"models", models}});
 }
 
 ServedAnswer ModelServer::fileAnswer(const ServedRequest& request, const ServedFile& file) const
@@ -481,14 +476,13 @@ ServedAnswer ModelServer::aboutAnswer(const ServedRequest& request, const Served
     const auto facts = path ? modelFacts(path->string(), Progress(request.gone, {})) : beingChanged();
     if (!facts)
         return facts.error().kind == ErrorKind::BadInput ? notAModel(file) : refusal(facts.error(), file);
-    return jsonAnswer(JsonObjectText()
-                          .add("form", facts->form == ModelForm::Packed ? "packed" : "explicit")
-                          .add("bytes", facts->fileBytes)
-                          .add("unpacked_bytes", facts->unpackedBytes)
-                          .add("sites", facts->sites)
-                          .add("tetrahedra", facts->tetrahedra)
-                          .add("error_kind", wordOf(errorKindWords, errorMeaning(facts->description)))
-                          .add("tag", file.tag));
+    return jsonAnswer({{"form", facts->form == ModelForm::Packed ? "packed" : "explicit"},
+                       {"bytes", facts->fileBytes},
+                       {"unpacked_bytes", facts->unpackedBytes},
+                       {"sites", facts->sites},
+                       {"tetrahedra", facts->tetrahedra},
+                       {"error_kind", wordOf(errorKindWords, errorMeaning(facts->description))},
+                       {"tag", file.tag}});
 }
 
 ServedAnswer ModelServer::sizesAnswer(const ServedRequest& request, const ServedFile& file)
@@ -500,18 +494,16 @@ ServedAnswer ModelServer::sizesAnswer(const ServedRequest& request, const Served
         const WholeSizes sizes = sizesOfWhole(**model);
         if (const Status intact = (*model)->checkIntact(); !intact)
             return intact.error();
-        JsonArrayText meshes;
+        JsonArray meshes;
         for (const MeshSize& size : sizes.meshes)
-            meshes.addText(
-                JsonArrayText().add(size.sites).add(size.tetrahedra).add(size.error).add(size.warping).text());
-        return jsonAnswer(JsonObjectText()
-                              .add("sites", sizes.sites)
-                              .add("tetrahedra", sizes.tetrahedra)
-                              .add("bytes", file.size)
-                              .add("warps", (*model)->description().warpingWeight > 0)
-                              .add("error_kind", wordOf(errorKindWords, errorMeaning((*model)->description())))
-                              .addText("meshes", meshes.text())
-                              .add("tag", file.tag));
+            meshes.push_back(JsonArray{size.sites, size.tetrahedra, size.error, size.warping});
+        return jsonAnswer({{"sites", sizes.sites},
+                           {"tetrahedra", sizes.tetrahedra},
+                           {"bytes", file.size},
+                           {"warps", (*model)->description().warpingWeight > 0},
+                           {"error_kind", wordOf(errorKindWords, errorMeaning((*model)->description()))},
+                           {"meshes", meshes},
+                           {"tag", file.tag}});
     });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/transfer/transfer_text.h"
 
-#include "core/base/json.h"
+#include "core/base/json_writer.h"
 
 #include <tan/transfer.h>
 

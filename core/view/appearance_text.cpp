@@ -26,23 +26,21 @@ std::int64_t integerOf(const JsonValue::Number& number)
 /// As it says its type itself.
 JsonValue settingToJson(const ParameterValue& value)
 {
-    const auto tagged = [](const char* tag, JsonValue content) {
-        return jsonOf(JsonObject{{tag, std::move(content)}});
-    };
+    const auto tagged = [](const char* tag, JsonValue content) { return JsonObject{{tag, std::move(content)}}; };
     if (const bool* truth = std::get_if<bool>(&value))
-        return jsonOf(*truth);
+        return *truth;
     if (const std::int64_t* integer = std::get_if<std::int64_t>(&value))
-        return tagged("integer", jsonNumber(*integer));
+        return tagged("integer", *integer);
     if (const double* number = std::get_if<double>(&value))
-        return tagged("number", jsonNumber(*number));
+        return tagged("number", *number);
     if (const std::string* text = std::get_if<std::string>(&value))
-        return jsonOf(*text);
+        return *text;
     if (const Colour* colour = std::get_if<Colour>(&value))
         return tagged("colour", toJson(*colour));
     if (const Eigen::Vector3d* vector = std::get_if<Eigen::Vector3d>(&value))
         return tagged("vector", jsonThree(*vector));
     if (const OwnValue* own = std::get_if<OwnValue>(&value))
-        return jsonOf(JsonObject{{"type", jsonOf(own->type)}, {"text", jsonOf(own->text)}});
+        return JsonObject{{"type", own->type}, {"text", own->text}};
     if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value))
         return tagged("isovalues", toJson(*isovalues));
     return tagged("transfer", toJson(std::get<TransferFunction>(value)));
@@ -98,7 +96,7 @@ Colour readColour(const JsonFields& fields, std::string_view key, const Colour& 
 JsonValue toJson(const TransferFunction& transfer)
 {
     auto json = parseJson(transferFunctionToText(transfer));
-    return json ? *std::move(json) : jsonOf(JsonObject()); // with numbers that are none it is no function
+    return json ? withOwnNumbers(*std::move(json)) : JsonObject(); // with numbers that are none it is no function
 }
 
 void readTransfer(const JsonFields& fields, TransferFunction& transfer)
@@ -116,11 +114,11 @@ JsonValue toJson(const std::vector<Isovalue>& isovalues)
 {
     JsonArray list;
     for (const Isovalue& isovalue : isovalues)
-        list.push_back(jsonOf(JsonObject{{"value", jsonNumber(isovalue.value)},
-                                         {"colour", toJson(Colour{isovalue.red, isovalue.green, isovalue.blue})},
-                                         {"opacity", jsonNumber(isovalue.opacity)},
-                                         {"visible", jsonOf(isovalue.visible)}}));
-    return jsonOf(std::move(list));
+        list.push_back(JsonObject{{"value", isovalue.value},
+                                  {"colour", toJson(Colour{isovalue.red, isovalue.green, isovalue.blue})},
+                                  {"opacity", isovalue.opacity},
+                                  {"visible", isovalue.visible}});
+    return list;
 }
 
 void readIsovalues(const JsonFields& fields, std::vector<Isovalue>& isovalues)
@@ -144,10 +142,9 @@ JsonValue toJson(const Appearance& appearance)
 {
     JsonObject settings;
     for (const auto& [id, value] : appearance.settings)
-        settings.emplace_back(id, settingToJson(value));
-    return jsonOf(JsonObject{{"mode", jsonOf(appearance.mode)},
-                             {"transfer", toJson(appearance.transfer)},
-                             {"settings", jsonOf(std::move(settings))}});
+        settings.append(id, settingToJson(value));
+    return JsonObject{
+        {"mode", appearance.mode}, {"transfer", toJson(appearance.transfer)}, {"settings", std::move(settings)}};
 }
 
 void readAppearance(const JsonFields& fields, Appearance& appearance)

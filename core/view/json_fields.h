@@ -116,8 +116,7 @@ public:
 
     static std::optional<double> numberOf(const JsonValue* value)
     {
-        const JsonValue::Number* const number = value != nullptr ? value->number() : nullptr;
-        return number != nullptr ? parseNumber<double>(number->text) : std::nullopt;
+        return value != nullptr ? value->numberAs<double>() : std::nullopt;
     }
     static std::optional<std::array<double, 3>> threeOf(const JsonValue* value)
     {
@@ -147,31 +146,30 @@ private:
 
 // Values as they are written.
 
-/// A truth value, std::string, JsonArray or JsonObject.
-template <class Content> JsonValue jsonOf(Content content)
+/// The same with its numbers as those of values are written, whatever text they came with.
+inline JsonValue withOwnNumbers(JsonValue value)
 {
-    JsonValue value;
-    value.content = std::move(content);
+    if (JsonArray* const elements = value.array()) {
+        for (JsonValue& element : *elements)
+            element = withOwnNumbers(std::move(element));
+    } else if (JsonObject* const members = value.object()) {
+        for (auto& [name, member] : *members)
+            member = withOwnNumbers(std::move(member));
+    } else if (const auto number = value.numberAs<double>()) {
+        value = *number;
+    }
     return value;
 }
-/// What is not finite is null, as JSON has no word for it.
-template <std::floating_point Number> JsonValue jsonNumber(Number number)
-{
-    return std::isfinite(number) ? jsonOf(JsonValue::Number{formatNumber(static_cast<double>(number))}) : JsonValue();
-}
-template <std::integral Number> JsonValue jsonNumber(Number number)
-{
-    return jsonOf(JsonValue::Number{std::to_string(number)});
-}
+
 /// The name of a choice among `names`, an enumeration's.
 template <class Choice, std::size_t count>
 JsonValue jsonName(const std::array<const char*, count>& names, Choice choice)
 {
-    return jsonOf(std::string(names[static_cast<std::size_t>(choice)]));
+    return std::string(names[static_cast<std::size_t>(choice)]);
 }
 template <class Vector> JsonValue jsonThree(const Vector& vector)
 {
-    return jsonOf(JsonArray{jsonNumber(vector[0]), jsonNumber(vector[1]), jsonNumber(vector[2])});
+    return JsonArray{vector[0], vector[1], vector[2]};
 }
 
 } // namespace tetra

@@ -18,12 +18,12 @@ JsonValue regionsToJson(const std::vector<MovableRegion>& regions)
     JsonArray list;
     for (const MovableRegion& region : regions) {
         if (const Box* const box = std::get_if<Box>(&region))
-            list.push_back(jsonOf(JsonObject{{"least", jsonThree(box->least)}, {"largest", jsonThree(box->largest)}}));
+            list.push_back(JsonObject{{"least", jsonThree(box->least)}, {"largest", jsonThree(box->largest)}});
         else
-            list.push_back(jsonOf(JsonObject{{"centre", jsonThree(std::get<Sphere>(region).centre)},
-                                             {"radius", jsonNumber(std::get<Sphere>(region).radius)}}));
+            list.push_back(JsonObject{{"centre", jsonThree(std::get<Sphere>(region).centre)},
+                                      {"radius", std::get<Sphere>(region).radius}});
     }
-    return jsonOf(std::move(list));
+    return list;
 }
 
 void readRegions(const JsonFields& fields, std::vector<MovableRegion>& regions)
@@ -47,16 +47,16 @@ void readRegions(const JsonFields& fields, std::vector<MovableRegion>& regions)
 
 JsonValue focusToJson(const FocusState& focus)
 {
-    return jsonOf(JsonObject{{"shape", jsonName(focusShapeNames, focus.shape)},
-                             {"centre", jsonThree(focus.centre)},
-                             {"size", jsonThree(focus.size)},
-                             {"radius", jsonNumber(focus.radius)},
-                             {"error", jsonNumber(focus.error)},
-                             {"falloff", jsonNumber(focus.falloff)},
-                             {"distance", jsonNumber(focus.distance)},
-                             {"valueFalloff", jsonNumber(focus.valueFalloff)},
-                             {"others", regionsToJson(focus.others)},
-                             {"number", jsonNumber(focus.number)}});
+    return JsonObject{{"shape", jsonName(focusShapeNames, focus.shape)},
+                      {"centre", jsonThree(focus.centre)},
+                      {"size", jsonThree(focus.size)},
+                      {"radius", focus.radius},
+                      {"error", focus.error},
+                      {"falloff", focus.falloff},
+                      {"distance", focus.distance},
+                      {"valueFalloff", focus.valueFalloff},
+                      {"others", regionsToJson(focus.others)},
+                      {"number", focus.number}};
 }
 
 void readFocus(const JsonFields& fields, FocusState& focus)
@@ -77,13 +77,9 @@ void readFocus(const JsonFields& fields, FocusState& focus)
 
 JsonValue rangeToJson(const RangeState& range)
 {
-    return jsonOf(JsonObject{{"on", jsonOf(range.enabled)},
-                             {"fine", jsonNumber(range.fine)},
-                             {"coarse", jsonNumber(range.coarse)},
-                             {"bornAbove", jsonNumber(range.bornAbove)},
-                             {"bornTo", jsonNumber(range.bornTo)},
-                             {"diedFrom", jsonNumber(range.diedFrom)},
-                             {"diedTo", jsonNumber(range.diedTo)}});
+    return JsonObject{{"on", range.enabled},          {"fine", range.fine},     {"coarse", range.coarse},
+                      {"bornAbove", range.bornAbove}, {"bornTo", range.bornTo}, {"diedFrom", range.diedFrom},
+                      {"diedTo", range.diedTo}};
 }
 
 void readRange(const JsonFields& fields, RangeState& range)
@@ -99,10 +95,10 @@ void readRange(const JsonFields& fields, RangeState& range)
 
 JsonValue windowToJson(const WindowState& window)
 {
-    return jsonOf(JsonObject{{"on", jsonOf(window.enabled)},
-                             {"least", jsonThree(window.window.box.least)},
-                             {"largest", jsonThree(window.window.box.largest)},
-                             {"border", jsonName(borderWords, window.window.border)}});
+    return JsonObject{{"on", window.enabled},
+                      {"least", jsonThree(window.window.box.least)},
+                      {"largest", jsonThree(window.window.box.largest)},
+                      {"border", jsonName(borderWords, window.window.border)}};
 }
 
 void readWindow(const JsonFields& fields, WindowState& window)
@@ -127,17 +123,15 @@ JsonValue toJson(const QueryState& query)
 {
     const WarpingChoice& warping = query.warping;
     const ValueFilter& values = query.values;
-    return jsonOf(JsonObject{{"error", jsonNumber(query.error)},
-                             {"warping", jsonOf(JsonObject{{"limit", jsonName(warpingNames, warping.limit)},
-                                                           {"percent", jsonNumber(warping.percent)}})},
-                             {"byBudget", jsonOf(query.byBudget)},
-                             {"budget", jsonNumber(query.budget)},
-                             {"focus", focusToJson(query.focus)},
-                             {"range", rangeToJson(query.range)},
-                             {"window", windowToJson(query.window)},
-                             {"values", jsonOf(JsonObject{{"on", jsonOf(values.enabled)},
-                                                          {"least", jsonNumber(values.least)},
-                                                          {"largest", jsonNumber(values.largest)}})}});
+    return JsonObject{
+        {"error", query.error},
+        {"warping", JsonObject{{"limit", jsonName(warpingNames, warping.limit)}, {"percent", warping.percent}}},
+        {"byBudget", query.byBudget},
+        {"budget", query.budget},
+        {"focus", focusToJson(query.focus)},
+        {"range", rangeToJson(query.range)},
+        {"window", windowToJson(query.window)},
+        {"values", JsonObject{{"on", values.enabled}, {"least", values.least}, {"largest", values.largest}}}};
 }
 
 void readQuery(const JsonFields& fields, QueryState& query)

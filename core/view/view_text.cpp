@@ -3,6 +3,8 @@
 // over the picture, the film, the camera, and all of it.
 #include "core/view/view_text.h"
 
+#include "core/base/json_writer.h"
+
 #include <tan/render.h>
 
 #include <algorithm>
@@ -18,13 +20,12 @@ JsonValue annotationsToJson(const AnnotationState& annotations)
 {
     JsonObject members;
     for (std::size_t i = 0; i < annotationCount; ++i)
-        members.emplace_back(annotationNames[i],
-                             jsonOf(JsonObject{{"shown", jsonOf(annotations.places[i].shown)},
-                                               {"corner", jsonName(cornerNames, annotations.places[i].corner)}}));
+        members.append(annotationNames[i], JsonObject{{"shown", annotations.places[i].shown},
+                                                      {"corner", jsonName(cornerNames, annotations.places[i].corner)}});
     if (annotations.barEnds)
-        members.emplace_back("barEnds", jsonOf(JsonObject{{"least", jsonNumber(annotations.barEnds->least)},
-                                                          {"largest", jsonNumber(annotations.barEnds->largest)}}));
-    return jsonOf(std::move(members));
+        members.append("barEnds",
+                       JsonObject{{"least", annotations.barEnds->least}, {"largest", annotations.barEnds->largest}});
+    return members;
 }
 
 void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
@@ -48,12 +49,9 @@ void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
 
 JsonValue lensToJson(const LensState& lens)
 {
-    return jsonOf(JsonObject{{"shape", jsonName(lensShapeNames, lens.shape)},
-                             {"x", jsonNumber(lens.x)},
-                             {"y", jsonNumber(lens.y)},
-                             {"radius", jsonNumber(lens.radius)},
-                             {"magnification", jsonNumber(lens.magnification)},
-                             {"error", jsonNumber(lens.error)}});
+    return JsonObject{
+        {"shape", jsonName(lensShapeNames, lens.shape)}, {"x", lens.x},        {"y", lens.y}, {"radius", lens.radius},
+        {"magnification", lens.magnification},           {"error", lens.error}};
 }
 
 void readLens(const JsonFields& fields, LensState& lens)
@@ -69,7 +67,7 @@ void readLens(const JsonFields& fields, LensState& lens)
 JsonValue cameraToJson(const Camera& camera)
 {
     auto json = parseJson(cameraToText(camera));
-    return json ? *std::move(json) : jsonOf(JsonObject()); // with numbers that are none it is no camera
+    return json ? withOwnNumbers(*std::move(json)) : JsonObject(); // with numbers that are none it is no camera
 }
 
 void readCamera(const JsonFields& fields, Camera& camera)
@@ -78,7 +76,7 @@ void readCamera(const JsonFields& fields, Camera& camera)
     if (found == nullptr)
         return;
     const Eigen::AlignedBox3d usual(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
-    if (const auto read = cameraFromText(formatJson(*found), usual))
+    if (const auto read = cameraFromText(compactJson(*found), usual))
         camera = *read;
     else
         fields.refuse(read.error());
@@ -86,13 +84,13 @@ void readCamera(const JsonFields& fields, Camera& camera)
 
 JsonValue keyToJson(const KeyFrame& key)
 {
-    return jsonOf(JsonObject{{"time", jsonNumber(key.time)},
-                             {"camera", cameraToJson(key.frame.camera)},
-                             {"transfer", toJson(key.frame.transfer)},
-                             {"isovalues", toJson(key.frame.isovalues)},
-                             {"error", jsonNumber(key.frame.error)},
-                             {"byBudget", jsonOf(key.frame.byBudget)},
-                             {"budget", jsonNumber(key.frame.budget)}});
+    return JsonObject{{"time", key.time},
+                      {"camera", cameraToJson(key.frame.camera)},
+                      {"transfer", toJson(key.frame.transfer)},
+                      {"isovalues", toJson(key.frame.isovalues)},
+                      {"error", key.frame.error},
+                      {"byBudget", key.frame.byBudget},
+                      {"budget", key.frame.budget}};
 }
 
 KeyFrame readKey(const JsonFields& fields)
@@ -114,12 +112,12 @@ JsonValue filmToJson(const Animation& animation)
     for (const KeyFrame& key : animation.keys)
         keys.push_back(keyToJson(key));
     const Turntable& turntable = animation.turntable;
-    return jsonOf(JsonObject{{"kind", jsonName(filmNames, animation.kind)},
-                             {"framesPerSecond", jsonNumber(animation.framesPerSecond)},
-                             {"turntable", jsonOf(JsonObject{{"axis", jsonName(turntableAxisNames, turntable.axis)},
-                                                             {"degrees", jsonNumber(turntable.degrees)},
-                                                             {"frames", jsonNumber(turntable.frames)}})},
-                             {"keys", jsonOf(std::move(keys))}});
+    return JsonObject{{"kind", jsonName(filmNames, animation.kind)},
+                      {"framesPerSecond", animation.framesPerSecond},
+                      {"turntable", JsonObject{{"axis", jsonName(turntableAxisNames, turntable.axis)},
+                                               {"degrees", turntable.degrees},
+                                               {"frames", turntable.frames}}},
+                      {"keys", std::move(keys)}};
 }
 
 void readFilm(const JsonFields& fields, Animation& animation)
@@ -164,8 +162,8 @@ std::string viewToText(const ViewValue& view)
                        {"camera", cameraToJson(view.camera)},
                        {"lens", lensToJson(view.lens)}};
     if (view.background)
-        members.emplace_back("background", toJson(*view.background));
-    return formatJson(jsonOf(std::move(members)));
+        members.append("background", toJson(*view.background));
+    return indentedJson(byName(std::move(members)));
 }
 
 Result<ViewValue> viewFromText(std::string_view text, const ViewValue& usual)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/transfer/import/presets.h"
 
-#include "core/base/json.h"
+#include "core/base/json_writer.h"
 #include "core/base/text.h"
 #include "core/transfer/colour_map.h"
 

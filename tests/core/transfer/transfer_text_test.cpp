@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON text of a transfer function (R18): the same bits back, and errors that say where.
-#include "core/base/json.h"
+#include "core/base/json_writer.h"
 
 #include <tan/transfer.h>
 
