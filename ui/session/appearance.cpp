@@ -14,7 +14,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::array<std::string_view, 4> firstModes{"isosurface", "volume", "hybrid", "focus"};
+constexpr std::array<std::string_view, 6> firstModes{"isosurface", "volume", "hybrid", "focus", "slice", "projection"};
 /// Opacities below this cannot be seen, and a surface that cannot be seen is hidden, not transparent.
 constexpr float leastOpacity = 0.01F;
 
