@@ -11811,6 +11811,74 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>it must be an object, in braces.</source>
         <translation>sie muss ein Objekt sein, in geschweiften Klammern.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is no plane: give x, y or z and a place, as in z=12.5, or nx,ny,nz,offset for the points with nx x + ny y + nz z = offset, the first three not all zero.</source>
+        <translation>„%1“ ist keine Ebene: Geben Sie x, y oder z mit einer Stelle an, wie z=12.5, oder nx,ny,nz,Abstand für die Punkte mit nx x + ny y + nz z = Abstand, die ersten drei nicht alle null.</translation>
+    </message>
+    <message>
+        <source>The plane &apos;%1&apos; misses the data, which reach from %2 to %3 in its direction.</source>
+        <translation>Die Ebene „%1“ trifft die Daten nicht, die in ihrer Richtung von %2 bis %3 reichen.</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Which value along each line of sight is shown: the largest (&apos;maximum&apos;), or the smallest (&apos;minimum&apos;).</source>
+        <translation>Welcher Wert entlang jeder Sichtlinie gezeigt wird: der größte („Maximum“) oder der kleinste („Minimum“).</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation>deckend</translation>
+    </message>
+    <message>
+        <source>function</source>
+        <translation>Funktion</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The axis that the plane lies across; &apos;all&apos; shows three planes, one across each.</source>
+        <translation>Die Achse, zu der die Ebene senkrecht steht; „alle“ zeigt drei Ebenen, eine zu jeder.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Where the plane lies along its axis: at 0 where the data begin, at 100 where they end.</source>
+        <translation>Wo die Ebene entlang ihrer Achse liegt: bei 0, wo die Daten beginnen, bei 100, wo sie enden.</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Planes in place of those across the axes: each by its axis and its place in the coordinates of the data, as in z=12.5, or of any direction: nx,ny,nz,offset, for the points with nx x + ny y + nz z = offset.</source>
+        <translation>Ebenen anstelle derer zu den Achsen: jede durch ihre Achse und ihre Stelle in den Koordinaten der Daten, wie z=12.5, oder in beliebiger Richtung: nx,ny,nz,Abstand, für die Punkte mit nx x + ny y + nz z = Abstand.</translation>
+    </message>
+    <message>
+        <source>Whether slices hide what lies behind (&apos;opaque&apos;), or each value is as opaque as the transfer &apos;function&apos; makes a layer of its unit of thickness.</source>
+        <translation>Ob Schnitte verdecken, was dahinter liegt („deckend“), oder jeder Wert so deckend ist, wie die Transferfunktion („Funktion“) eine Schicht der Einheitsdicke macht.</translation>
+    </message>
+    <message>
+        <source>The slices are as at first: theirs are for another domain.</source>
+        <translation>Die Schnitte sind wie am Anfang: ihre Ebenen gehören zu einem anderen Gebiet.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -11811,6 +11811,74 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>it must be an object, in braces.</source>
         <translation>deve essere un oggetto, tra graffe.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is no plane: give x, y or z and a place, as in z=12.5, or nx,ny,nz,offset for the points with nx x + ny y + nz z = offset, the first three not all zero.</source>
+        <translation>«%1» non è un piano: dare x, y o z con una posizione, come z=12.5, oppure nx,ny,nz,distanza per i punti con nx x + ny y + nz z = distanza, i primi tre non tutti nulli.</translation>
+    </message>
+    <message>
+        <source>The plane &apos;%1&apos; misses the data, which reach from %2 to %3 in its direction.</source>
+        <translation>Il piano «%1» non incontra i dati, che nella sua direzione vanno da %2 a %3.</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>massimo</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>minimo</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Proiezione</translation>
+    </message>
+    <message>
+        <source>Which value along each line of sight is shown: the largest (&apos;maximum&apos;), or the smallest (&apos;minimum&apos;).</source>
+        <translation>Quale valore lungo ogni linea di vista si mostra: il più grande («massimo») o il più piccolo («minimo»).</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>tutti</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <translation>opaca</translation>
+    </message>
+    <message>
+        <source>function</source>
+        <translation>funzione</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Asse</translation>
+    </message>
+    <message>
+        <source>The axis that the plane lies across; &apos;all&apos; shows three planes, one across each.</source>
+        <translation>L&apos;asse a cui il piano è perpendicolare; «tutti» mostra tre piani, uno per ciascuno.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>Where the plane lies along its axis: at 0 where the data begin, at 100 where they end.</source>
+        <translation>Dove si trova il piano lungo il suo asse: a 0 dove i dati iniziano, a 100 dove finiscono.</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Piani</translation>
+    </message>
+    <message>
+        <source>Planes in place of those across the axes: each by its axis and its place in the coordinates of the data, as in z=12.5, or of any direction: nx,ny,nz,offset, for the points with nx x + ny y + nz z = offset.</source>
+        <translation>Piani al posto di quelli degli assi: ciascuno con il suo asse e la sua posizione nelle coordinate dei dati, come z=12.5, o in qualsiasi direzione: nx,ny,nz,distanza, per i punti con nx x + ny y + nz z = distanza.</translation>
+    </message>
+    <message>
+        <source>Whether slices hide what lies behind (&apos;opaque&apos;), or each value is as opaque as the transfer &apos;function&apos; makes a layer of its unit of thickness.</source>
+        <translation>Se le sezioni nascondono ciò che sta dietro («opaca») o se ogni valore è opaco quanto la «funzione» di trasferimento rende uno strato del suo spessore unitario.</translation>
+    </message>
+    <message>
+        <source>The slices are as at first: theirs are for another domain.</source>
+        <translation>Le sezioni sono come all&apos;inizio: i loro piani sono di un altro dominio.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -40,6 +40,7 @@ namespace tetra {
 namespace {
 
 constexpr std::string_view defaultMode = "isosurface";
+constexpr std::string_view sliceMode = "slice";
 // How far all is when the model is open, if it was packed or far away, and when its scene is made.
 constexpr double openingEnd = 0.4;
 constexpr double sceneEnd = 0.6;
@@ -56,6 +57,12 @@ Result<std::unique_ptr<RenderBackend>> makeBackend(const std::string& id)
     if (id == "gl")
         return makeGlBackend();
     return makeCpuBackend();
+}
+
+/// What the options ask to show: planes show themselves.
+std::string modeOf(const Arguments& arguments)
+{
+    return arguments.value("mode").value_or(std::string(arguments.has("slice") ? sliceMode : defaultMode));
 }
 
 std::vector<Parameter> rendererParameters(PluginHost& host, const FieldExtent& field = {})
@@ -522,7 +529,7 @@ Syntax renderSyntax(PluginHost& host)
         .options = {{.name = "mode",
                      .placeholder = idChoices(host.renderers()),
                      .explanation = "What to show.",
-                     .byDefault = std::string(defaultMode)}},
+                     .byDefault = std::string(defaultMode) + ", or with --slice " + std::string(sliceMode)}},
         .examples = {
             {"tan render engine.tan --error 0.5 --isovalue 100:silver:0.4 --isovalue 180:#ff8000 -o engine.png",
              "A translucent surface around a solid one."},
@@ -530,6 +537,8 @@ Syntax renderSyntax(PluginHost& host)
              "A volume through a transfer function of your own, with light."},
             {"tan render engine.tan --mode hybrid --isovalue 180:gold --clip 0,-1,0,-128 -o engine.png",
              "A surface in a volume, cut open at the plane y = 128."},
+            {"tan render engine.tan --slice x=128 --slice z=64 --colour-bar -o engine.png",
+             "Two planes through it, in the colours of the values."},
             {"tan render part.tan --isovalue 0.5:gold --boundary translucent -o part.png",
              "A surface within the walls of an irregular mesh."},
             {"tan render engine.tan --mode focus --error 4 --focus sphere:90,60,60,40 --focus-error 0.5 --falloff 10 "
@@ -564,7 +573,7 @@ Result<Outcome> runRender(const Invocation& invocation)
     if (!request)
         return request.error();
     const bool isOfSession = isSessionFile(request->input) || isPictureFile(request->input);
-    const auto renderer = invocation.host.renderer(arguments.value("mode").value_or(std::string(defaultMode)));
+    const auto renderer = invocation.host.renderer(modeOf(arguments));
     if (!renderer)
         return renderer.error();
     if (const Status beside = isOfSession ? checkBesideSession(arguments, request->input)

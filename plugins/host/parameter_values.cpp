@@ -55,6 +55,9 @@ Error uselessBeside(const std::vector<Parameter>& parameters, const Parameter& u
     const std::string name = nameOf(useless, optionOf);
     const auto other = std::ranges::find(parameters, useless.onlyWith.id, &Parameter::id);
     const std::string otherName = other != parameters.end() ? nameOf(*other, optionOf) : useless.onlyWith.id;
+    if (useless.onlyWith.values == std::vector<ParameterValue>{std::string()}) // a text that is not to be given
+        return {ErrorKind::WrongUsage,
+                Message::say("'%1' is of use only without '%2'. Leave one of them out.", name, otherName)};
     if (!optionOf || other == parameters.end() || !std::holds_alternative<bool>(other->defaultValue))
         return {ErrorKind::WrongUsage, Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.",
                                                     name, otherName, wantedBy(useless))};

@@ -537,6 +537,37 @@ private slots:
         }
     }
 
+    /// Planes show themselves, and are drawn as those of the mode; their surfaces are a file with values.
+    void slicesAreAModeOfTheirOwn()
+    {
+        const QStringList planes{"--slice", "z=7.5", "--slice", "1,1,0,15"};
+        const auto render = [&](const QStringList& options) {
+            return tan(QStringList{"render", "c60.tan", "--size", "60x60", "-o", "picture.png", "--json"} + options);
+        };
+        const Run implied = render(planes + QStringList{"--surfaces", "slices.vtp", "--colour-bar"});
+        QVERIFY2(implied.exitCode == 0, implied.messages.constData());
+        QCOMPARE(implied.json()["mode"].toString(), QString("slice"));
+        QVERIFY(implied.json()["triangles"].toInt() > 100);
+        const QImage picture(path("picture.png"));
+        QVERIFY(coloured(picture) > 300);
+        const Run named = render(planes + QStringList{"--mode", "slice", "--colour-bar"});
+        QCOMPARE(QImage(path("picture.png")), picture);
+        const VtkReader file(path("slices.vtp"));
+        if (file.isMissing())
+            QSKIP_WITHOUT("python3-vtk9");
+        QVERIFY2(file.ok(), file.messages());
+        QCOMPARE(file.told()["cells"].toInteger(), implied.json()["triangles"].toInteger());
+        const Run isosurface = render({});
+        QCOMPARE(isosurface.json()["mode"].toString(), QString("isosurface"));
+        // As the panel has them at first, one across each axis; and one of them.
+        QCOMPARE(render({"--mode", "slice", "--no-outline"}).exitCode, 0);
+        const QImage three(path("picture.png"));
+        QCOMPARE(render({"--slice", "x=7.5", "--slice", "y=7.5", "--slice", "z=7.5", "--no-outline"}).exitCode, 0);
+        QCOMPARE(QImage(path("picture.png")), three);
+        QCOMPARE(render({"--mode", "slice", "--slice-axis", "z", "--no-outline"}).exitCode, 0);
+        QVERIFY(QImage(path("picture.png")) != three);
+    }
+
     void anEmptySessionIsNoPicture()
     {
         QFile empty(path("empty.tansession"));
@@ -574,6 +605,15 @@ private slots:
         row("unknown order", {"--mode", "hybrid", "--order", "random"}, 2, "exact, with-cell");
         row("no clip plane", {"--clip", "1,2,3"}, 2, "'1,2,3' is no clip plane");
         row("no normal", {"--clip", "1,0,0,0", "--clip", "0,0,0,1"}, 2, "'0,0,0,1'");
+        row("no plane", {"--mode", "slice", "--slice", "w=3"}, 2, "'w=3' is no plane");
+        row("a plane beside the data", {"--mode", "slice", "--slice", "z=3", "--slice", "z=99"}, 2, "misses the data");
+        row("a slice of a volume", {"--slice", "z=3"}, 2, "'volume' has no option '--slice'");
+        row("a plane in place of those by its axis", {"--mode", "slice", "--slice", "z=3", "--slice-axis", "x"}, 2,
+            "'--slice-axis' is of use only without '--slice'");
+        row("the place of a plane that is given", {"--mode", "slice", "--slice", "z=3", "--slice-place", "40"}, 2,
+            "'--slice-place' is of use only without '--slice'");
+        row("a slice beside everything", {"--mode", "slice", "--slice-place", "101"}, 2, "'--slice-place'");
+        row("an unknown projection", {"--mode", "projection", "--projection", "mean"}, 2, "maximum, minimum");
         row("unknown boundary", {"--boundary", "thick"}, 2, "off, translucent, values");
         row("boundary of no opacity", {"--boundary-opacity", "0"}, 2, "0.01");
         row("opacity without a boundary", {"--boundary-opacity", "0.5"}, 2, "'--boundary-opacity' is of use only if");

@@ -98,7 +98,7 @@ void RenderedSessionTest::asTheWindowDrawsIt_data()
     QTest::addColumn<QString>("mode");
     QTest::addColumn<bool>("changed"); // from how it is seen at first
     QTest::addColumn<QString>("region");
-    for (const char* mode : {"isosurface", "volume", "hybrid", "focus"}) {
+    for (const char* mode : {"isosurface", "volume", "hybrid", "focus", "projection", "slice"}) {
         QTest::addRow("%s at first", mode) << QString(mode) << false << QString();
         QTest::addRow("%s", mode) << QString(mode) << true << QString();
         QTest::addRow("%s, focus", mode) << QString(mode) << true << QString("focus");

@@ -120,6 +120,7 @@ QString RestoredViewTest::saveLook(const QString& name, const QString& model) co
     view.isovalues = {{firstIsovalue, 1, 0, 0, 1, true}, {secondIsovalue, 0, 0, 1, 0.5F, true}};
     view.appearance.transfer = transferFunctionFromPoints({{0.2, {1, 0, 0}, 0}, {0.8, {0, 1, 0}, 0.5F}}, 2);
     view.appearance.settings["clip"] = std::string("1,0,0,2");
+    view.appearance.settings["slices"] = std::string("z=2");
     view.camera.azimuth = 100;
     view.camera.distance = 15.5;
     view.query.window = {true, {{{1, 1, 1}, {7, 6, 6}}, WindowBorder::Clipped}};
@@ -165,11 +166,12 @@ void RestoredViewTest::whatAnotherModelCannotHaveIsNamed()
     QCOMPARE(view.isovalues[0].value, firstIsovalue);
     QCOMPARE(view.camera.azimuth, 100.0); // from the same direction
     QCOMPARE(view.camera, fitted(view.camera, session().model()->description().bounds, session().shape()));
-    QVERIFY(!view.query.window.enabled && !view.appearance.settings.contains("clip"));
+    QVERIFY(!view.query.window.enabled && !view.appearance.settings.contains("clip") &&
+            !view.appearance.settings.contains("slices"));
     QVERIFY(view.background == (Colour{0, 0.5F, 0}));
     QCOMPARE(window_->messages().size(), 1);
     const QString told = window_->messages().first();
-    for (const char* named : {"1 of 2 isovalues", "camera", "window", "clipped", "other.tansession"})
+    for (const char* named : {"1 of 2 isovalues", "camera", "window", "clipped", "slices", "other.tansession"})
         QVERIFY2(told.contains(named), qPrintable(told));
 }
 
@@ -296,13 +298,13 @@ void RestoredViewTest::theProgramSaysWhatDiffers()
     build("smaller.tan", 0.8F, 6);
     const Run other = render({"before.tansession", "--model", "smaller.tan"});
     QVERIFY2(other.exitCode == 0, other.messages);
-    QCOMPARE(differencesOf(other), (QStringList{"camera", "window", "clip", "isovalues"}));
+    QCOMPARE(differencesOf(other), (QStringList{"camera", "window", "clip", "slices", "isovalues"}));
     QVERIFY2(other.messages.contains("1 of 2 isovalues"), other.messages);
     QVERIFY(!render({"smaller.tan"}).json().contains("session_differs"));
     // Its places are within those of the other model, and not the same.
     build("directed.tan", 1, 8, 7.5);
     const Run directed = render({"before.tansession", "--model", "directed.tan"});
-    QCOMPARE(differencesOf(directed), (QStringList{"camera", "window", "clip"}));
+    QCOMPARE(differencesOf(directed), (QStringList{"camera", "window", "clip", "slices"}));
     QVERIFY2(directed.messages.contains("TAn up to version 0.1"), directed.messages);
     // One of a series that has none of the values: no other surface takes the place of theirs.
     build("faint.tan", 0.01F);

@@ -3,6 +3,7 @@
 
 #include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
+#include "plugins/api/slice_parameters.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/message_text.h"
@@ -202,17 +203,21 @@ void RenderingPanel::showAppearance()
     explanation_->setText(explanationOf(workbench_.host(), appearance.mode));
     if (appearance.mode != shownMode_ || appearance.mode.empty()) {
         settings_->setParameters(settingParameters(workbench_.scenes().renderingParameters()));
-        showExample();
+        showExamples();
     }
     shownMode_ = appearance.mode;
     settings_->setValues(appearance.settings);
 }
 
-/// How a clip plane is written: one that cuts the domain in two.
-void RenderingPanel::showExample()
+/// How planes are written: those that cut the domain in two.
+void RenderingPanel::showExamples()
 {
-    if (const auto& model = workbench_.session().model())
-        settings_->setExample(clipId, "1,0,0," + QString::number(model->description().bounds.center().x(), 'g', 3));
+    const auto& model = workbench_.session().model();
+    if (model == nullptr)
+        return;
+    const Eigen::Vector3d middle = model->description().bounds.center();
+    settings_->setExample(clipId, "1,0,0," + QString::number(middle.x(), 'g', 3));
+    settings_->setExample(slicesId, "z=" + QString::number(middle.z(), 'g', 3));
 }
 
 void RenderingPanel::setFrameRate(int perSecond)

@@ -35,7 +35,7 @@ private:
     QWidget* makeContent();
     void showModel();
     void showAppearance();
-    void showExample();
+    void showExamples();
     QFormLayout* makeMotion();
     void setFrameRate(int perSecond);
     void readMotion();

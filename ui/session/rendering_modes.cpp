@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::array<std::string_view, 4> firstModes{"isosurface", "volume", "hybrid", "focus"};
+constexpr std::array<std::string_view, 6> firstModes{"isosurface", "volume", "hybrid", "focus", "slice", "projection"};
 
 auto rank(const Provided<Renderer>& mode)
 {

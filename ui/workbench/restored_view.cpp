@@ -7,6 +7,7 @@
 
 #include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
+#include "plugins/api/slice_parameters.h"
 #include "ui/workbench/view_picture.h"
 
 #include <algorithm>
@@ -36,6 +37,18 @@ Message cameraText(bool lacksDirections)
                                           "the model.");
 }
 
+/// Takes planes in the coordinates of another domain out of the settings. Whether there were any.
+bool dropPlanes(const std::string& id, ViewValue& view)
+{
+    const auto setting = view.appearance.settings.find(id);
+    if (setting == view.appearance.settings.end())
+        return false;
+    const auto* planes = std::get_if<std::string>(&setting->second);
+    const bool isAny = planes == nullptr || !planes->empty();
+    view.appearance.settings.erase(setting);
+    return isAny;
+}
+
 /// From another domain.
 void fitPlaces(SessionDocument& kept, const ViewValue& start, const Model& model, Differences& differences)
 {
@@ -59,14 +72,10 @@ void fitPlaces(SessionDocument& kept, const ViewValue& start, const Model& model
             differences.push_back({"window", Message::say("The window is off: it is not within the domain.")});
         view.query.window = start.query.window;
     }
-    const auto clip = view.appearance.settings.find(clipId);
-    if (clip != view.appearance.settings.end()) {
-        const auto* planes = std::get_if<std::string>(&clip->second);
-        if (planes == nullptr || !planes->empty())
-            differences.push_back(
-                {"clip", Message::say("Nothing is clipped: the clip planes are for another domain.")});
-        view.appearance.settings.erase(clip);
-    }
+    if (dropPlanes(clipId, view))
+        differences.push_back({"clip", Message::say("Nothing is clipped: the clip planes are for another domain.")});
+    if (dropPlanes(slicesId, view))
+        differences.push_back({"slices", Message::say("The slices are as at first: theirs are for another domain.")});
     if (!view.animation.keys.empty()) {
         differences.push_back(
             {"animation", Message::say("The film has no key frames: their cameras are for another domain.")});
@@ -181,6 +190,7 @@ void dropPlacesAndValues(SessionDocument& kept, const ViewValue& start)
     view.query.range = start.query.range;
     view.appearance.transfer = {};
     view.appearance.settings.erase(clipId);
+    view.appearance.settings.erase(slicesId);
     std::erase_if(view.appearance.settings,
                   [](const auto& setting) { return std::holds_alternative<TransferFunction>(setting.second); });
     view.isovalues = start.isovalues;

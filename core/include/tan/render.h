@@ -218,6 +218,13 @@ struct OpticalModel {
     ///     vec4 lightOfPiece(float entry, float exit, float way, float gradient) { ... }
     /// What cannot be compiled is an error of render(), which names Scene::maker and has the compiler's text.
     std::string shader;
+    /// Of Maximum and Sum, if set: what is seen of a ray whose pieces together have this opacity, above 0 and at most
+    /// 1, in place of their light: red, green and blue times opacity, and opacity. So the opacities of pieces can stand
+    /// for values, and that of the ray have the colour of one. Called from several threads.
+    std::function<std::array<float, 4>(float opacity)> lightOfRay{};
+    /// The same as a function in the shading language; needed if lightOfRay is set:
+    ///     vec4 lightOfRay(float opacity) { ... }
+    std::string rayShader{};
 };
 
 /// The largest value along each ray, as opacity: 0 at `least`, 1 at `largest`; in one colour.

@@ -175,6 +175,19 @@ std::string volumeVertexShader()
            shaders::volumeVert;
 }
 
+/// Whose mistake it is that the text of an optical model cannot be used.
+GlProgram::Refusal refusalOf(const std::string& maker)
+{
+    return [maker](const std::string& log) {
+        return Error{ErrorKind::BadInput,
+                     maker.empty()
+                         ? Message::say("The shader of an optical model cannot be used. The compiler says: %1", log)
+                         : Message::say("The plugin '%1' has an optical model whose shader cannot be used. This is a "
+                                        "mistake in the plugin; tell its author. The compiler says: %2",
+                                        maker, log)};
+    };
+}
+
 } // namespace
 
 Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader,
@@ -183,17 +196,14 @@ Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const
     const std::string text = "#version 330 core\n" + shader;
     return GlProgram::make(gl, volumeVertexShader().c_str(),
                            std::array{shaders::volumeFrag, shaders::modelFrag, shaders::focusFrag, text.c_str()},
-                           [&](const std::string& log) {
-                               return Error{ErrorKind::BadInput,
-                                            maker.empty()
-                                                ? Message::say("The shader of an optical model cannot be used. The "
-                                                               "compiler says: %1",
-                                                               log)
-                                                : Message::say("The plugin '%1' has an optical model whose shader "
-                                                               "cannot be used. This is a mistake in the plugin; tell "
-                                                               "its author. The compiler says: %2",
-                                                               maker, log)};
-                           });
+                           refusalOf(maker));
+}
+
+Result<std::unique_ptr<GlProgram>> makeRayProgram(const GlFunctions& gl, const std::string& shader,
+                                                  const std::string& maker)
+{
+    const std::string text = "#version 330 core\n" + shader;
+    return GlProgram::make(gl, shaders::screenVert, std::array{shaders::rayFrag, text.c_str()}, refusalOf(maker));
 }
 
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)

@@ -108,6 +108,11 @@ struct PainterPrograms {
 Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader,
                                                     const std::string& maker);
 
+/// The program that gives rays their light by an optical model with this text (OpticalModel::rayShader). Errors as
+/// those of makeModelProgram().
+Result<std::unique_ptr<GlProgram>> makeRayProgram(const GlFunctions& gl, const std::string& shader,
+                                                  const std::string& maker);
+
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl);
 
 } // namespace tetra

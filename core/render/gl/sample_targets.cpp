@@ -102,6 +102,8 @@ Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
     if (targets.accumulated.name() != 0 && targets.fine == fine)
         return {};
     targets.accumulated = makeTexture(gl, targets.width, targets.height, fine ? fineColourFormat : colourFormat);
+    targets.gathered = {}; // has the depth
+    targets.gatheredFramebuffer = {};
     if (fine) {
         targets.saturatedDepth = makeTexture(gl, targets.width, targets.height, depthFormat);
         targets.saturatedFramebuffer = makeFramebuffer(gl, {}, targets.saturatedDepth.name());
@@ -109,6 +111,15 @@ Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets)
     targets.accumulatedFramebuffer =
         makeFramebuffer(gl, {targets.accumulated.name()}, fine ? targets.saturatedDepth.name() : 0);
     targets.fine = fine;
+    return checkFramebuffer(gl);
+}
+
+Status makeGathered(const GlFunctions& gl, SampleTargets& targets)
+{
+    if (targets.gathered.name() != 0)
+        return {};
+    targets.gathered = makeTexture(gl, targets.width, targets.height, fineColourFormat);
+    targets.gatheredFramebuffer = makeFramebuffer(gl, {targets.gathered.name()}, targets.saturatedDepth.name());
     return checkFramebuffer(gl);
 }
 

@@ -43,6 +43,11 @@ struct SampleTargets {
     GlObject saturatedDepth;
     GlObject saturatedFramebuffer;
 
+    /// What the pieces of rays make together, in whole floats, where that is not yet their light; empty until
+    /// makeGathered. The depth is saturatedDepth.
+    GlObject gathered;
+    GlObject gatheredFramebuffer;
+
     /// Empty until makeLayers. Two layers, since each is compared with the one before.
     GlObject layerColour;
     GlObject layerDepth;
@@ -55,6 +60,9 @@ Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTar
 /// Adds, if it is not there, what translucent things are gathered in: 8 bytes a sample; if `fine`, 20, as the light of
 /// many faint cells is lost in the rounding of half floats.
 Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets);
+/// Adds, if it is not there, what the pieces of rays are gathered in for OpticalModel::lightOfRay: 16 bytes a sample.
+/// After makeAccumulated, which has made fine ones.
+Status makeGathered(const GlFunctions& gl, SampleTargets& targets);
 /// Adds, if it is not there, what translucent surfaces need: 28 bytes a sample.
 Status makeLayers(const GlFunctions& gl, SampleTargets& targets);
 

@@ -220,7 +220,13 @@ void ScenePainter::Implementation::resolve(const PictureOptions& options, bool a
 /// Draws a volume whose pieces are not put over each other, as a whole.
 Status ScenePainter::Implementation::drawVolumeBefore(unsigned nearest, const Progress& progress)
 {
-    gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
+    const GlProgram* rays = volume_.rayProgram();
+    if (rays != nullptr) {
+        if (Status status = makeGathered(gl_, targets_); !status)
+            return status;
+        gl_.bindFramebuffer(gl::framebuffer, targets_.gatheredFramebuffer.name());
+        gl_.clearBufferfv(gl::colour, 0, transparentBlack.data());
+    }
     gl_.disable(gl::depthTest);
     gl_.enable(gl::blend);
     gl_.blendFunc(gl::one, gl::one);
@@ -231,6 +237,13 @@ Status ScenePainter::Implementation::drawVolumeBefore(unsigned nearest, const Pr
     drawOverScreen();
     gl_.blendEquation(gl::sum);
     endBlending(gl_);
+    if (rays != nullptr) {
+        gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
+        gl_.disable(gl::depthTest);
+        rays->use();
+        rays->setTexture("gathered", 0, targets_.gathered.name());
+        drawOverScreen();
+    }
     return status;
 }
 

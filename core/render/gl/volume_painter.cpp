@@ -178,24 +178,39 @@ Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view
     return prepareBuffers(volume, order, options.threads, progress, drawn);
 }
 
-/// The program is kept for the next picture: compiling takes longer than drawing.
-Status VolumePainter::prepareModel(const Volume& volume, const std::string& maker)
+/// Programs are kept for the next picture: compiling takes longer than drawing.
+Result<const GlProgram*> VolumePainter::keptProgram(Programs& kept, MakeProgram make, const std::string& shader,
+                                                    const std::string& maker) const
 {
     constexpr std::size_t mostKept = 16;
-    combiner_ = combinerOf(volume);
-    program_ = nullptr;
-    if (!volume.model)
-        return {};
-    auto found = models_.find(volume.model->shader);
-    if (found == models_.end()) {
-        auto program = makeModelProgram(gl_, volume.model->shader, maker);
+    auto found = kept.find(shader);
+    if (found == kept.end()) {
+        auto program = make(gl_, shader, maker);
         if (!program)
             return program.error();
-        if (models_.size() >= mostKept)
-            models_.clear();
-        found = models_.emplace(volume.model->shader, *std::move(program)).first;
+        if (kept.size() >= mostKept)
+            kept.clear();
+        found = kept.emplace(shader, *std::move(program)).first;
     }
-    program_ = found->second.get();
+    return found->second.get();
+}
+
+Status VolumePainter::prepareModel(const Volume& volume, const std::string& maker)
+{
+    combiner_ = combinerOf(volume);
+    program_ = rayProgram_ = nullptr;
+    if (!volume.model)
+        return {};
+    const auto program = keptProgram(models_, makeModelProgram, volume.model->shader, maker);
+    if (!program)
+        return program.error();
+    if (volume.model->lightOfRay && combiner_ != Combiner::Over) {
+        const auto ray = keptProgram(rays_, makeRayProgram, volume.model->rayShader, maker);
+        if (!ray)
+            return ray.error();
+        rayProgram_ = *ray;
+    }
+    program_ = *program;
     return {};
 }
 

@@ -60,14 +60,18 @@ public:
     /// How the pieces of a ray are combined in the scene that is ready.
     Combiner combiner() const noexcept { return combiner_; }
 
+    /// Gives what the pieces of a ray make together its light (OpticalModel::lightOfRay); null if they are it.
+    const GlProgram* rayProgram() const noexcept { return rayProgram_; }
+
     /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
     /// vertices than the driver allows, no memory, cancelled.
     Status prepare(const Scene& scene, const SampleView& view, const PictureOptions& options, const Progress& progress);
 
-    /// Draws what lies between two layers into targets.accumulatedFramebuffer, which is bound, with a vertex array
-    /// without attributes and blending under what is there. From time to time the samples where nothing more can be
-    /// seen are marked, and left out from then on. For a combiner() other than Over the caller sets the blending that
-    /// combines, and no samples are marked. Leaves depth test and face culling off. Cancelled between chunks of cells.
+    /// Draws what lies between two layers into targets.accumulatedFramebuffer or gatheredFramebuffer, which is bound,
+    /// with a vertex array without attributes and blending under what is there. From time to time the samples where
+    /// nothing more can be seen are marked, and left out from then on. For a combiner() other than Over the caller sets
+    /// the blending that combines, and no samples are marked. Leaves depth test and face culling off. Cancelled between
+    /// chunks of cells.
     Status draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
                 const Progress& progress) const;
 
@@ -103,6 +107,11 @@ private:
                     const VolumePart& part, const Progress& progress) const;
     void setPartUniforms(const GlProgram& program, const DrawnVolume& volume, const VolumePart& part) const;
     Status prepareModel(const Volume& volume, const std::string& maker);
+    using Programs = std::map<std::string, std::unique_ptr<GlProgram>>; ///< by their text, the last few
+    using MakeProgram = Result<std::unique_ptr<GlProgram>> (*)(const GlFunctions& gl, const std::string& shader,
+                                                               const std::string& maker);
+    Result<const GlProgram*> keptProgram(Programs& kept, MakeProgram make, const std::string& shader,
+                                         const std::string& maker) const;
     void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
     void setCellState() const;
 
@@ -120,7 +129,9 @@ private:
     bool wholeCells_ = false;
     Combiner combiner_ = Combiner::Over;
     const GlProgram* program_ = nullptr; ///< of the optical model; null: that of all volumes without one
-    std::map<std::string, std::unique_ptr<GlProgram>> models_; ///< by their text, the last few
+    const GlProgram* rayProgram_ = nullptr;
+    Programs models_;
+    Programs rays_;
 };
 
 } // namespace tetra

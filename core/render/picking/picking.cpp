@@ -373,6 +373,16 @@ std::vector<double> opacitiesOf(const Volume& volume, const std::vector<RayInter
     return opacities;
 }
 
+/// At which end of a piece its value has the larger opacity; of equal ones where the value is larger.
+bool countsMoreAtStart(const Volume& volume, const RayInterval& piece)
+{
+    std::vector<RayInterval> ends{piece, piece};
+    ends[0].valueAtEnd = piece.valueAtStart;
+    ends[1].valueAtStart = piece.valueAtEnd;
+    const std::vector<double> opacities = opacitiesOf(volume, ends);
+    return opacities[0] != opacities[1] ? opacities[0] > opacities[1] : piece.valueAtStart > piece.valueAtEnd;
+}
+
 /// Less of the light cannot be told from none.
 constexpr double leastShare = 1.0 / 255;
 
@@ -419,20 +429,27 @@ public:
         light_ *= 1 - opacity;
     }
 
-    /// All pieces by a model of another combination, before everything else: the one that counts most is seen, where
-    /// its value is largest.
-    void passTogether(const std::vector<RayInterval>& pieces, const std::vector<double>& opacities, Combiner combiner,
-                      double opaque)
+    /// All pieces by a model of another combination, before everything else: the one that counts most is seen, at that
+    /// of its ends which counts more.
+    void passTogether(const Volume& volume, const std::vector<RayInterval>& pieces,
+                      const std::vector<double>& opacities, double opaque)
     {
+        const OpticalModel& model = *volume.model;
         double most = 0;
+        const RayInterval* counts = nullptr;
         for (std::size_t i = 0; i < pieces.size() && pieces[i].part.from < opaque; ++i) {
             if (opacities[i] > most) {
                 most = opacities[i];
-                const bool falls = pieces[i].valueAtStart > pieces[i].valueAtEnd;
-                volume_.place = line_.at(falls ? pieces[i].part.from : pieces[i].part.to);
-                volume_.value = falls ? pieces[i].valueAtStart : pieces[i].valueAtEnd;
+                counts = &pieces[i];
             }
-            volume_.share = combiner == Combiner::Sum ? std::min(1.0, volume_.share + opacities[i]) : most;
+            volume_.share = model.combiner == Combiner::Sum ? std::min(1.0, volume_.share + opacities[i]) : most;
+        }
+        if (counts != nullptr) {
+            const bool atStart = countsMoreAtStart(volume, *counts);
+            volume_.place = line_.at(atStart ? counts->part.from : counts->part.to);
+            volume_.value = atStart ? counts->valueAtStart : counts->valueAtEnd;
+            if (model.lightOfRay)
+                volume_.share = std::clamp(model.lightOfRay(static_cast<float>(volume_.share))[3], 0.0f, 1.0f);
         }
         light_ = 1 - volume_.share;
     }
@@ -535,8 +552,7 @@ std::optional<SeenPlace> seenByModel(const Volume& volume, const PickingRay& lin
         const auto opaque = std::ranges::find_if(crossings, [](const SurfaceCrossing& crossing) {
             return std::get<Surface>(crossing.surface->shape).opacity >= 1;
         });
-        transmittance.passTogether(pieces, opacities, volume.model->combiner,
-                                   opaque != crossings.end() ? opaque->at : shown.to);
+        transmittance.passTogether(volume, pieces, opacities, opaque != crossings.end() ? opaque->at : shown.to);
     }
     std::size_t next = 0;
     const auto passPiecesBefore = [&](double place) {

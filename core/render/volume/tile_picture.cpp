@@ -202,6 +202,25 @@ void VolumeTilePainter::endAtOpaque(const SurfaceFragments& surfaces)
         }
 }
 
+namespace {
+
+/// What is seen of a ray that has gathered this much in a lane.
+PremultipliedColour seenOf(const OpticalModel& optics, const BlockTotal& total, std::size_t lane)
+{
+    const float opacity = std::min(total.opacity[lane], 1.0f);
+    if (!optics.lightOfRay)
+        return {std::min(total.red[lane], 1.0f), std::min(total.green[lane], 1.0f), std::min(total.blue[lane], 1.0f),
+                opacity};
+    PremultipliedColour seen = opacity > 0 ? optics.lightOfRay(opacity) : PremultipliedColour{};
+    const auto bounded = [](float number, float most) { return number > 0 ? std::min(number, most) : 0; };
+    seen[3] = bounded(seen[3], 1);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        seen[channel] = bounded(seen[channel], seen[3]);
+    return seen;
+}
+
+} // namespace
+
 /// What the rays have gathered becomes the light of the blocks, before that of the surfaces. Depth is that of the
 /// surfaces alone.
 void VolumeTilePainter::takeTotals(const TileShading& shading)
@@ -219,10 +238,11 @@ void VolumeTilePainter::takeTotals(const TileShading& shading)
         SampleBlock alone = block;
         drawSurfaces(number, alone);
         for (std::size_t lane = 0; lane < 8; ++lane) {
-            block.red[lane] = std::min(total.red[lane], 1.0f);
-            block.green[lane] = std::min(total.green[lane], 1.0f);
-            block.blue[lane] = std::min(total.blue[lane], 1.0f);
-            block.transmittance[lane] *= 1 - std::min(total.opacity[lane], 1.0f);
+            const auto [red, green, blue, opacity] = seenOf(*shading.model->optics, total, lane);
+            block.red[lane] = red;
+            block.green[lane] = green;
+            block.blue[lane] = blue;
+            block.transmittance[lane] *= 1 - opacity;
         }
         drawSurfaces(number, block);
         block.depth = alone.depth;

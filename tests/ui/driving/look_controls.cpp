@@ -11,6 +11,9 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include <cmath>
+#include <string>
+
 namespace tetra {
 namespace {
 
@@ -72,6 +75,45 @@ Driver shows()
     return driver;
 }
 
+/// A setting of a mode of its own.
+Driver settingOf(const QString& mode, const QString& id, const ParameterValue& value,
+                 const std::function<bool(const SceneFacts&)>& isSo, Driver::Step use = {})
+{
+    Driver driver = setting(id, value, isSo, std::move(use));
+    driver.prepare = inMode(mode, "dock.rendering");
+    return driver;
+}
+
+Drivers sliceSettings()
+{
+    const auto isOne = [](char axis, const std::string& place) {
+        return [label = std::string("slice ") + axis + "=" + place](const SceneFacts& scene) {
+            return scene.saved.size() == 1 && scene.saved.front().starts_with(label);
+        };
+    };
+    const auto typePlane = [](DrivenWindow& window) {
+        auto& line = window.find<QWidget>("rendering.setting.slices");
+        line.setFocus();
+        QTest::keyClicks(&line, "z=4");
+        QTest::keyClick(&line, Qt::Key_Return);
+    };
+    return {settingOf("slice", "slice-axis", std::string("x"), isOne('x', "")),
+            settingOf("slice", "slice-place", 51.0,
+                      [](const SceneFacts& scene) {
+                          return scene.saved.size() == 3 && std::abs(scene.firstShare - 0.51) < 1e-5;
+                      }),
+            settingOf("slice", "slices", std::string("z=4"), isOne('z', "4"), typePlane),
+            settingOf("slice", "slice-opacity", std::string("function"),
+                      [](const SceneFacts& scene) { return scene.saved.size() > 3; })};
+}
+
+Driver projection()
+{
+    return settingOf("projection", "projection", std::string("minimum"), [](const SceneFacts& scene) {
+        return scene.rayShader.find("2.0 - 2.0 * opacity") != std::string::npos;
+    });
+}
+
 /// What is drawn then: the entry of this number.
 void whileMoving(DrivenWindow& window, int kind)
 {
@@ -97,6 +139,7 @@ Drivers renderingControls()
         setting("shaded", true, [](const SceneFacts& scene) { return scene.shaded; }),
         setting("order", std::string("with-cell"), [](const SceneFacts& scene) { return scene.withCell; }),
         shows(),
+        projection(),
         setting("outline", false, [](const SceneFacts& scene) { return scene.lines == 0; }),
         setting("boundary", std::string("translucent"),
                 [](const SceneFacts& scene) { return scene.surfaces == 2 && scene.lastOpacity == 0.25F; }),
@@ -345,8 +388,8 @@ Drivers isovalueControls()
 
 Drivers lookControls()
 {
-    return allOf({renderingControls(), cameraControls(), annotationControls(), barEndControls(), viewControls(),
-                  isovalueControls()});
+    return allOf({renderingControls(), sliceSettings(), cameraControls(), annotationControls(), barEndControls(),
+                  viewControls(), isovalueControls()});
 }
 
 } // namespace tetra

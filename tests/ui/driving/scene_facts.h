@@ -3,7 +3,9 @@
 
 #include "tests/core/render/scene_parts.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -19,6 +21,9 @@ struct SceneFacts {
     bool backFacesOnly = false;
     bool lit = false;                                ///< the last surface, as its renderer says
     std::vector<std::array<double, 4>> clipPlanes{}; ///< normal and offset
+    std::vector<std::string> saved{};                ///< labels of the surfaces that would be
+    double firstShare = 0;   ///< how far along x the first saved surface begins, as a share of the scene's way
+    std::string rayShader{}; ///< of a volume's optical model
 };
 
 inline SceneFacts factsOf(const Scene& scene)
@@ -35,6 +40,15 @@ inline SceneFacts factsOf(const Scene& scene)
         facts.backFacesOnly = parts.surfaces.back().backFacesOnly;
         facts.lit = parts.surfaces.back().lit.value_or(false);
     }
+    for (const Drawable& drawable : scene.drawables)
+        if (drawable.saved)
+            facts.saved.push_back(drawable.label);
+    const auto first = std::ranges::find(scene.drawables, true, &Drawable::saved);
+    if (const auto* surface = first != scene.drawables.end() ? std::get_if<Surface>(&first->shape) : nullptr;
+        surface != nullptr && !surface->mesh->positions.empty())
+        facts.firstShare = (surface->mesh->positions.front() - scene.bounds.min()).x() / scene.bounds.sizes().x();
+    if (parts.volume && parts.volume->model)
+        facts.rayShader = parts.volume->model->rayShader;
     for (const ClipPlane& plane : parts.clipPlanes)
         facts.clipPlanes.push_back({plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
     return facts;

@@ -114,8 +114,13 @@ Driver mode(const QString& id, const QString& before, bool hasVolume, std::size_
 
 Drivers modeCommands()
 {
-    return {mode("isosurface", "volume", false, 1), mode("volume", "hybrid", true, 0), mode("hybrid", "focus", true, 1),
-            mode("focus", "isosurface", true, 0), mode("example.two-functions", "volume", false, 0)};
+    return {mode("isosurface", "volume", false, 1),
+            mode("volume", "hybrid", true, 0),
+            mode("hybrid", "focus", true, 1),
+            mode("focus", "isosurface", true, 0),
+            mode("slice", "volume", false, 3),
+            mode("projection", "isosurface", true, 0),
+            mode("example.two-functions", "volume", false, 0)};
 }
 
 Drivers annotationCommands()

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The renderer of projections: the largest and the smallest value of each ray in its colour, against closed forms, by
+// both back ends alike (B4), and picked where it is.
+#include "core/render/picking/picking.h"
+#include "tests/core/render/scene_parts.h"
+#include "tests/lacks.h"
+#include "tests/plugins/renderers/renderer_fixture.h"
+#include "tests/render/same_picture.h"
+
+#include <tan/render.h>
+#include <tan/transfer.h>
+
+#include <cmath>
+
+using namespace tetra;
+using namespace tetra::testing;
+
+namespace {
+
+/// Linear in a cell: falls by half of its way along y to the middle of the cube, and rises again. In the middle a plane
+/// of the lattice passes.
+double valley(const Eigen::Vector3d& place)
+{
+    return 1 + place.x() / 2 + place.z() / 4 + std::abs(place.y() - 0.5);
+}
+
+double wavy(const Eigen::Vector3d& place)
+{
+    return 0.5 + 0.4 * std::sin(7 * place.x()) * std::cos(5 * place.y()) + 0.2 * place.z();
+}
+
+std::shared_ptr<const TetrahedralMesh> cubeOf(double (*field)(const Eigen::Vector3d&))
+{
+    return std::make_shared<const TetrahedralMesh>(latticeMesh(6, 1, Split::Six, field));
+}
+
+/// Neither lighter nor darker all along, with a step; some of the values are transparent, which changes nothing.
+TransferFunction manyColours()
+{
+    TransferFunction function;
+    function.colours = {{0.2, {0, 0, 1}}, {1.2, {1, 0, 0}}, {1.6, {0, 1, 0.5f}}, {1.6, {1, 1, 0}}, {2.2, {0, 0.2f, 0}}};
+    function.opacities = {{1.2, 0}, {1.8, 0.4f}};
+    return function;
+}
+
+Camera alongY()
+{
+    Camera camera = fitted({.azimuth = 0, .elevation = 0}, unitBox);
+    camera.perspective = false;
+    return camera;
+}
+
+constexpr int side = 48;
+const PictureOptions oneSample{.width = side, .height = side, .background = {0.3f, 0.3f, 0.3f}, .samplesPerAxis = 1};
+
+double pixelSize(const Camera& camera)
+{
+    return 2 * camera.distance * std::tan(camera.fieldOfView / 2 * M_PI / 180) / side;
+}
+
+Eigen::Vector3d placeOf(const Camera& camera, int column, int row)
+{
+    const double perPixel = pixelSize(camera);
+    return {camera.target.x() + (column + 0.5 - side / 2.0) * perPixel, 0,
+            camera.target.z() - (row + 0.5 - side / 2.0) * perPixel};
+}
+
+ParameterValues values(const char* projection, const TransferFunction& function)
+{
+    return {{"projection", std::string(projection)}, {"transfer", function}, {"outline", false}};
+}
+
+} // namespace
+
+class ProjectionRendererTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void parametersAreDescribed()
+    {
+        for (const auto& parameter : rendererNamed("projection").parameters({{-1, 3}, unitBox}))
+            QVERIFY(!parameter.id.empty() && !parameter.label.empty() && !parameter.explanation.empty());
+    }
+
+    void onlyTheModelIsMadeAnew()
+    {
+        const auto session = open("projection", cubeOf(valley));
+        const auto first = prepared(*session, values("maximum", manyColours()));
+        const auto same = prepared(*session, values("maximum", manyColours()));
+        const auto other = prepared(*session, values("minimum", manyColours()));
+        QCOMPARE(partsOf(*same).volume->model, partsOf(*first).volume->model);
+        QVERIFY(partsOf(*other).volume->model != partsOf(*first).volume->model);
+        QCOMPARE(partsOf(*other).volume->mesh, partsOf(*first).volume->mesh);
+        QCOMPARE(partsOf(*other).volume->transfer, partsOf(*first).volume->transfer);
+    }
+
+    /// The largest value of a ray is that at an end, the smallest one that in the middle.
+    void coloursAreThoseOfTheValues_data()
+    {
+        QTest::addColumn<QByteArray>("projection");
+        for (const char* projection : {"maximum", "minimum"})
+            QTest::newRow(projection) << QByteArray(projection);
+    }
+    void coloursAreThoseOfTheValues()
+    {
+        QFETCH(QByteArray, projection);
+        const bool isMaximum = projection == "maximum";
+        const TransferFunction function = manyColours();
+        const auto scene = prepared(*open("projection", cubeOf(valley)), values(projection.constData(), function));
+        const Camera camera = alongY();
+        const Picture picture = renderedByCpu(*scene, camera, oneSample);
+        const double perPixel = pixelSize(camera);
+        int compared = 0;
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column) {
+                const Eigen::Vector3d place = placeOf(camera, column, row);
+                const double value = valley({place.x(), isMaximum ? 0 : 0.5, place.z()});
+                const bool isInside =
+                    std::min(place.x(), place.z()) > perPixel && std::max(place.x(), place.z()) < 1 - perPixel;
+                if (!isInside || std::abs(value - 1.6) < perPixel)
+                    continue;
+                const auto colour = evaluateUnmasked(function, value).colour;
+                constexpr double slack = 1.05; // rays lie a little beside the middle of pixels
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    QVERIFY2(std::abs(pixelAt(picture, column, row)[channel] - 255 * colour[channel]) <= slack,
+                             QString("%1, %2: %3, not %4")
+                                 .arg(column)
+                                 .arg(row)
+                                 .arg(pixelAt(picture, column, row)[channel])
+                                 .arg(255 * colour[channel])
+                                 .toUtf8());
+                ++compared;
+            }
+        QVERIFY2(compared > side * side / 4, QByteArray::number(compared));
+        const auto background = static_cast<std::uint8_t>(std::lround(0.3 * 255));
+        QCOMPARE(pixelAt(picture, 0, 0), (std::array<std::uint8_t, 4>{background, background, background, 255}));
+    }
+
+    /// The least value of all is a colour, too, not the background.
+    void theEndsOfTheRangeAreSeen()
+    {
+        for (const char* projection : {"maximum", "minimum"}) {
+            const auto flat = std::make_shared<const TetrahedralMesh>(
+                latticeMesh(2, 1, Split::Six, [](const Eigen::Vector3d&) { return 0.25; }));
+            const TransferFunction red = transferFunctionFromPoints({{0.25, {1, 0, 0}, 0.5f}});
+            const auto scene = prepared(*open("projection", flat), values(projection, red));
+            const Picture picture = renderedByCpu(*scene, alongY(), oneSample);
+            QCOMPARE(pixelAt(picture, side / 2, side / 2), (std::array<std::uint8_t, 4>{255, 0, 0, 255}));
+        }
+    }
+
+    void whatIsClippedDoesNotCount()
+    {
+        ParameterValues clipped = values("minimum", manyColours());
+        clipped["clip"] = std::string("0,-1,0,-0.25"); // shows y <= 0.25
+        const auto scene = prepared(*open("projection", cubeOf(valley)), clipped);
+        const auto seen = seenPlace(*scene, {{0.52, -3, 0.41}, {0, 1, 0}});
+        QVERIFY(seen.has_value());
+        QVERIFY(std::abs(*seen->value - valley({0.52, 0.25, 0.41})) < 1e-5);
+    }
+
+    void theValueIsPickedWhereItIs()
+    {
+        const auto session = open("projection", cubeOf(valley));
+        const Eigen::Vector3d start(0.31, -2, 0.64);
+        // Falls from y = 0 on, is least in the middle, and as large as before at the end.
+        for (const char* projection : {"maximum", "minimum"}) {
+            const auto scene = prepared(*session, values(projection, manyColours()));
+            const auto seen = seenPlace(*scene, {start, {0, 1, 0}});
+            QVERIFY(seen.has_value());
+            QCOMPARE(seen->drawable, std::string("projection"));
+            QVERIFY(seen->share == 1);
+            const double y = seen->place.y();
+            QVERIFY2(std::string(projection) == "minimum" ? std::abs(y - 0.5) < 1e-6
+                                                          : std::min(std::abs(y), std::abs(y - 1)) < 1e-6,
+                     QByteArray::number(y));
+            QVERIFY(std::abs(*seen->value - valley(seen->place)) < 1e-5);
+        }
+        const auto beside = seenPlace(*prepared(*session, {}), {{3, -2, 0.5}, {0, 1, 0}});
+        QVERIFY(!beside);
+    }
+
+    void bothBackEndsAlike_data()
+    {
+        QTest::addColumn<QByteArray>("projection");
+        QTest::addColumn<bool>("perspective");
+        QTest::addColumn<bool>("clipped");
+        for (const char* projection : {"maximum", "minimum"})
+            for (const bool perspective : {true, false})
+                QTest::addRow("%s%s", projection, perspective ? "" : ", orthographic, clipped")
+                    << QByteArray(projection) << perspective << !perspective;
+    }
+    void bothBackEndsAlike()
+    {
+        QFETCH(QByteArray, projection);
+        QFETCH(bool, perspective);
+        QFETCH(bool, clipped);
+        auto backend = makeGlBackend();
+        if (!backend) {
+            noteLack("OpenGL");
+            QSKIP(("skipped: " + backend.error().text()).c_str());
+        }
+        ParameterValues looks = values(projection.constData(), manyColours());
+        looks["outline"] = true;
+        if (clipped)
+            looks["clip"] = std::string("1,0.5,0,0.4");
+        const auto scene = prepared(*open("projection", cubeOf(wavy)), looks);
+        Camera camera{.azimuth = 25, .elevation = 35};
+        camera.perspective = perspective;
+        camera = fitted(camera, unitBox);
+        const PictureOptions options{.width = 100, .height = 80, .background = {0.2f, 0.3f, 0.1f}};
+        PictureOptions single = options;
+        single.width *= options.samplesPerAxis;
+        single.height *= options.samplesPerAxis;
+        single.samplesPerAxis = 1;
+        const auto cpu = makeCpuBackend();
+        const SamplePictures samples{rendered(*cpu, *scene, camera, single),
+                                     rendered(**backend, *scene, camera, single), options.samplesPerAxis};
+        const Picture again = rendered(**backend, *scene, camera, options);
+        QVERIFY(samePicture(rendered(*cpu, *scene, camera, options), rendered(**backend, *scene, camera, options),
+                            again, QString("projection_%1").arg(QTest::currentDataTag()).replace(", ", "_"), 1,
+                            &samples));
+    }
+
+    void badValuesAreErrors()
+    {
+        const auto session = open("projection", cubeOf(valley));
+        TransferFunction wrong = manyColours();
+        wrong.unitDistance = 0;
+        QVERIFY(!session->prepare({{{"transfer", wrong}}}, {}).ok());
+        QCOMPARE(session->prepare({{{"projection", std::string("mean")}}}, {}).error().kind, ErrorKind::WrongUsage);
+        QVERIFY(session->prepare({}, {}).ok());
+    }
+
+    void emptyMeshShowsTheOutline()
+    {
+        const auto scene = prepared(*open("projection", std::make_shared<TetrahedralMesh>()), {});
+        QCOMPARE(partsOf(*scene).lines.size(), std::size_t(1));
+    }
+};
+
+QTEST_GUILESS_MAIN(ProjectionRendererTest)
+#include "projection_renderer_test.moc"
