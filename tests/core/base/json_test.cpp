@@ -111,7 +111,7 @@ private slots:
         row("nothing in what is in it", R"({"b": {}, "a": [], "c": [[], {}]})");
         row("members", R"({"b": 1, "a": [1, 2, {"c": null}], "B": true, "aa": false, "": "x"})");
         row("numbers", "[1e+05, 1e3, 1.5e2, 100000, 0.1, 1e-07, 1e18, 9.2e18, 1.5e+300, 1e+19, -3e4, 0.5e1]");
-        row("texts", R"(["a \"b\" \\ c", "\u001f", "k\u00e4se", "\ud83d\ude00", "/"])");
+        row("texts", "[\"a \\\"b\\\" \\\\ c\", \"\\u001f\", \"k\\u00e4se\", \"\\ud83d\\ude00\", \"/\"]");
     }
     void valuesAreFormatted()
     {
