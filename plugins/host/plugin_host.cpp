@@ -7,7 +7,6 @@
 #include "plugins/host/load_error.h"
 #include "plugins/host/plugin_folders.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QLibrary>
 #include <QPluginLoader>
@@ -136,9 +135,9 @@ std::unique_ptr<PluginHost> PluginHost::standard()
 {
     std::error_code problem;
     const fs::path own = fs::weakly_canonical(userPluginFolder(), problem); // as it stands among the folders
-    const fs::path program = QFile::encodeName(QCoreApplication::applicationDirPath()).toStdString();
-    return std::make_unique<PluginHost>(
-        PluginHostOptions{.folders = pluginFolders(program), .disabled = disabledPlugins(), .ownFolder = own});
+    const fs::path program = fs::read_symlink("/proc/self/exe", problem);
+    return std::make_unique<PluginHost>(PluginHostOptions{
+        .folders = pluginFolders(program.parent_path()), .disabled = disabledPlugins(), .ownFolder = own});
 }
 
 std::vector<PluginStatus> PluginHost::plugins() const

@@ -68,8 +68,7 @@ public:
     PluginHost(const PluginHost&) = delete;
     PluginHost& operator=(const PluginHost&) = delete;
 
-    /// With the folders and the disabled plugins of plugin_folders.h, as seen from the running program. Needs a
-    /// QCoreApplication.
+    /// With the folders and the disabled plugins of plugin_folders.h, as seen from the running program.
     static std::unique_ptr<PluginHost> standard();
 
     const std::vector<std::filesystem::path>& folders() const noexcept { return options_.folders; }
