@@ -16,8 +16,6 @@
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_values.h"
 
-#include <QFile>
-
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -48,15 +46,15 @@ Outcome describe(const ModelBuild& build, const std::string& wanted, bool isPack
     const BuildReport& report = build.report;
     const std::string output = isPacked ? wanted : build.model.string();
     Outcome outcome;
-    outcome.figures = {{"model", QFile::decodeName(output.c_str())},
-                       {"builder", QString::fromStdString(build.builder)},
-                       {"sites", static_cast<qint64>(report.sites)},
-                       {"tetrahedra", static_cast<qint64>(report.tetrahedra)},
+    outcome.figures = {{"model", output},
+                       {"builder", build.builder},
+                       {"sites", report.sites},
+                       {"tetrahedra", report.tetrahedra},
                        {"seconds", build.seconds},
-                       {"peak_bytes", static_cast<qint64>(build.peakBytes)},
-                       {"inverted", static_cast<qint64>(report.inverted)},
-                       {"degenerate", static_cast<qint64>(report.degenerate)},
-                       {"bytes", static_cast<qint64>(build.fileBytes)},
+                       {"peak_bytes", build.peakBytes},
+                       {"inverted", report.inverted},
+                       {"degenerate", report.degenerate},
+                       {"bytes", build.fileBytes},
                        {"stopped_early", build.stoppedEarly}};
     outcome.text = visibleText(output) + ": " + std::to_string(report.sites) + " sites, " +
                    std::to_string(report.tetrahedra) + " tetrahedra in the history" +
@@ -90,7 +88,7 @@ Status pack(const std::filesystem::path& built, const std::filesystem::path& out
     if (!report)
         return report.error();
     addPacking(*report, (*model)->fileSize(), outcome);
-    outcome.figures["bytes"] = static_cast<qint64>(report->fileBytes);
+    outcome.figures["bytes"] = report->fileBytes;
     return {};
 }
 
@@ -218,7 +216,7 @@ void tellThreads(const Arguments& arguments, int threads, const Provided<Builder
 {
     const bool usesThreads = builder.plugin->abilities(dataset, values).usesThreads;
     const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    outcome.figures["threads"] = usesThreads ? static_cast<qint64>(allowed) : 1;
+    outcome.figures["threads"] = usesThreads ? allowed : 1;
     if (!arguments.has("threads") || threads == 1 || usesThreads)
         return;
     outcome.text += "One thread was used: such a build has no work for more.";

@@ -6,13 +6,12 @@
 #include "app/command_line/progress_line.h"
 #include "app/command_line/result_output.h"
 #include "app/command_line/subcommand.h"
+#include "core/base/json_writer.h"
 #include "core/base/system_error.h"
 #include "core/base/text.h"
 
 #include <tan/open.h>
 #include <tan/version.h>
-
-#include <QJsonDocument>
 
 #include <algorithm>
 #include <cerrno>
@@ -86,30 +85,10 @@ int tell(const Streams& streams, const std::string& text, int code)
     return code;
 }
 
-/// The same for programs, and nothing in it that a terminal obeys: such characters, which stand in its strings alone,
-/// are written as JSON's own escapes.
-std::string jsonText(const QJsonObject& figures)
+/// The same for programs, and nothing in it that a terminal obeys.
+std::string jsonText(const JsonObject& figures)
 {
-    const auto isSeen = [](char32_t code) {
-        switch (QChar::category(code)) {
-        case QChar::Other_Control: return code == U'\n'; // between its values
-        case QChar::Other_Format:
-        case QChar::Separator_Line:
-        case QChar::Separator_Paragraph: return false;
-        default: return true;
-        }
-    };
-    QString text;
-    const QString plain = QString::fromUtf8(QJsonDocument(figures).toJson(QJsonDocument::Indented));
-    for (qsizetype i = 0; i < plain.size(); ++i) {
-        const bool isPair = plain[i].isHighSurrogate() && i + 1 < plain.size();
-        const QStringView character = QStringView(plain).mid(i, isPair ? 2 : 1);
-        const bool seen = isSeen(isPair ? QChar::surrogateToUcs4(plain[i], plain[i + 1]) : plain[i].unicode());
-        for (const QChar unit : character)
-            text += seen ? QString(unit) : QString("\\u%1").arg(unit.unicode(), 4, 16, QChar('0'));
-        i += character.size() - 1;
-    }
-    return text.toStdString();
+    return visibleJson(indentedJson(byName(figures)));
 }
 
 std::string wholeHelp(PluginHost& host)
@@ -166,10 +145,7 @@ int failFor(std::span<const std::string> words, const Streams& streams, const Er
     const int code = wantsJson(words) && streams.resultIsOutput ? exitCode(error.kind) : fail(streams, error);
     if (!wantsJson(words))
         return code;
-    Outcome told{.figures = {{"error", QString::fromStdString(error.text())},
-                             {"kind", QString::fromStdString(std::string(kindName(error.kind)))},
-                             {"exit_code", code}},
-                 .text = {}};
+    Outcome told{.figures = {{"error", error.text()}, {"kind", kindName(error.kind)}, {"exit_code", code}}, .text = {}};
     addRemarks(remarks, told);
     return tell(streams, jsonText(told.figures), code);
 }

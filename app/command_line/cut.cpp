@@ -9,9 +9,6 @@
 
 #include <tan/packed.h>
 
-#include <QFile>
-#include <QJsonArray>
-
 #include <array>
 
 /// `tan cut` and `tan unpack`: a model, or its coarse levels, as an explicit file.
@@ -33,21 +30,21 @@ Result<Outcome> copyInput(const Invocation& invocation, const std::optional<Accu
     if (!report)
         return report.error();
     Outcome outcome;
-    outcome.figures = {{"model", QFile::decodeName(output.c_str())},
-                       {"sites", static_cast<qint64>(report->sites)},
-                       {"of_sites", static_cast<qint64>(report->sitesOfWhole)},
-                       {"tetrahedra", static_cast<qint64>(report->tetrahedra)},
-                       {"bytes", static_cast<qint64>(report->fileBytes)}};
+    outcome.figures = {{"model", output.string()},
+                       {"sites", report->sites},
+                       {"of_sites", report->sitesOfWhole},
+                       {"tetrahedra", report->tetrahedra},
+                       {"bytes", report->fileBytes}};
     outcome.text = visibleText(output.string()) + ": " + std::to_string(report->sites) +
                    (report->sites == report->sitesOfWhole ? "" : " of " + std::to_string(report->sitesOfWhole)) +
                    " sites, " + std::to_string(report->tetrahedra) + " tetrahedra in the history, " +
                    byteText(report->fileBytes) + "\n";
     if (report->derived.empty())
         return outcome;
-    QJsonArray derived;
+    JsonArray derived;
     std::string names;
     for (const std::string& section : report->derived) {
-        derived.append(QString::fromStdString(section));
+        derived.push_back(section);
         names += (names.empty() ? "" : ", ") + visibleText(section);
     }
     outcome.figures["derived"] = derived;

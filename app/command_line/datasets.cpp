@@ -8,8 +8,6 @@
 #include "plugins/host/input_file.h"
 #include "plugins/host/time_choice.h"
 
-#include <QJsonArray>
-
 #include <algorithm>
 #include <array>
 #include <span>
@@ -17,7 +15,7 @@
 namespace tetra {
 namespace {
 
-QJsonArray toJson(const Eigen::Vector3d& vector)
+JsonArray toJson(const Eigen::Vector3d& vector)
 {
     return {vector[0], vector[1], vector[2]};
 }
@@ -227,29 +225,29 @@ DatasetSummary summaryOf(const ModelDescription& description)
             .lengthUnit = description.lengthUnit};
 }
 
-QJsonObject datasetFigures(const DatasetSummary& summary)
+JsonObject datasetFigures(const DatasetSummary& summary)
 {
     const Lattice& lattice = summary.lattice;
-    QJsonObject figures = {{"kind", QString::fromStdString(std::string(domainClassName(summary.domain)))},
-                           {"points", static_cast<qint64>(lattice.pointCount())},
-                           {"range", QJsonArray{summary.range.minimum, summary.range.maximum}},
-                           {"type", QString::fromStdString(std::string(sampleTypeName(summary.type)))},
-                           {"bounds", QJsonArray{toJson(summary.bounds.min()), toJson(summary.bounds.max())}}};
+    JsonObject figures = {{"kind", domainClassName(summary.domain)},
+                          {"points", lattice.pointCount()},
+                          {"range", JsonArray{summary.range.minimum, summary.range.maximum}},
+                          {"type", sampleTypeName(summary.type)},
+                          {"bounds", JsonArray{toJson(summary.bounds.min()), toJson(summary.bounds.max())}}};
     if (summary.cells)
-        figures["cells"] = static_cast<qint64>(*summary.cells);
+        figures["cells"] = *summary.cells;
     if (isOnLattice(summary.domain))
-        figures["size"] = QJsonArray{qint64(lattice.size[0]), qint64(lattice.size[1]), qint64(lattice.size[2])};
+        figures["size"] = JsonArray{lattice.size[0], lattice.size[1], lattice.size[2]};
     if (summary.domain == DomainClass::RegularLattice) {
         figures["spacing"] = toJson(lattice.spacing);
         figures["origin"] = toJson(lattice.origin);
         if (!lattice.isAlongAxes())
-            figures["directions"] = QJsonArray{toJson(lattice.directions.col(0)), toJson(lattice.directions.col(1)),
-                                               toJson(lattice.directions.col(2))};
+            figures["directions"] = JsonArray{toJson(lattice.directions.col(0)), toJson(lattice.directions.col(1)),
+                                              toJson(lattice.directions.col(2))};
     }
     if (!summary.space.empty())
-        figures["space"] = QString::fromStdString(spaceText(summary.space));
+        figures["space"] = spaceText(summary.space);
     if (!summary.lengthUnit.empty())
-        figures["unit"] = QString::fromStdString(summary.lengthUnit);
+        figures["unit"] = summary.lengthUnit;
     if (summary.convex)
         figures["convex"] = *summary.convex;
     return figures;
@@ -283,20 +281,20 @@ std::string datasetText(const DatasetSummary& summary)
 
 void addProvenance(std::span<const Taken> taken, std::span<const Message> leftOut, Outcome& outcome)
 {
-    QJsonObject parts;
-    QJsonArray guesses, unused;
+    JsonObject parts;
+    JsonArray guesses, unused;
     std::string line;
     for (const Taken& one : taken) {
-        const QString name = QString::fromStdString(std::string(takenPartName(one.part)));
-        parts[name] = QString::fromStdString(one.what.text());
+        const std::string name(takenPartName(one.part));
+        parts[name] = one.what.text();
         if (one.guessed)
-            guesses.append(name);
+            guesses.push_back(name);
         line += (line.empty() ? "taken: " : "; ") + visibleText(takenText(one).text());
     }
     if (!line.empty())
         outcome.text += line + "\n";
     for (const Message& one : leftOut) {
-        unused.append(QString::fromStdString(one.text()));
+        unused.push_back(one.text());
         outcome.text += "not used: " + visibleText(one.text()) + "\n";
     }
     outcome.figures["taken"] = parts;
@@ -306,11 +304,11 @@ void addProvenance(std::span<const Taken> taken, std::span<const Message> leftOu
 
 namespace {
 
-QJsonArray toJson(std::span<const std::string> names)
+JsonArray toJson(std::span<const std::string> names)
 {
-    QJsonArray list;
+    JsonArray list;
     for (const std::string& name : names)
-        list.append(QString::fromStdString(name));
+        list.push_back(name);
     return list;
 }
 
@@ -358,23 +356,22 @@ std::string arrayText(const FileArray& array)
 void addContents(const FileContents& contents, Outcome& outcome)
 {
     constexpr int timeDigits = 12; // hours since 1900 and seconds since 1970 stay apart, and 0.1 + 0.2 is 0.3
-    QJsonArray arrays, steps;
+    JsonArray arrays, steps;
     std::vector<std::string> lines, times;
     for (const FileArray& array : contents.arrays) {
         if (array.name.empty() && array.components == 1)
             continue; // the only one, of which there is nothing to tell
-        QJsonObject figures{{"name", QString::fromStdString(array.name)},
-                            {"components", array.components},
-                            {"on", array.perCell ? "cells" : "points"}};
+        JsonObject figures{
+            {"name", array.name}, {"components", array.components}, {"on", array.perCell ? "cells" : "points"}};
         if (array.range)
-            figures["range"] = QJsonArray{array.range->minimum, array.range->maximum};
+            figures["range"] = JsonArray{array.range->minimum, array.range->maximum};
         if (!array.unit.empty())
-            figures["unit"] = QString::fromStdString(array.unit);
-        arrays.append(figures);
+            figures["unit"] = array.unit;
+        arrays.push_back(figures);
         lines.push_back(arrayText(array));
     }
     for (const double time : contents.timeSteps) { // with the numbers that choose them, which times are not
-        steps.append(time);
+        steps.push_back(time);
         times.push_back(std::to_string(times.size() + 1) + " (time " + rounded(time, timeDigits) + ")");
     }
     outcome.figures["arrays"] = arrays;
@@ -394,7 +391,7 @@ void addContents(const FileContents& contents, Outcome& outcome)
 void addRemarks(const Dataset& dataset, Outcome& outcome)
 {
     addProvenance(dataset.source.taken, dataset.source.leftOut, outcome);
-    outcome.figures["remarks"] = QJsonArray();
+    outcome.figures["remarks"] = JsonArray();
     addRemarks(dataset.remarks, outcome);
     addFaultyCells(dataset, outcome);
 }
@@ -406,10 +403,9 @@ void addFaultyCells(std::span<const FaultyCell> cells, std::string_view where, O
     constexpr std::array<const char*, 7> names = {"not-finite",   "no-volume", "warped", "duplicate",
                                                   "crowded-face", "inverted",  "overlap"};
     constexpr std::size_t mostListed = 10'000, mostLines = 5;
-    QJsonArray list;
+    JsonArray list;
     for (const FaultyCell& one : cells.first(std::min(cells.size(), mostListed))) {
-        list.append(QJsonObject{{"cell", static_cast<qint64>(one.cell)},
-                                {"fault", names.at(static_cast<std::size_t>(one.fault))}});
+        list.push_back(JsonObject{{"cell", one.cell}, {"fault", names.at(static_cast<std::size_t>(one.fault))}});
         if (static_cast<std::size_t>(list.size()) <= mostLines)
             outcome.text += "Cell " + std::to_string(one.cell) + std::string(where) + ": " +
                             std::string(cellFaultText(one.fault)) + ".\n";
@@ -417,7 +413,7 @@ void addFaultyCells(std::span<const FaultyCell> cells, std::string_view where, O
     if (cells.size() > mostLines)
         outcome.text += "... and " + std::to_string(cells.size() - mostLines) + " more; --json lists them.\n";
     outcome.figures["faulty_cells"] = list;
-    outcome.figures["faulty_cell_count"] = static_cast<qint64>(cells.size());
+    outcome.figures["faulty_cell_count"] = cells.size();
 }
 
 void addFaultyCells(const Dataset& dataset, Outcome& outcome)

@@ -45,7 +45,7 @@ DatasetSummary summaryOf(const ModelDescription& description);
 /// "kind", "points", "range", "type" and "bounds"; "cells" if they are known; of grids also "size", of lattices
 /// "spacing" and "origin" and, if it does not lie along x, y and z, the "directions" of its axes; "space" and
 /// "unit" if the file says them; of other grids and meshes "convex".
-QJsonObject datasetFigures(const DatasetSummary& summary);
+JsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
 std::string datasetText(const DatasetSummary& summary);
 

@@ -13,7 +13,7 @@ namespace tetra {
 
 namespace {
 
-QJsonObject toJson(const ResidualStatistics& statistics)
+JsonObject toJson(const ResidualStatistics& statistics)
 {
     return {{"largest", statistics.largest},
             {"mean", statistics.mean},
@@ -22,10 +22,12 @@ QJsonObject toJson(const ResidualStatistics& statistics)
 }
 
 /// Of figures that do not say it, such as those of an older server, there is one error.
-ErrorMeaning meaningOf(const QJsonObject& figures)
+ErrorMeaning meaningOf(const JsonObject& figures)
 {
-    const auto word = figures["error_kind"].toString().toStdString();
-    return choiceOf<ErrorMeaning>(errorKindWords, word).value_or(ErrorMeaning::Only);
+    const JsonValue* const kind = figures.find("error_kind");
+    const std::string* const word = kind != nullptr ? kind->string() : nullptr;
+    const auto meaning = word != nullptr ? choiceOf<ErrorMeaning>(errorKindWords, *word) : std::nullopt;
+    return meaning.value_or(ErrorMeaning::Only);
 }
 
 std::string paragraph(ErrorMeaning meaning, bool isMeasured)
@@ -44,26 +46,27 @@ std::string guaranteeText(const ModelDescription& description, bool isMeasured)
     return paragraph(errorMeaning(description), isMeasured);
 }
 
-std::string guaranteeText(const QJsonObject& figures)
+std::string guaranteeText(const JsonObject& figures)
 {
     const bool isOneMesh = figures.contains("error");
     const bool isKnown = meaningOf(figures) != ErrorMeaning::InGrid || figures.contains("error_in_space");
     return isOneMesh && !isKnown ? paragraph(ErrorMeaning::InGrid, false) : std::string();
 }
 
-std::string errorsUpTo(double percent, const QJsonObject& figures)
+std::string errorsUpTo(double percent, const JsonObject& figures)
 {
     const ErrorMeaning meaning = meaningOf(figures);
     std::string text = std::string(textFor(errorsNames, meaning)) + " of up to " + rounded(percent) + " %";
-    if (meaning == ErrorMeaning::InGrid && figures.contains("error_in_space"))
-        text += ", in space of up to " + rounded(figures["error_in_space"].toObject()["largest"].toDouble()) + " %";
+    const JsonValue* const inSpace = figures.find("error_in_space");
+    if (meaning == ErrorMeaning::InGrid && inSpace != nullptr && inSpace->object() != nullptr)
+        text += ", in space of up to " + rounded(inSpace->object()->numberAs<double>("largest").value_or(0)) + " %";
     return text;
 }
 
-void addErrorInSpace(QJsonObject& figures, const ErrorInSpace& measured)
+void addErrorInSpace(JsonObject& figures, const ErrorInSpace& measured)
 {
-    QJsonObject inSpace = toJson(measured);
-    inSpace["outside"] = static_cast<qint64>(measured.outside);
+    JsonObject inSpace = toJson(measured);
+    inSpace["outside"] = measured.outside;
     figures["error_in_space"] = inSpace;
 }
 
@@ -80,7 +83,7 @@ std::string logarithmText(const ModelDescription& description)
                                                    : std::string();
 }
 
-void addStatistics(QJsonObject& figures, const ErrorStatistics& measured, DomainClass domain)
+void addStatistics(JsonObject& figures, const ErrorStatistics& measured, DomainClass domain)
 {
     figures["error_statistics"] = toJson(measured.error);
     addErrorInSpace(figures, measured.errorInSpace);

@@ -20,8 +20,6 @@
 
 #include <tan/query.h>
 
-#include <QFile>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -46,9 +44,9 @@ struct Task {
 
 Outcome outcomeOf(const Destination& output, const TetrahedralMesh& mesh)
 {
-    return {.figures = {{"file", QFile::decodeName(nameInFigures(output).c_str())},
-                        {"sites", static_cast<qint64>(mesh.positions.size())},
-                        {"tetrahedra", static_cast<qint64>(mesh.tetrahedra.size())}},
+    return {.figures = {{"file", nameInFigures(output)},
+                        {"sites", mesh.positions.size()},
+                        {"tetrahedra", mesh.tetrahedra.size()}},
             .text = shownName(output) + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
                     std::to_string(mesh.tetrahedra.size()) + " tetrahedra"};
 }
@@ -56,7 +54,7 @@ Outcome outcomeOf(const Destination& output, const TetrahedralMesh& mesh)
 /// What there is to tell of one mesh, by its figures.
 void describeMesh(PluginHost& host, const Destination& output, Outcome& outcome)
 {
-    const auto figure = [&](const char* name) { return outcome.figures[name].toInteger(); };
+    const auto figure = [&](const char* name) { return outcome.figures.numberAs<std::int64_t>(name).value_or(0); };
     if (figure("tetrahedra") != figure("kept_tetrahedra"))
         outcome.text += ", pieces of " + std::to_string(figure("kept_tetrahedra")) + " of the " +
                         std::to_string(figure("whole_tetrahedra")) + " of the whole mesh";
@@ -64,16 +62,16 @@ void describeMesh(PluginHost& host, const Destination& output, Outcome& outcome)
         outcome.text += " of " + std::to_string(figure("whole_tetrahedra"));
     if (isSurfaceFileOnly(host, output.path))
         outcome.text += ", of which the file has the boundary";
-    const bool isScaled = outcome.figures["scale"].toDouble() > 1;
+    const bool isScaled = outcome.figures.numberAs<double>("scale").value_or(0) > 1;
     outcome.text += reachedText(outcome.figures);
     if (!outcome.figures.contains("reached_error") && isScaled)
-        outcome.text += ", with " + errorsUpTo(outcome.figures["error"].toDouble(), outcome.figures);
+        outcome.text += ", with " + errorsUpTo(outcome.figures.numberAs<double>("error").value_or(0), outcome.figures);
 }
 
-void addFigures(Outcome& outcome, const QJsonObject& figures)
+void addFigures(Outcome& outcome, const JsonObject& figures)
 {
-    for (auto figure = figures.begin(); figure != figures.end(); ++figure)
-        outcome.figures[figure.key()] = figure.value();
+    for (const auto& [name, figure] : figures)
+        outcome.figures[name] = figure;
 }
 
 Option againstOption()
@@ -175,7 +173,7 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
     if (!written)
         return written.error();
     Outcome outcome = outcomeOf(task.output, found.mesh);
-    addFigures(outcome, figuresOf(task.model, query, found));
+    addFigures(outcome, meshFigures(task.model, query, found));
     const DomainClass domain = task.model.description().domain;
     if (statistics)
         addStatistics(outcome.figures, *statistics, domain);

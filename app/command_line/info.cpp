@@ -21,8 +21,6 @@
 #include <tan/query.h>
 #include <tan/verify.h>
 
-#include <QJsonArray>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -31,26 +29,20 @@
 namespace tetra {
 namespace {
 
-QString toQString(const std::string& text)
-{
-    return QString::fromStdString(text);
-}
-
 /// "array": what the values are called, where that is known.
-void addArrayName(const std::string& name, QJsonObject& figures)
+void addArrayName(const std::string& name, JsonObject& figures)
 {
     if (!name.empty())
-        figures["array"] = toQString(name);
+        figures["array"] = name;
 }
 
-QJsonObject provenanceFigures(const ModelDescription& description)
+JsonObject provenanceFigures(const ModelDescription& description)
 {
-    QJsonObject parameters;
+    JsonObject parameters;
     for (const auto& [id, value] : description.parameters)
-        parameters[toQString(id)] = toQString(value);
-    QJsonObject figures{{"builder", toQString(description.builder)},
-                        {"parameters", parameters},
-                        {"source", toQString(description.sourceName)}};
+        parameters[id] = value;
+    JsonObject figures{
+        {"builder", description.builder}, {"parameters", parameters}, {"source", description.sourceName}};
     addArrayName(description.valueName, figures);
     if (holdsLogarithms(description.parameters))
         figures["scale"] = "log10";
@@ -69,8 +61,8 @@ std::string provenanceText(const ModelDescription& description)
 /// What the file of the dataset offered, as the model keeps it.
 void addSource(const ModelDescription& description, Outcome& outcome)
 {
-    for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
-        outcome.figures[key] = QJsonValue::fromVariant(value);
+    for (const auto& [name, figure] : provenanceFigures(description))
+        outcome.figures[name] = figure;
     outcome.text += provenanceText(description);
     addProvenance(description.taken, description.leftOut, outcome);
 }
@@ -78,7 +70,7 @@ void addSource(const ModelDescription& description, Outcome& outcome)
 /// The table of the levels, as rows for people and as a list for programs.
 struct LevelTable {
     std::vector<std::vector<std::string>> rows;
-    QJsonArray list;
+    JsonArray list;
     bool anyInverted = false;
 };
 
@@ -113,18 +105,15 @@ Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& l
     for (std::size_t number = 0; number < levels.size(); ++number) {
         const Accuracy& level = levels[number];
         const MeshSize size = meshSizeOf(model, sites[number]);
-        QJsonObject figures{{"error", level.error},
-                            {"warping", warps ? level.warping : 0},
-                            {"sites", static_cast<qint64>(size.sites)},
-                            {"tetrahedra", static_cast<qint64>(size.tetrahedra)},
-                            {"reached", size.error},
-                            {"reached_warping", size.warping}};
+        JsonObject figures{{"error", level.error},  {"warping", warps ? level.warping : 0},
+                           {"sites", size.sites},   {"tetrahedra", size.tetrahedra},
+                           {"reached", size.error}, {"reached_warping", size.warping}};
         if (model.description().domain == DomainClass::Curvilinear)
-            figures["inverted"] = static_cast<qint64>(inverted[number]);
+            figures["inverted"] = inverted[number];
         const double factor = factorOf(size.error, model.description().range);
         if (logarithms)
             figures["reached_factor"] = factor;
-        result.list.append(figures);
+        result.list.push_back(figures);
         std::vector<std::string> row = {warps ? limitText(level.error) : rounded(level.error),
                                         std::to_string(size.sites), std::to_string(size.tetrahedra),
                                         rounded(size.error)};
@@ -169,14 +158,11 @@ Status addMeasured(const Invocation& invocation, const Model& model, const std::
         return verdict.error();
     const DomainClass domain = model.description().domain;
     std::vector<NamedStatistics> measured;
-    QJsonArray list;
     for (std::size_t number = 0; number < levels.size(); ++number) {
-        QJsonObject figures = outcome.figures["levels"][static_cast<qsizetype>(number)].toObject();
+        JsonObject& figures = *(*outcome.figures["levels"].array())[number].object();
         addStatistics(figures, verdict->levels[number].measured, domain);
-        list.append(figures);
         measured.push_back({rounded(levels[number].error) + " %", verdict->levels[number].measured});
     }
-    outcome.figures["levels"] = list;
     outcome.text += "\n" + statisticsText(measured, domain);
     outcome.isYes = verdict->ok();
     if (!verdict->ok())
@@ -211,9 +197,9 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
     outcome.figures = datasetFigures(summary);
     outcome.text = shownInput(path) + ": model of a " + datasetText(summary) + "\n";
     addSource(description, outcome);
-    outcome.figures["sites"] = static_cast<qint64>(model.siteCount());
-    outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
-    outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
+    outcome.figures["sites"] = model.siteCount();
+    outcome.figures["tetrahedra"] = model.tetrahedronCount();
+    outcome.figures["bytes"] = model.fileSize();
     outcome.figures["levels"] = found->list;
     outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning(description));
     outcome.text += std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
@@ -244,7 +230,7 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     const bool logarithms = holdsLogarithms(description.parameters);
     const bool isPacked = facts->form == ModelForm::Packed;
     const DatasetSummary summary = summaryOf(description);
-    QJsonArray list;
+    JsonArray list;
     std::vector<std::vector<std::string>> rows = {{errorHead(description), "sites", "read", "reached %"}};
     if (warps) {
         rows[0].insert(rows[0].begin() + 1, "warping %");
@@ -258,16 +244,13 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
         };
         const auto found = std::ranges::find_if(facts->levels, keeps);
         const LevelInFile& reached = found != facts->levels.end() ? *found : facts->levels.back();
-        QJsonObject figures{{"error", level.error},
-                            {"warping", warps ? level.warping : 0},
-                            {"sites", static_cast<qint64>(reached.sites)},
-                            {"bytes", static_cast<qint64>(reached.bytes)},
-                            {"reached", reached.error},
-                            {"reached_warping", reached.warping}};
+        JsonObject figures{{"error", level.error},     {"warping", warps ? level.warping : 0},
+                           {"sites", reached.sites},   {"bytes", reached.bytes},
+                           {"reached", reached.error}, {"reached_warping", reached.warping}};
         const double factor = factorOf(reached.error, description.range);
         if (logarithms)
             figures["reached_factor"] = factor;
-        list.append(figures);
+        list.push_back(figures);
         std::vector<std::string> row = {warps ? limitText(level.error) : rounded(level.error),
                                         std::to_string(reached.sites), byteText(reached.bytes), rounded(reached.error)};
         if (warps) {
@@ -282,10 +265,10 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     outcome.text = shownInput(path) + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) + "\n";
     addSource(description, outcome);
     outcome.figures["form"] = isPacked ? "packed" : "explicit";
-    outcome.figures["sites"] = static_cast<qint64>(facts->sites);
-    outcome.figures["tetrahedra"] = static_cast<qint64>(facts->tetrahedra);
-    outcome.figures["bytes"] = static_cast<qint64>(facts->fileBytes);
-    outcome.figures["unpacked_bytes"] = static_cast<qint64>(facts->unpackedBytes);
+    outcome.figures["sites"] = facts->sites;
+    outcome.figures["tetrahedra"] = facts->tetrahedra;
+    outcome.figures["bytes"] = facts->fileBytes;
+    outcome.figures["unpacked_bytes"] = facts->unpackedBytes;
     outcome.figures["levels"] = list;
     outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning(description));
     outcome.text += std::to_string(facts->sites) + " sites, " + std::to_string(facts->tetrahedra) +
@@ -314,7 +297,7 @@ Result<ParameterValues> errorAsked(const Arguments& arguments, const Builder& bu
 Status addEstimates(const Invocation& invocation, const BuildSize& size, const Dataset* dataset, Outcome& outcome)
 {
     const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-    QJsonArray list;
+    JsonArray list;
     for (const auto& builder : invocation.host.builders()) {
         if (dataset != nullptr && !(builder.plugin->accepts(*dataset).score > 0))
             continue;
@@ -324,11 +307,11 @@ Status addEstimates(const Invocation& invocation, const BuildSize& size, const D
         const auto estimate = builder.plugin->estimate(size, *values, threads);
         if (!estimate)
             continue;
-        list.append(QJsonObject{{"builder", toQString(builder.id)},
-                                {"memory_bytes", static_cast<qint64>(estimate->memoryBytes)},
-                                {"disk_bytes", static_cast<qint64>(estimate->diskBytes)},
-                                {"model_bytes", static_cast<qint64>(estimate->modelBytes)},
-                                {"seconds", estimate->seconds}});
+        list.push_back(JsonObject{{"builder", builder.id},
+                                  {"memory_bytes", estimate->memoryBytes},
+                                  {"disk_bytes", estimate->diskBytes},
+                                  {"model_bytes", estimate->modelBytes},
+                                  {"seconds", estimate->seconds}});
         outcome.text += "a build by " + visibleText(builder.id) + " would take about " +
                         byteText(estimate->memoryBytes) + " of memory, " + byteText(estimate->diskBytes) +
                         " of disk and " + durationText(estimate->seconds) + "\n";
@@ -346,14 +329,14 @@ Status describeHeaders(const Invocation& invocation, const std::string& path, co
 {
     const Lattice& lattice = contents.lattice;
     const std::uint64_t points = contents.points != 0 ? contents.points : lattice.pointCount();
-    outcome.figures["kind"] = toQString(std::string(domainClassName(*contents.domain)));
-    outcome.figures["points"] = static_cast<qint64>(points);
+    outcome.figures["kind"] = domainClassName(*contents.domain);
+    outcome.figures["points"] = points;
     if (contents.type)
-        outcome.figures["type"] = toQString(std::string(sampleTypeName(*contents.type)));
+        outcome.figures["type"] = sampleTypeName(*contents.type);
     outcome.text = visibleText(path) + ": " + std::string(domainClassName(*contents.domain)) + ", " +
                    std::to_string(points) + " points";
     if (isOnLattice(*contents.domain)) {
-        outcome.figures["size"] = QJsonArray{qint64(lattice.size[0]), qint64(lattice.size[1]), qint64(lattice.size[2])};
+        outcome.figures["size"] = JsonArray{lattice.size[0], lattice.size[1], lattice.size[2]};
         outcome.text += ", " + std::to_string(lattice.size[0]) + " x " + std::to_string(lattice.size[1]) + " x " +
                         std::to_string(lattice.size[2]);
     }
@@ -388,7 +371,7 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
         Outcome outcome;
         if (const Status described = describeHeaders(invocation, path, *contents, outcome); !described)
             return described.error();
-        outcome.figures["bytes"] = static_cast<qint64>(bytes);
+        outcome.figures["bytes"] = bytes;
         return outcome;
     }
     const auto dataset = openDataset(invocation.host, path, *options, invocation.progress.part(0.2, 1));
@@ -398,9 +381,9 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     Outcome outcome{.figures = datasetFigures(summary),
                     .text = visibleText(path) + ": " + visibleText(dataset->source.name) + ", " + datasetText(summary) +
                             "\n"};
-    outcome.figures["source"] = toQString(dataset->source.name);
+    outcome.figures["source"] = dataset->source.name;
     addArrayName(dataset->source.valueName, outcome.figures);
-    outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
+    outcome.figures["bytes"] = problem ? 0 : bytes;
     addContents(contents ? *contents : FileContents(), outcome);
     if (const Status estimated = addEstimates(invocation, buildSizeOf(*dataset), &*dataset, outcome); !estimated)
         return estimated.error();

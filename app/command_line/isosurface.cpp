@@ -21,9 +21,6 @@
 #include <tan/query.h>
 #include <tan/render.h>
 
-#include <QFile>
-#include <QJsonArray>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -211,27 +208,27 @@ SurfaceContent contentOf(const Model& model, const MeshQuery& query, const Extra
     return content;
 }
 
-QJsonObject figuresOf(const SurfaceDistance& distance)
+JsonObject figuresOf(const SurfaceDistance& distance)
 {
     return {{"largest", distance.largest}, {"mean", distance.mean}};
 }
 
-QJsonObject figuresOf(const MadeSurface& surface)
+JsonObject figuresOf(const MadeSurface& surface)
 {
     const SurfaceShape& shape = surface.shape;
-    QJsonObject figures{{"value", surface.value},
-                        {"vertices", static_cast<qint64>(surface.mesh.positions.size())},
-                        {"triangles", static_cast<qint64>(surface.mesh.triangles.size())},
-                        {"parts", static_cast<qint64>(shape.parts)},
-                        {"openings", static_cast<qint64>(shape.openings)},
-                        {"open_edges", static_cast<qint64>(shape.openEdges)},
-                        {"crowded_edges", static_cast<qint64>(shape.crowdedEdges)},
-                        {"area", shape.area}};
+    JsonObject figures{{"value", surface.value},
+                       {"vertices", surface.mesh.positions.size()},
+                       {"triangles", surface.mesh.triangles.size()},
+                       {"parts", shape.parts},
+                       {"openings", shape.openings},
+                       {"open_edges", shape.openEdges},
+                       {"crowded_edges", shape.crowdedEdges},
+                       {"area", shape.area}};
     if (shape.isClosed())
         figures["volume"] = shape.volume;
     if (surface.deviation)
-        figures["deviation"] = QJsonObject{{"to_finest", figuresOf(surface.deviation->toFinest)},
-                                           {"from_finest", figuresOf(surface.deviation->fromFinest)}};
+        figures["deviation"] = JsonObject{{"to_finest", figuresOf(surface.deviation->toFinest)},
+                                          {"from_finest", figuresOf(surface.deviation->fromFinest)}};
     return figures;
 }
 
@@ -336,7 +333,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     std::size_t vertices = 0;
     std::size_t triangles = 0;
     std::vector<double> empty;
-    QJsonArray each;
+    JsonArray each;
     std::string shapes;
     const bool logarithms = holdsLogarithms(model->description().parameters);
     for (const MadeSurface& surface : surfaces->all) {
@@ -346,26 +343,26 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
             empty.push_back(surface.value);
         else
             shapes += shapeText(surface, model->description().lengthUnit).text() + "\n";
-        QJsonObject ofSurface = figuresOf(surface);
+        JsonObject ofSurface = figuresOf(surface);
         if (logarithms) {
             const double inData = std::pow(10.0, surface.value);
             ofSurface["value_in_data"] = inData;
             shapes += formatNumber(surface.value) + " is " + rounded(inData) + " in " +
                       visibleText(nameOfLogarithms(model->description().valueName)) + "\n";
         }
-        each.append(ofSurface);
+        each.push_back(ofSurface);
     }
-    QJsonObject figures = figuresOf(*model, *query, mesh);
+    JsonObject figures = meshFigures(*model, *query, mesh);
     if (*inSpace)
         addErrorInSpace(figures, **inSpace);
-    figures["file"] = QFile::decodeName(nameInFigures(*output).c_str());
-    figures["vertices"] = static_cast<qint64>(vertices);
-    figures["triangles"] = static_cast<qint64>(triangles);
+    figures["file"] = nameInFigures(*output);
+    figures["vertices"] = vertices;
+    figures["triangles"] = triangles;
     figures["seconds"] = elapsed.count();
     if (!query->range)
         figures["surfaces"] = each;
     if (const std::string& unit = model->description().lengthUnit; !unit.empty())
-        figures["unit"] = QString::fromStdString(unit);
+        figures["unit"] = unit;
     Outcome outcome{.figures = figures,
                     .text = shownName(*output) + ": " + std::to_string(vertices) + " vertices, " +
                             std::to_string(triangles) + " triangles from " +

@@ -24,17 +24,21 @@ void withoutRuntimeFolder(QtMsgType type, const QMessageLogContext& context, con
         std::cerr << qFormatLogMessage(type, context, text).toStdString() << std::endl;
 }
 
-/// Starts the part of Qt that these words need: fonts take a tenth of a second.
-std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, const std::vector<std::string>& words)
+/// What draws texts: Qt with its fonts, without a display. That takes a tenth of a second, so only commands that need
+/// it pay for it.
+std::unique_ptr<QGuiApplication> startFonts(int& argc, char** argv)
 {
-    if (!tetra::needsFonts(words))
-        return std::make_unique<QCoreApplication>(argc, argv);
     qputenv("QT_QPA_PLATFORM", "offscreen");
     // Machines without a login have no folder for running programs. Nothing is put there, and Qt would complain.
     if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR"))
         qInstallMessageHandler(withoutRuntimeFolder);
     QLocale::setDefault(QLocale::c()); // what is drawn is as what is printed
-    return std::make_unique<QGuiApplication>(argc, argv);
+    auto fonts = std::make_unique<QGuiApplication>(argc, argv);
+    // Qt takes over the user's locale; numbers keep their decimal point and what the system says of errors stays
+    // English.
+    std::setlocale(LC_NUMERIC, "C");
+    std::setlocale(LC_MESSAGES, "C");
+    return fonts;
 }
 
 /// A program may be started without its standard streams (2>&-). The first files that it opens would take their
@@ -55,11 +59,7 @@ int run(int argc, char** argv)
         return 4;
     }
     const tetra::Interruption interruption;
-    const auto application = makeApplication(argc, argv, words);
-    // Qt takes over the user's locale; numbers keep their decimal point and what the system says of errors stays
-    // English.
-    std::setlocale(LC_NUMERIC, "C");
-    std::setlocale(LC_MESSAGES, "C");
+    const auto fonts = tetra::needsFonts(words) ? startFonts(argc, argv) : nullptr;
     const auto host = tetra::PluginHost::standard();
     return tetra::runCommandLine(words, *host, {std::cout, std::cerr, isatty(STDERR_FILENO) != 0},
                                  interruption.token());

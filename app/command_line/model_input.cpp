@@ -178,10 +178,8 @@ void tellPart(const FoundModel& found, Outcome& outcome)
     if (found.isWhole)
         return;
     const std::uint32_t sites = found.model->siteCount();
-    outcome.figures["read_part"] = QJsonObject{{"sites", static_cast<qint64>(sites)},
-                                               {"of_sites", static_cast<qint64>(found.sitesOfWhole)},
-                                               {"bytes", static_cast<qint64>(found.readBytes)},
-                                               {"of_bytes", static_cast<qint64>(found.fileBytes)}};
+    outcome.figures["read_part"] = JsonObject{
+        {"sites", sites}, {"of_sites", found.sitesOfWhole}, {"bytes", found.readBytes}, {"of_bytes", found.fileBytes}};
     outcome.text += "read of the model: " + std::to_string(sites) + " of " + std::to_string(found.sitesOfWhole) +
                     " sites, " + byteText(found.readBytes) + " of " + byteText(found.fileBytes) +
                     ", as much as the mesh needs\n";

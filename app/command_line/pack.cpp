@@ -9,8 +9,6 @@
 #include "core/build/model_build.h"
 #include "plugins/host/output_check.h"
 
-#include <QFile>
-
 #include <algorithm>
 #include <array>
 
@@ -19,11 +17,14 @@ namespace tetra {
 void addPacking(const PackReport& report, std::uint64_t unpackedBytes, Outcome& outcome)
 {
     const bool replayed = report.method == PackMethod::Replayed;
-    outcome.figures["packed"] = QJsonObject{
-        {"method", replayed ? "replayed" : "by-parts"},         {"bytes", static_cast<qint64>(report.fileBytes)},
-        {"unpacked_bytes", static_cast<qint64>(unpackedBytes)}, {"positions", static_cast<qint64>(report.positions)},
-        {"values", static_cast<qint64>(report.values)},         {"accuracy", static_cast<qint64>(report.accuracy)},
-        {"own_errors", static_cast<qint64>(report.ownErrors)},  {"other", static_cast<qint64>(report.other)}};
+    outcome.figures["packed"] = JsonObject{{"method", replayed ? "replayed" : "by-parts"},
+                                           {"bytes", report.fileBytes},
+                                           {"unpacked_bytes", unpackedBytes},
+                                           {"positions", report.positions},
+                                           {"values", report.values},
+                                           {"accuracy", report.accuracy},
+                                           {"own_errors", report.ownErrors},
+                                           {"other", report.other}};
     const double times =
         static_cast<double>(unpackedBytes) / static_cast<double>(std::max<std::uint64_t>(report.fileBytes, 1));
     outcome.text += "packed from " + byteText(unpackedBytes) + " to " + byteText(report.fileBytes) + ", " +
@@ -59,8 +60,7 @@ Result<Outcome> runPack(const Invocation& invocation)
     const auto report = packModel(*found->model, output, invocation.progress.part(0.05, 1));
     if (!report)
         return report.error();
-    Outcome outcome{.figures = {{"file", QFile::decodeName(output.c_str())},
-                                {"sites", static_cast<qint64>(found->model->siteCount())}},
+    Outcome outcome{.figures = {{"file", output.string()}, {"sites", found->model->siteCount()}},
                     .text =
                         visibleText(output.string()) + ": " + std::to_string(found->model->siteCount()) + " sites, "};
     addPacking(*report, found->model->fileSize(), outcome);

@@ -3,8 +3,6 @@
 #include "app/command_line/table.h"
 #include "core/base/text.h"
 
-#include <QJsonArray>
-
 namespace tetra {
 namespace {
 
@@ -16,11 +14,6 @@ void loadAll(PluginHost& host)
     host.readers();
     host.writers();
     host.editors();
-}
-
-QString toQString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 } // namespace
@@ -41,20 +34,20 @@ Result<Outcome> runPlugins(const Invocation& invocation)
 {
     loadAll(invocation.host);
     Outcome outcome;
-    QJsonArray list;
+    JsonArray list;
     std::string errors;
     std::vector<std::vector<std::string>> rows = {{"kind", "id", "version", "state"}};
     for (const PluginStatus& plugin : invocation.host.plugins()) {
         const PluginMetadata& metadata = plugin.metadata;
         const std::string kind(plugin.hasMetadata ? pluginKindName(metadata.kind) : "unknown");
         const std::string version = plugin.hasMetadata ? toText(metadata.version) : "";
-        list.append(QJsonObject{{"id", toQString(metadata.id)},
-                                {"kind", toQString(kind)},
-                                {"version", toQString(version)},
-                                {"state", toQString(pluginStateName(plugin.state))},
-                                {"error", toQString(plugin.error.text())},
-                                {"name", toQString(metadata.name)},
-                                {"file", toQString(plugin.path.string())}});
+        list.push_back(JsonObject{{"id", metadata.id},
+                                  {"kind", kind},
+                                  {"version", version},
+                                  {"state", pluginStateName(plugin.state)},
+                                  {"error", plugin.error.text()},
+                                  {"name", metadata.name},
+                                  {"file", plugin.path.string()}});
         rows.push_back({kind, metadata.id, version, std::string(pluginStateName(plugin.state))});
         if (!plugin.error.empty())
             errors += "\n" + visibleText(metadata.id) + " (" + visibleText(plugin.path.string()) +

@@ -3,12 +3,8 @@
 
 #include "app/command_line/error_statistics.h"
 #include "app/command_line/table.h"
-#include "core/base/json_writer.h"
 #include "core/data/value_scale.h"
 #include "core/transfer/remark_texts.h"
-
-#include <QJsonArray>
-#include <QJsonDocument>
 
 #include <algorithm>
 #include <vector>
@@ -45,12 +41,14 @@ std::string curingField(const ErrorRemark& remark, const TransferLimits& limits)
 } // namespace
 
 void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& model, std::ostream& messages,
-                  QJsonObject& figures)
+                  JsonObject& figures)
 {
     const bool ofLogarithms = holdsLogarithms(model.parameters);
     const ValueRange& range = model.range;
     const TransferLimits limits{range.minimum, range.maximum};
-    QJsonArray all = figures["remarks"].toArray();
+    JsonArray all;
+    if (const JsonValue* const before = figures.find("remarks"); before != nullptr && before->array() != nullptr)
+        all = *before->array();
     for (const ErrorRemark& remark : remarks) {
         std::string text =
             errorRemarkText(remark, ofLogarithms).text() + " " + errorCureText(remark, limits, ofLogarithms).text();
@@ -59,30 +57,25 @@ void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& 
                     curingField(remark, limits) + "\"'.";
         if (range.minimum > 0 && range.maximum >= manyTimes * range.minimum)
             text += " Of values over powers of ten a model of their logarithms tells more: 'tan build --scale log'.";
-        all.append(QString::fromStdString(text));
+        all.push_back(text);
         messages << text << "\n" << std::flush;
     }
     if (!remarks.empty())
         figures["remarks"] = all;
 }
 
-std::string reachedText(const QJsonObject& figures)
+std::string reachedText(const JsonObject& figures)
 {
     if (!figures.contains("reached_error"))
         return "";
-    const std::string errors = errorsUpTo(figures["reached_error"].toDouble(), figures);
+    const std::string errors = errorsUpTo(figures.numberAs<double>("reached_error").value_or(0), figures);
     std::string text = ", with " + errors;
     if (figures.contains("reached_factor"))
-        text += " (a factor of " + factorText(figures["reached_factor"].toDouble()) + ")";
-    if (const double warping = figures["reached_warping"].toDouble(); warping > 0)
+        text += " (a factor of " + factorText(figures.numberAs<double>("reached_factor").value_or(0)) + ")";
+    if (const double warping = figures.numberAs<double>("reached_warping").value_or(0); warping > 0)
         text += (errors.find(',') != std::string::npos ? ", and a warping of up to " : " and a warping of up to ") +
                 rounded(warping) + " %";
     return text;
-}
-
-QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
-{
-    return QJsonDocument::fromJson(QByteArray::fromStdString(compactJson(meshFigures(model, query, mesh)))).object();
 }
 
 } // namespace tetra

@@ -7,8 +7,6 @@
 #include <tan/query.h>
 #include <tan/transfer.h>
 
-#include <QJsonObject>
-
 #include <ostream>
 #include <span>
 #include <string>
@@ -24,12 +22,9 @@ template <class Value> Result<Value> confirmed(const Model& model, Result<Value>
     return right ? std::move(read) : Result<Value>(right.error());
 }
 
-/// ", with errors of up to 1.68 %", in the words for that error: what figuresOf() tell that the mesh reaches; nothing
+/// ", with errors of up to 1.68 %", in the words for that error: what meshFigures() tell that the mesh reaches; nothing
 /// where they do not.
-std::string reachedText(const QJsonObject& figures);
-
-/// meshFigures(), for the outcome of a command.
-QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
+std::string reachedText(const JsonObject& figures);
 
 /// Says of which of these values the data have none, whose surfaces are empty: that is usual among the files of a
 /// series, and no mistake.
@@ -38,6 +33,6 @@ void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& rang
 /// Says what of a picture its mesh's error alone may have made, and by which options it would not: at once, and among
 /// the "remarks" of the figures.
 void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& model, std::ostream& messages,
-                  QJsonObject& figures);
+                  JsonObject& figures);
 
 } // namespace tetra

@@ -27,9 +27,6 @@
 
 #include <tan/query.h>
 
-#include <QFile>
-#include <QJsonArray>
-
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -93,7 +90,7 @@ struct ModelView {
 struct PreparedScene {
     FoundModel found;
     ViewPicture picture;
-    QJsonObject figures;
+    JsonObject figures;
     std::size_t tetrahedra = 0;
     SceneRequest request;
     BuiltScene built; ///< of the request
@@ -407,22 +404,22 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     const ExtractedMesh& mesh = *pipeline.mesh();
     if (const Status some = checkNotEmpty(view.scene.query, *view.model, mesh.mesh); !some && !view.isOfSession)
         return some.error();
-    QJsonObject figures = figuresOf(*view.model, view.scene.query, mesh);
+    JsonObject figures = meshFigures(*view.model, view.scene.query, mesh);
     figures["extraction_seconds"] = built->extractionSeconds;
     figures["scene_seconds"] = built->sceneSeconds;
-    figures["tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra);
+    figures["tetrahedra"] = built->mesh.tetrahedra;
     if (view.isOfSession) {
-        QJsonArray parts;
+        JsonArray parts;
         for (const SessionDifference& difference : view.differences)
-            parts.append(QString::fromStdString(difference.part));
+            parts.push_back(difference.part);
         figures["session_differs"] = parts;
     }
     warnOfErrors(errorRemarksOf(view.field, built->mesh, view.scene.values, *built->scene), view.model->description(),
                  invocation.messages, figures);
     if (built->faultyCells)
-        figures["faulty_cells_outlined"] = static_cast<qint64>(*built->faultyCells);
+        figures["faulty_cells_outlined"] = *built->faultyCells;
     if (built->mesh.isBlended)
-        figures["focus_tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra - mesh.mesh.tetrahedra.size());
+        figures["focus_tetrahedra"] = built->mesh.tetrahedra - mesh.mesh.tetrahedra.size();
     AnnotationContent& asked = view.picture.annotations;
     AnnotationContent content =
         contentOf(*view.model, view.renderer.plugin->parameters({}), view.scene.values, built->mesh);
@@ -437,16 +434,16 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
                          view.scene, *built,       view.lens, view.remarks};
 }
 
-void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
+void addStatistics(JsonObject& figures, const RenderStatistics& statistics)
 {
-    figures["cells_drawn"] = static_cast<qint64>(statistics.cells);
-    figures["fragments"] = static_cast<qint64>(statistics.fragments);
-    figures["cut_cells"] = static_cast<qint64>(statistics.cutCells);
-    figures["broken_cycles"] = static_cast<qint64>(statistics.brokenCycles);
+    figures["cells_drawn"] = statistics.cells;
+    figures["fragments"] = statistics.fragments;
+    figures["cut_cells"] = statistics.cutCells;
+    figures["broken_cycles"] = statistics.brokenCycles;
     figures["order_seconds"] = statistics.orderSeconds;
     figures["set_up_seconds"] = statistics.setUpSeconds;
     figures["fill_seconds"] = statistics.fillSeconds;
-    figures["sent_bytes"] = static_cast<qint64>(statistics.sentBytes);
+    figures["sent_bytes"] = statistics.sentBytes;
 }
 
 /// "19752 triangles and a volume of 222642 tetrahedra".
@@ -460,13 +457,13 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
 }
 
 Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture,
-                  const std::optional<DrawnLens>& lens, QJsonObject& figures)
+                  const std::optional<DrawnLens>& lens, JsonObject& figures)
 {
     if (request.depth) {
         const auto scale = writeDepth(*request.depth, picture);
         if (!scale)
             return scale.error();
-        figures["depth_file"] = QFile::decodeName(request.depth->c_str());
+        figures["depth_file"] = request.depth->string();
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
@@ -489,11 +486,11 @@ Status checkSurfaces(const RenderRequest& request, const BuiltScene& built, cons
 }
 
 Result<FileRemarks> writeSurfaceFile(const Invocation& invocation, const RenderRequest& request,
-                                     const PreparedScene& prepared, QJsonObject& figures)
+                                     const PreparedScene& prepared, JsonObject& figures)
 {
     if (!request.surfaces)
         return FileRemarks();
-    figures["surfaces_file"] = QFile::decodeName(request.surfaces->c_str());
+    figures["surfaces_file"] = request.surfaces->string();
     return writeSurfaces(invocation.host, SurfaceOrder{prepared.request, prepared.built, *request.surfaces},
                          invocation.progress.withCallback({}));
 }
@@ -613,7 +610,7 @@ Result<Outcome> runRender(const Invocation& invocation)
     const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, pictureEnd));
     if (!picture)
         return picture.error();
-    QJsonObject figures = prepared->figures;
+    JsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
     addStatistics(figures, pipeline.statistics());
     std::optional<DrawnLens> lens;
@@ -622,7 +619,7 @@ Result<Outcome> runRender(const Invocation& invocation)
         if (!drawn)
             return drawn.error();
         lens = *std::move(drawn);
-        figures["lens_tetrahedra"] = static_cast<qint64>(lens->tetrahedra);
+        figures["lens_tetrahedra"] = lens->tetrahedra;
     }
     const auto surfaces = writeSurfaceFile(invocation, *request, *prepared, figures);
     if (!surfaces)
@@ -631,12 +628,12 @@ Result<Outcome> runRender(const Invocation& invocation)
         return written.error();
 
     const double seconds = secondsSince(start);
-    figures["file"] = QFile::decodeName(request->output.c_str());
-    figures["mode"] = QString::fromStdString(mode);
+    figures["file"] = request->output.string();
+    figures["mode"] = mode;
     figures["width"] = picture->width;
     figures["height"] = picture->height;
-    figures["triangles"] = static_cast<qint64>(triangleCount(*order.scene));
-    figures["backend"] = QString::fromStdString(request->backend);
+    figures["triangles"] = triangleCount(*order.scene);
+    figures["backend"] = request->backend;
     figures["seconds"] = seconds;
     Outcome outcome{.figures = figures,
                     .text = visibleText(request->output.string()) + ": " + std::to_string(picture->width) + " x " +

@@ -10,11 +10,8 @@
 #include "app/reproduction/report_text.h"
 #include "app/reproduction/surface_comparison.h"
 #include "core/base/file_writer.h"
+#include "core/base/json_writer.h"
 #include "core/base/text.h"
-
-#include <QFile>
-#include <QJsonArray>
-#include <QJsonDocument>
 
 #include <span>
 
@@ -67,9 +64,9 @@ Result<Reproduced> make(const Invocation& invocation, const std::set<int>& table
     return made;
 }
 
-QJsonObject figuresOf(const Reproduced& made)
+JsonObject figuresOf(const Reproduced& made)
 {
-    QJsonObject figures = jsonReport(made.tables);
+    JsonObject figures = jsonReport(made.tables);
     if (!made.comparison.empty())
         figures["comparison"] = comparisonFigures(made.comparison);
     return figures;
@@ -83,9 +80,9 @@ std::string textOf(const Reproduced& made)
 
 /// A report in each form, as NAME.txt, .md and .json.
 Status writeReport(const std::filesystem::path& file, const std::string& text, const std::string& markdown,
-                   const QJsonObject& figures, std::vector<std::filesystem::path>& files)
+                   const JsonObject& figures, std::vector<std::filesystem::path>& files)
 {
-    const std::string json = QJsonDocument(figures).toJson().toStdString();
+    const std::string json = indentedJson(byName(figures));
     for (const auto& [ending, content] :
          {std::pair<std::string, std::string>{".txt", text}, {".md", markdown}, {".json", json}}) {
         std::filesystem::path path = file;
@@ -117,7 +114,7 @@ Result<std::vector<std::filesystem::path>> writeAll(const Reproduced& made, cons
     const std::vector<ReportTable> tables = comparisonTables(made.comparison);
     if (const Status written =
             writeReport(folder / "builders", textOf(tables), markdownOf("Refinement and decimation", tables),
-                        QJsonObject{{"comparison", comparisonFigures(made.comparison)}}, *files);
+                        JsonObject{{"comparison", comparisonFigures(made.comparison)}}, *files);
         !written)
         return written.error();
     return files;
@@ -170,9 +167,9 @@ Result<Outcome> runReproduce(const Invocation& invocation)
     if (!files)
         return files.error();
     Outcome outcome{.figures = figuresOf(*made), .text = textOf(*made) + "\nWritten:\n"};
-    QJsonArray names;
+    JsonArray names;
     for (const std::filesystem::path& file : *files) {
-        names.append(QFile::decodeName(file.c_str()));
+        names.push_back(file.string());
         outcome.text += "  " + visibleText(file.string()) + "\n";
     }
     outcome.figures["files"] = names;

@@ -8,9 +8,6 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 
-#include <QFile>
-#include <QJsonArray>
-
 #include <algorithm>
 
 namespace tetra {
@@ -31,14 +28,13 @@ std::string typeNames()
 
 Outcome listOfSamples()
 {
-    QJsonArray list;
+    JsonArray list;
     std::string text;
     for (const SampleKind& kind : sampleKinds()) {
         const std::string name(kind.name);
         const std::string description(kind.description);
-        list.append(QJsonObject{{"name", QString::fromStdString(name)},
-                                {"kind", QString::fromStdString(std::string(domainClassName(kind.domain)))},
-                                {"description", QString::fromStdString(description)}});
+        list.push_back(
+            JsonObject{{"name", name}, {"kind", domainClassName(kind.domain)}, {"description", description}});
         text += name + "\n    " + description + "\n";
     }
     return {.figures = {{"samples", list}}, .text = text};
@@ -141,8 +137,8 @@ Result<Outcome> runSample(const Invocation& invocation)
     const DatasetSummary summary = summaryOf(*dataset);
     Outcome outcome{.figures = datasetFigures(summary),
                     .text = visibleText(*output) + ": " + datasetText(summary) + "\n"};
-    outcome.figures["file"] = QFile::decodeName(output->c_str());
-    outcome.figures["name"] = QString::fromStdString(arguments.positionals[0]);
+    outcome.figures["file"] = *output;
+    outcome.figures["name"] = arguments.positionals[0];
     addRemarks(*saved, outcome);
     return outcome;
 }

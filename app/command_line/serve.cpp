@@ -6,9 +6,10 @@
 #include "core/serve/line_log.h"
 #include "core/serve/model_server.h"
 
-#include <QDateTime>
-
+#include <array>
 #include <atomic>
+#include <charconv>
+#include <ctime>
 
 #include <malloc.h>
 #include <unistd.h>
@@ -75,12 +76,30 @@ Result<Outcome> runServe(const Invocation&)
 
 namespace {
 
+/// "2026-11-26T09:05:00Z"
+std::string timeNow()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::gmtime_r(&now, &parts);
+    std::array<char, 64> text{};
+    return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
+}
+
+/// "0.125": to the millisecond.
+std::string secondsText(double seconds)
+{
+    std::array<char, 512> text{}; // of the largest number 309 digits stand before the point
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), seconds, std::chars_format::fixed, 3);
+    return {text.data(), end};
+}
+
 /// A line of the log. Tokens are in headers, which are not logged.
 std::string logLine(const HttpRecord& record)
 {
-    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString() + " " + record.peer + " \"" +
-           record.request + "\" " + std::to_string(record.status) + " " + std::to_string(record.bytes) + " bytes " +
-           QString::number(record.time.count(), 'f', 3).toStdString() + " s" +
+    return timeNow() + " " + record.peer + " \"" + record.request + "\" " + std::to_string(record.status) + " " +
+           std::to_string(record.bytes) + " bytes " + secondsText(record.time.count()) + " s" +
            (record.note.empty() ? "" : ", " + record.note);
 }
 
@@ -183,7 +202,7 @@ Result<Outcome> runServe(const Invocation& invocation)
     if (const Status ran = server.run(invocation.progress); !ran)
         return ran.error();
     log.reset();
-    return Outcome{.figures = {{"requests", static_cast<qint64>(requests)}, {"bytes", static_cast<qint64>(bytes)}},
+    return Outcome{.figures = {{"requests", requests.load()}, {"bytes", bytes.load()}},
                    .text = std::to_string(requests) + " requests, " + std::to_string(bytes) + " bytes\n",
                    .isHeard = takesText(STDOUT_FILENO)};
 }

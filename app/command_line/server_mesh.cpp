@@ -7,9 +7,6 @@
 #include "core/remote/address.h"
 #include "core/remote/remote_file.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-
 #include <algorithm>
 
 namespace tetra {
@@ -17,9 +14,28 @@ namespace {
 
 constexpr std::size_t leastTokenSize = 16, mostTokenSize = 1024;
 
-QJsonObject jsonOf(std::string_view text)
+constexpr std::size_t mostFactBytes = 4096;
+
+/// As much of the front of a text (UTF-8) as a fact takes, without half of a character at its end.
+std::string frontOf(const std::string& text)
 {
-    return QJsonDocument::fromJson(QByteArray(text.data(), static_cast<qsizetype>(text.size()))).object();
+    std::size_t end = std::min(text.size(), mostFactBytes);
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80)
+        --end;
+    return text.substr(0, end);
+}
+
+/// A name and its number or text, as one entry of "facts"; nothing where it is another thing.
+void addFact(const JsonValue& entry, MeshFacts& facts)
+{
+    const JsonArray* const pair = entry.array();
+    if (pair == nullptr || pair->size() < 2 || (*pair)[0].string() == nullptr)
+        return;
+    const std::string name = printable(*(*pair)[0].string());
+    if (const auto number = (*pair)[1].numberAs<double>())
+        facts.emplace_back(name, *number);
+    else if (const std::string* const text = (*pair)[1].string())
+        facts.emplace_back(name, frontOf(*text));
 }
 
 } // namespace
@@ -42,17 +58,16 @@ Result<ServerMesh> meshAtServer(const std::string& model, const QueryWords& word
                                                        shownAddress(model))};
     ServerMesh mesh;
     mesh.content = std::move(*unpacked);
-    const QJsonObject told = jsonOf(mesh.content.facts);
-    mesh.figures = told["figures"].toObject();
-    mesh.overlaps = told["overlaps"].toBool();
-    for (const QJsonValue entry : told["facts"].toArray()) {
-        const QJsonArray fact = entry.toArray();
-        const std::string name = printable(fact[0].toString().toStdString());
-        if (fact[1].isDouble())
-            mesh.facts.emplace_back(name, fact[1].toDouble());
-        else if (fact[1].isString())
-            mesh.facts.emplace_back(name, fact[1].toString().left(4096).toStdString());
-    }
+    const auto parsed = parseJson(mesh.content.facts);
+    const JsonValue told = parsed ? *parsed : JsonValue();
+    if (const JsonValue* const figures = told.find("figures"); figures != nullptr && figures->object() != nullptr)
+        mesh.figures = *figures->object();
+    const JsonValue* const overlaps = told.find("overlaps");
+    const bool* const doOverlap = overlaps != nullptr ? std::get_if<bool>(&overlaps->content) : nullptr;
+    mesh.overlaps = doOverlap != nullptr && *doOverlap;
+    if (const JsonValue* const facts = told.find("facts"); facts != nullptr && facts->array() != nullptr)
+        for (const JsonValue& entry : *facts->array())
+            addFact(entry, mesh.facts);
     return mesh;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/json.h"
 #include "core/packed/packed_mesh.h"
 #include "core/serve/served_query.h"
 #include "plugins/api/written_content.h"
 
 #include <tan/base.h>
-
-#include <QJsonObject>
 
 #include <string>
 #include <string_view>
@@ -17,8 +16,8 @@ namespace tetra {
 /// A mesh that `tan serve` found, and what it tells of it.
 struct ServerMesh {
     UnpackedMesh content;
-    QJsonObject figures; ///< as figuresOf() gives them
-    MeshFacts facts;     ///< as meshFacts()
+    JsonObject figures; ///< as meshFigures() gives them
+    MeshFacts facts;    ///< as meshFacts()
     bool overlaps = false;
 
     /// One of the facts as text, empty if there is none of the name: "source" is that of the model's dataset.

@@ -7,8 +7,6 @@
 #include "plugins/api/placement_parameters.h"
 #include "plugins/host/output_check.h"
 
-#include <QFile>
-
 #include <array>
 
 namespace tetra {
@@ -94,8 +92,8 @@ Result<Outcome> runSetFrame(const Invocation& invocation)
         return model.error();
     const DatasetSummary summary = summaryOf((*model)->description());
     Outcome outcome{.figures = datasetFigures(summary), .text = {}};
-    outcome.figures["model"] = QFile::decodeName(output.c_str());
-    outcome.figures["bytes"] = static_cast<qint64>((*model)->fileSize());
+    outcome.figures["model"] = output.string();
+    outcome.figures["bytes"] = (*model)->fileSize();
     outcome.text = visibleText(output.string()) + ": " + datasetText(summary) + "\n";
     return outcome;
 }

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
+#include "core/base/json.h"
 #include "plugins/host/plugin_host.h"
 
 #include <tan/base.h>
-
-#include <QJsonObject>
 
 #include <ostream>
 #include <span>
@@ -25,7 +24,7 @@ struct Invocation {
 
 /// What a subcommand gives: the same figures twice, for programs (--json) and for people.
 struct Outcome {
-    QJsonObject figures;
+    JsonObject figures;
     std::string text;    ///< lines
     bool isYes = true;   ///< the answer, of a subcommand that is a question
     bool isHeard = true; ///< false: nobody reads standard output, and the program would wait for ever to say this

@@ -5,9 +5,8 @@
 #include "app/command_line/plugin_options.h"
 #include "core/base/text.h"
 
-#include <QJsonArray>
-
 #include <array>
+#include <utility>
 
 namespace tetra {
 
@@ -15,12 +14,13 @@ void addRemarks(std::span<const Message> remarks, Outcome& outcome)
 {
     if (remarks.empty())
         return;
-    QJsonArray all = outcome.figures["remarks"].toArray();
+    JsonValue& told = outcome.figures["remarks"];
+    JsonArray all = told.array() != nullptr ? *told.array() : JsonArray();
     for (const Message& remark : remarks) {
-        all.append(QString::fromStdString(remark.text()));
+        all.push_back(remark.text());
         outcome.text += visibleText(remark) + "\n";
     }
-    outcome.figures["remarks"] = all;
+    told = std::move(all);
 }
 
 std::span<const Subcommand> subcommands()

@@ -17,36 +17,34 @@
 #include <tan/query.h>
 #include <tan/verify.h>
 
-#include <QJsonArray>
-
 #include <algorithm>
 
 namespace tetra {
 namespace {
 
-QJsonArray toJson(const std::vector<std::string>& texts)
+JsonArray toJson(const std::vector<std::string>& texts)
 {
-    QJsonArray list;
+    JsonArray list;
     for (const std::string& text : texts)
-        list.append(QString::fromStdString(text));
+        list.push_back(text);
     return list;
 }
 
-QJsonObject levelFigures(const LevelReport& level, bool warps, const ModelDescription& description)
+JsonObject levelFigures(const LevelReport& level, bool warps, const ModelDescription& description)
 {
-    QJsonObject figures = {{"error", level.asked.error},
-                           {"warping", warps ? level.asked.warping : 0},
-                           {"ok", level.ok()},
-                           {"conforming", level.conforming},
-                           {"covers", level.covers},
-                           {"inverted", static_cast<qint64>(level.inverted)},
-                           {"inverted_in_data", static_cast<qint64>(level.invertedInData)},
-                           {"degenerate", static_cast<qint64>(level.degenerate)},
-                           {"largest_error", level.measured.error.largest},
-                           {"largest_warping", level.measured.warping.largest},
-                           {"sites", static_cast<qint64>(level.sites)},
-                           {"tetrahedra", static_cast<qint64>(level.tetrahedra)},
-                           {"failures", toJson(level.failures)}};
+    JsonObject figures = {{"error", level.asked.error},
+                          {"warping", warps ? level.asked.warping : 0},
+                          {"ok", level.ok()},
+                          {"conforming", level.conforming},
+                          {"covers", level.covers},
+                          {"inverted", level.inverted},
+                          {"inverted_in_data", level.invertedInData},
+                          {"degenerate", level.degenerate},
+                          {"largest_error", level.measured.error.largest},
+                          {"largest_warping", level.measured.warping.largest},
+                          {"sites", level.sites},
+                          {"tetrahedra", level.tetrahedra},
+                          {"failures", toJson(level.failures)}};
     if (holdsLogarithms(description.parameters))
         figures["largest_factor"] = factorOf(level.measured.error.largest, description.range);
     addStatistics(figures, level.measured, description.domain);
@@ -117,7 +115,7 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
 {
     const bool warps = description.warpingWeight > 0;
     Outcome outcome;
-    QJsonArray levels;
+    JsonArray levels;
     // Beside what is claimed stands the error that models have had from the start; that in space has rows of its own.
     const bool isGrid = description.domain == DomainClass::Curvilinear;
     const std::string name = textFor(errorNames, isGrid ? ErrorMeaning::InGrid : ErrorMeaning::Only);
@@ -136,7 +134,7 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
         rows[0].emplace_back("largest factor");
     std::vector<NamedStatistics> measured;
     for (const LevelReport& level : verdict.levels) {
-        levels.append(levelFigures(level, warps, description));
+        levels.push_back(levelFigures(level, warps, description));
         rows.push_back(levelRow(level, warps, twoSided));
         if (logarithms)
             rows.back().push_back(factorText(factorOf(level.measured.error.largest, description.range)));
@@ -150,8 +148,8 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
     outcome.figures = {{"ok", verdict.ok()},
                        {"error_kind", wordOf(errorKindWords, errorMeaning(description))},
                        {"failures", toJson(verdict.failures)},
-                       {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
-                       {"touching_points", static_cast<qint64>(verdict.touchingPoints)},
+                       {"folded_cells", verdict.foldedCells},
+                       {"touching_points", verdict.touchingPoints},
                        {"levels", levels}};
     outcome.text = shownInput(path) + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
     if (!isUnchecked)

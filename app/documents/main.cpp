@@ -4,8 +4,6 @@
 #include "app/documents/manual_page.h"
 #include "core/base/file_writer.h"
 
-#include <QCoreApplication>
-
 #include <filesystem>
 #include <iostream>
 #include <span>
@@ -13,7 +11,6 @@
 int main(int argc, char** argv)
 {
     tetra::reportFailedWrites();
-    const QCoreApplication application(argc, argv);
     if (argc != 2) {
         std::cerr << "tan-write-documents FOLDER\n";
         return 2;

@@ -5,8 +5,6 @@
 #include "app/reproduction/chart.h"
 #include "app/reproduction/sites_curve.h"
 
-#include <QJsonObject>
-
 #include <algorithm>
 
 namespace tetra {
@@ -90,34 +88,32 @@ ReportTable tableOf(const ComparedDataset& dataset)
     return table;
 }
 
-QJsonObject buildFigures(const ComparedBuild& build)
+JsonObject buildFigures(const ComparedBuild& build)
 {
-    QJsonObject figures{{"builder", QString::fromStdString(build.builder)},
-                        {"refused", QString::fromStdString(build.refusal)}};
+    JsonObject figures{{"builder", build.builder}, {"refused", build.refusal}};
     if (!build.model)
         return figures;
     figures["seconds"] = build.seconds;
-    figures["bytes"] = static_cast<qint64>(build.bytes);
-    figures["tetrahedra"] = static_cast<qint64>(build.model->tetrahedronCount());
-    figures["inverted"] = static_cast<qint64>(build.inverted);
-    figures["degenerate"] = static_cast<qint64>(build.degenerate);
-    figures["measured"] = QJsonObject{{"sites", static_cast<qint64>(build.measuredSites)},
-                                      {"mean", build.error.mean},
-                                      {"percentile99", build.error.percentile99},
-                                      {"largest", build.error.largest}};
+    figures["bytes"] = build.bytes;
+    figures["tetrahedra"] = build.model->tetrahedronCount();
+    figures["inverted"] = build.inverted;
+    figures["degenerate"] = build.degenerate;
+    figures["measured"] = JsonObject{{"sites", build.measuredSites},
+                                     {"mean", build.error.mean},
+                                     {"percentile99", build.error.percentile99},
+                                     {"largest", build.error.largest}};
     return figures;
 }
 
-QJsonObject levelFigures(const ComparedDataset& dataset, std::size_t level)
+JsonObject levelFigures(const ComparedDataset& dataset, std::size_t level)
 {
     const double percent = comparedAccuracies[level];
-    QJsonObject figures{{"error", percent}, {"warping", canWarp(dataset.domain) ? percent : 0}};
+    JsonObject figures{{"error", percent}, {"warping", canWarp(dataset.domain) ? percent : 0}};
     for (const ComparedBuild& build : dataset.builds)
         if (build.model)
-            figures[QString::fromStdString(build.builder)] =
-                QJsonObject{{"sites", static_cast<qint64>(build.sizes[level].sites)},
-                            {"tetrahedra", static_cast<qint64>(build.sizes[level].tetrahedra)},
-                            {"as_many_sites", build.accuracies[level]}};
+            figures[build.builder] = JsonObject{{"sites", build.sizes[level].sites},
+                                                {"tetrahedra", build.sizes[level].tetrahedra},
+                                                {"as_many_sites", build.accuracies[level]}};
     return figures;
 }
 
@@ -171,24 +167,23 @@ std::vector<ReportTable> comparisonTables(const std::vector<ComparedDataset>& da
     return tables;
 }
 
-QJsonArray comparisonFigures(const std::vector<ComparedDataset>& datasets)
+JsonArray comparisonFigures(const std::vector<ComparedDataset>& datasets)
 {
-    QJsonArray array;
+    JsonArray array;
     for (const ComparedDataset& dataset : datasets) {
-        QJsonObject figures{{"dataset", QString::fromStdString(dataset.name)},
-                            {"skipped", QString::fromStdString(dataset.skipped)}};
+        JsonObject figures{{"dataset", dataset.name}, {"skipped", dataset.skipped}};
         if (dataset.skipped.empty()) {
-            QJsonArray builds, levels;
+            JsonArray builds, levels;
             for (const ComparedBuild& build : dataset.builds)
-                builds.append(buildFigures(build));
+                builds.push_back(buildFigures(build));
             for (std::size_t level = 0; level < comparedAccuracies.size(); ++level)
-                levels.append(levelFigures(dataset, level));
-            figures["domain"] = QString::fromStdString(std::string(domainClassName(dataset.domain)));
-            figures["points"] = static_cast<qint64>(dataset.points);
+                levels.push_back(levelFigures(dataset, level));
+            figures["domain"] = domainClassName(dataset.domain);
+            figures["points"] = dataset.points;
             figures["builds"] = builds;
             figures["levels"] = levels;
         }
-        array.append(figures);
+        array.push_back(figures);
     }
     return array;
 }

@@ -3,8 +3,7 @@
 
 #include "app/reproduction/builder_comparison.h"
 #include "app/reproduction/report_tables.h"
-
-#include <QJsonArray>
+#include "core/base/json.h"
 
 #include <filesystem>
 #include <vector>
@@ -16,7 +15,7 @@ std::vector<ReportTable> comparisonTables(const std::vector<ComparedDataset>& da
 
 /// [{"dataset", "domain", "points", "skipped", "builds": [{"builder", "refused", "seconds", "bytes", ...}], "levels":
 /// [{"error", "warping", "refinement": {"sites", "tetrahedra"}, "decimation": {...}}]}].
-QJsonArray comparisonFigures(const std::vector<ComparedDataset>& datasets);
+JsonArray comparisonFigures(const std::vector<ComparedDataset>& datasets);
 
 /// Draws sites against error of each class of domains into `folder`, as PNG and SVG; gives the files written. Needs a
 /// QGuiApplication for its fonts. Error: a file that cannot be written.

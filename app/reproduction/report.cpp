@@ -4,89 +4,81 @@
 #include "app/reproduction/report_tables.h"
 #include "app/reproduction/report_text.h"
 
-#include <QJsonArray>
-
 namespace tetra {
 
 namespace {
 
-QString asQString(const std::string& text)
+JsonObject meshFigures(std::uint64_t sites, std::uint64_t tetrahedra)
 {
-    return QString::fromStdString(text);
+    return {{"sites", sites}, {"tetrahedra", tetrahedra}};
 }
 
-QJsonObject meshFigures(std::uint64_t sites, std::uint64_t tetrahedra)
+JsonObject levelFigures(std::uint64_t sites, std::uint64_t tetrahedra, double sitesPercent)
 {
-    return {{"sites", static_cast<qint64>(sites)}, {"tetrahedra", static_cast<qint64>(tetrahedra)}};
-}
-
-QJsonObject levelFigures(std::uint64_t sites, std::uint64_t tetrahedra, double sitesPercent)
-{
-    QJsonObject figures = meshFigures(sites, tetrahedra);
+    JsonObject figures = meshFigures(sites, tetrahedra);
     figures["sites_percent"] = sitesPercent;
     return figures;
 }
 
-void addRows(const ReproducedModel& model, QJsonArray& rows)
+void addRows(const ReproducedModel& model, JsonArray& rows)
 {
     const double points = model.dataset ? static_cast<double>(model.dataset->pointCount()) : 0;
     for (const ReproducedLevel& level : model.levels)
-        rows.append(QJsonObject{
-            {"dataset", asQString(model.paper.dataset)},
-            {"size", QJsonArray{static_cast<qint64>(model.paper.size[0]), static_cast<qint64>(model.paper.size[1]),
-                                static_cast<qint64>(model.paper.size[2])}},
-            {"block", static_cast<qint64>(model.paper.blockEdge)},
-            {"variant", asQString(model.experiment.variant)},
+        rows.push_back(JsonObject{
+            {"dataset", model.paper.dataset},
+            {"size", JsonArray{model.paper.size[0], model.paper.size[1], model.paper.size[2]}},
+            {"block", model.paper.blockEdge},
+            {"variant", model.experiment.variant},
             {"error", level.paper.error},
             {"warping", level.paper.warping},
             {"paper", levelFigures(level.paper.sites, level.paper.tetrahedra, level.paper.sitesPercent)},
             {"ours", levelFigures(level.sites, level.tetrahedra, 100 * static_cast<double>(level.sites) / points)},
-            {"difference", QJsonObject{{"sites", differencePercent(level.sites, level.paper.sites)},
-                                       {"tetrahedra", differencePercent(level.tetrahedra, level.paper.tetrahedra)}}}});
+            {"difference", JsonObject{{"sites", differencePercent(level.sites, level.paper.sites)},
+                                      {"tetrahedra", differencePercent(level.tetrahedra, level.paper.tetrahedra)}}}});
 }
 
-QJsonObject modelFigures(const ReproducedModel& model)
+JsonObject modelFigures(const ReproducedModel& model)
 {
-    QJsonObject figures{{"dataset", asQString(model.paper.dataset)},
-                        {"variant", asQString(model.experiment.variant)},
-                        {"caveat", asQString(model.experiment.caveat)},
-                        {"skipped", model.model == nullptr}};
+    JsonObject figures{{"dataset", model.paper.dataset},
+                       {"variant", model.experiment.variant},
+                       {"caveat", model.experiment.caveat},
+                       {"skipped", model.model == nullptr}};
     if (model.model == nullptr)
         return figures;
     const HistoryRatios ratios = historyRatios(model);
-    figures["paper"] = QJsonObject{{"tetrahedra", static_cast<qint64>(model.paper.tetrahedra)},
-                                   {"seconds", model.paper.seconds},
-                                   {"bytes", static_cast<qint64>(model.paper.bytes)},
-                                   {"of_finest_mesh", ratios.paper}};
-    figures["ours"] = QJsonObject{{"tetrahedra", static_cast<qint64>(model.model->tetrahedronCount())},
-                                  {"seconds", model.seconds},
-                                  {"bytes", static_cast<qint64>(model.bytes)},
-                                  {"of_finest_mesh", ratios.ours},
-                                  {"inverted", static_cast<qint64>(model.inverted)},
-                                  {"degenerate", static_cast<qint64>(model.degenerate)}};
+    figures["paper"] = JsonObject{{"tetrahedra", model.paper.tetrahedra},
+                                  {"seconds", model.paper.seconds},
+                                  {"bytes", model.paper.bytes},
+                                  {"of_finest_mesh", ratios.paper}};
+    figures["ours"] = JsonObject{{"tetrahedra", model.model->tetrahedronCount()},
+                                 {"seconds", model.seconds},
+                                 {"bytes", model.bytes},
+                                 {"of_finest_mesh", ratios.ours},
+                                 {"inverted", model.inverted},
+                                 {"degenerate", model.degenerate}};
     return figures;
 }
 
-QJsonObject degradationFigures(const Degradation& degradation)
+JsonObject degradationFigures(const Degradation& degradation)
 {
     return {{"root_mean_square", degradation.rootMeanSquare}, {"pixels", degradation.visiblePercent}};
 }
 
-QJsonObject qualityFigures(const SurfaceQuality& quality)
+JsonObject qualityFigures(const SurfaceQuality& quality)
 {
-    return {{"triangles", static_cast<qint64>(quality.triangles)},
+    return {{"triangles", quality.triangles},
             {"distance", quality.rootMeanSquare},
             {"largest_distance", quality.largest},
-            {"crossings", static_cast<qint64>(quality.crossings)}};
+            {"crossings", quality.crossings}};
 }
 
-QJsonObject surfaceFigures(const ReproducedSurface& surface)
+JsonObject surfaceFigures(const ReproducedSurface& surface)
 {
-    QJsonObject paper = meshFigures(surface.paper.sites, surface.paper.tetrahedra);
-    paper["triangles"] = static_cast<qint64>(surface.paper.triangles);
+    JsonObject paper = meshFigures(surface.paper.sites, surface.paper.tetrahedra);
+    paper["triangles"] = surface.paper.triangles;
     paper["volume_seconds"] = surface.paper.volumeSeconds;
-    QJsonObject ours = meshFigures(surface.sites, surface.tetrahedra);
-    ours["triangles"] = static_cast<qint64>(surface.triangles);
+    JsonObject ours = meshFigures(surface.sites, surface.tetrahedra);
+    ours["triangles"] = surface.triangles;
     ours["extraction_seconds"] = surface.extractionSeconds;
     ours["surface_seconds"] = surface.times.surface;
     ours["volume_seconds"] = surface.times.volume;
@@ -98,8 +90,8 @@ QJsonObject surfaceFigures(const ReproducedSurface& surface)
         ours["simplified"] = qualityFigures(surface.comparison.simplified);
         ours["simplifying_seconds"] = surface.comparison.simplifyingSeconds;
     }
-    return {{"dataset", asQString(surface.paper.dataset)},
-            {"variant", asQString(surface.variant)},
+    return {{"dataset", surface.paper.dataset},
+            {"variant", surface.variant},
             {"isovalue", surface.paper.isovalue},
             {"error", surface.paper.error},
             {"warping", surface.paper.warping},
@@ -119,24 +111,24 @@ std::string markdownReport(const Reproduction& reproduction)
     return markdownOf("The paper's tables, made again", reportTables(reproduction));
 }
 
-QJsonObject jsonReport(const Reproduction& reproduction)
+JsonObject jsonReport(const Reproduction& reproduction)
 {
-    QJsonArray tables;
+    JsonArray tables;
     for (const int number : reproduction.tables) {
-        QJsonArray rows;
-        QJsonArray models;
+        JsonArray rows;
+        JsonArray models;
         for (const ReproducedModel& model : reproduction.models)
             if (model.table == number) {
                 addRows(model, rows);
-                models.append(modelFigures(model));
+                models.push_back(modelFigures(model));
             }
         if (number == 4)
             for (const ReproducedSurface& surface : reproduction.surfaces)
-                rows.append(surfaceFigures(surface));
-        QJsonObject figures{{"table", number}, {"rows", rows}};
-        if (!models.isEmpty())
+                rows.push_back(surfaceFigures(surface));
+        JsonObject figures{{"table", number}, {"rows", rows}};
+        if (!models.empty())
             figures["models"] = models;
-        tables.append(figures);
+        tables.push_back(figures);
     }
     return {{"tables", tables}};
 }

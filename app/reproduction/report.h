@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/reproduction/reproduction.h"
-
-#include <QJsonObject>
+#include "core/base/json.h"
 
 #include <string>
 
@@ -17,6 +16,6 @@ std::string markdownReport(const Reproduction& reproduction);
 
 /// {"tables": [{"table", "rows": [{"dataset", "variant", "error", "warping", "paper": {...}, "ours": {...}}],
 /// "models": [{...}]}]}, differences in percent.
-QJsonObject jsonReport(const Reproduction& reproduction);
+JsonObject jsonReport(const Reproduction& reproduction);
 
 } // namespace tetra

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/json.h"
 
-#include "core/base/json_writer.h"
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <unordered_set>
@@ -300,11 +298,6 @@ const JsonValue* JsonObject::find(std::string_view name) const noexcept
 void JsonObject::append(std::string name, JsonValue value)
 {
     members_.emplace_back(std::move(name), std::move(value));
-}
-
-JsonValue JsonValue::ofFloating(double number)
-{
-    return std::isfinite(number) ? JsonValue(Number{jsonNumber(number)}) : JsonValue();
 }
 
 const JsonValue* JsonValue::find(std::string_view name) const noexcept

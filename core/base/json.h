@@ -40,6 +40,8 @@ public:
     /// Null if there is none.
     const JsonValue* find(std::string_view name) const noexcept;
     bool contains(std::string_view name) const noexcept { return find(name) != nullptr; }
+    /// The number of that name, as one of C++; none if there is no such number, or one that does not fit.
+    template <class Type> std::optional<Type> numberAs(std::string_view name) const;
     /// Adds a member whose name no other has.
     void append(std::string name, JsonValue value);
 
@@ -55,7 +57,7 @@ private:
 };
 
 /// A value of a JSON text (RFC 8259) that is read or made. Numbers keep their text, so that the reader chooses the type
-/// and loses nothing; how numbers are written is told at jsonNumber() (json_writer.h).
+/// and loses nothing.
 struct TAN_INTERNAL JsonValue {
     struct Number {
         std::string text;
@@ -65,7 +67,8 @@ struct TAN_INTERNAL JsonValue {
     JsonValue(std::nullptr_t) {}
     template <std::same_as<bool> Truth> JsonValue(Truth truth) : content(truth) {}
     template <WholeNumber Type> JsonValue(Type number) : content(Number{std::to_string(number)}) {}
-    /// Null if the number is not finite, as JSON has no word for that.
+    /// The shortest text that reads back as the same number, without an exponent unless that is shorter; whole numbers
+    /// up to 2^53, which no reader rounds, never have one. Null if it is not finite, as JSON has no word for that.
     template <std::floating_point Type> JsonValue(Type number) : JsonValue(ofFloating(static_cast<double>(number))) {}
     JsonValue(Number number) : content(std::move(number)) {}
     JsonValue(std::string text) : content(std::move(text)) {}
@@ -94,6 +97,12 @@ struct TAN_INTERNAL JsonValue {
 private:
     static JsonValue ofFloating(double number);
 };
+
+template <class Type> std::optional<Type> JsonObject::numberAs(std::string_view name) const
+{
+    const JsonValue* const found = find(name);
+    return found != nullptr ? found->numberAs<Type>() : std::nullopt;
+}
 
 /// Reads one JSON text strictly: UTF-8, no comments, no trailing commas, no member twice, nothing after the value, at
 /// most 64 levels. O(bytes). The error says where.

@@ -39,6 +39,32 @@ void appendCharacter(std::string& text, char character)
         text += character;
 }
 
+/// Of a finite number: JsonValue says which.
+std::string floatingText(double number)
+{
+    constexpr double mostExact = 1LL << 53;
+    if (std::abs(number) <= mostExact && number == std::trunc(number))
+        return std::to_string(static_cast<std::int64_t>(number));
+    std::array<char, 32> buffer{}; // -1.7976931348623157e+308 has 24 characters
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::scientific);
+    const std::string scientific(buffer.data(), end);
+    const std::size_t start = scientific[0] == '-' ? 1 : 0, exponentMark = scientific.find('e');
+    const int exponent = *parseNumber<int>(std::string_view(scientific).substr(exponentMark + 1));
+    std::string digits = scientific.substr(start, exponentMark - start);
+    std::erase(digits, '.');
+    // The same digits without an exponent: the shortest that read back, and zeros where more places are needed.
+    const auto whole = static_cast<std::size_t>(std::max(exponent + 1, 1));
+    if (exponent < 0)
+        digits.insert(0, static_cast<std::size_t>(-exponent), '0');
+    if (digits.size() < whole)
+        digits.append(whole - digits.size(), '0');
+    else if (digits.size() > whole)
+        digits.insert(whole, ".");
+    const std::string plain = scientific.substr(0, start) + digits;
+    return plain.size() <= scientific.size() ? plain : scientific;
+}
+
 /// Writes one value after the other to the end of a text.
 class JsonWriter {
 public:
@@ -171,29 +197,9 @@ std::string jsonString(std::string_view text)
     }
 }
 
-std::string jsonNumber(double number)
+JsonValue JsonValue::ofFloating(double number)
 {
-    constexpr double mostExact = 1LL << 53;
-    if (std::abs(number) <= mostExact && number == std::trunc(number))
-        return std::to_string(static_cast<std::int64_t>(number));
-    std::array<char, 32> buffer{}; // -1.7976931348623157e+308 has 24 characters
-    const auto [end, error] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::scientific);
-    const std::string scientific(buffer.data(), end);
-    const std::size_t start = scientific[0] == '-' ? 1 : 0, exponentMark = scientific.find('e');
-    const int exponent = *parseNumber<int>(std::string_view(scientific).substr(exponentMark + 1));
-    std::string digits = scientific.substr(start, exponentMark - start);
-    std::erase(digits, '.');
-    // The same digits without an exponent: the shortest that read back, and zeros where more places are needed.
-    const auto whole = static_cast<std::size_t>(std::max(exponent + 1, 1));
-    if (exponent < 0)
-        digits.insert(0, static_cast<std::size_t>(-exponent), '0');
-    if (digits.size() < whole)
-        digits.append(whole - digits.size(), '0');
-    else if (digits.size() > whole)
-        digits.insert(whole, ".");
-    const std::string plain = scientific.substr(0, start) + digits;
-    return plain.size() <= scientific.size() ? plain : scientific;
+    return std::isfinite(number) ? JsonValue(Number{floatingText(number)}) : JsonValue();
 }
 
 } // namespace tetra

@@ -26,8 +26,4 @@ TAN_INTERNAL std::string visibleJson(std::string_view json);
 /// `text` as a JSON string, with its quotes; what is no UTF-8 in it, such as an old file name, as U+FFFD.
 TAN_INTERNAL std::string jsonString(std::string_view text);
 
-/// The text of a finite number: the shortest that reads back as the same, without an exponent unless that is shorter;
-/// whole numbers up to 2^53, which no reader rounds, never have one.
-TAN_INTERNAL std::string jsonNumber(double number);
-
 } // namespace tetra

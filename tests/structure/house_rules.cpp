@@ -243,6 +243,9 @@ std::optional<std::string> includeBreach(const std::string& path, const Include&
     if (!mayUseQt(path) && isQt(name))
         return (liesIn(path, "core") ? "core is" : "plugins but editors are") +
                (" free of Qt, yet it includes " + name);
+    const bool drawsByQt = path == "app/command_line/main.cpp" || path == "app/command_line/depth_file.cpp";
+    if ((liesIn(path, "app/command_line") || liesIn(path, "app/documents")) && !drawsByQt && isQt(name))
+        return "the command line is free of Qt but for what draws, yet it includes " + name;
     if (liesIn(path, "core") && isHeader && isAnyOf(name, {"GL/", "GLES", "EGL/", "KHR/"}))
         return "core's headers are free of OpenGL, yet it includes " + name;
     if (liesIn(path, "core") && isHeader && name.starts_with("CGAL/"))

@@ -13,7 +13,8 @@ namespace tetra {
 ///   plugins/widgets <- plugins/editors, ui; no plugin includes another; inside core as the table of the source says);
 /// - a folder of core holds 25 units at most, a header and its source being one;
 /// - own headers are included by their path from the root and exist;
-/// - core includes no Qt, and its headers neither OpenGL nor CGAL; of plugins only editors include Qt;
+/// - core includes no Qt, and its headers neither OpenGL nor CGAL; of plugins only editors include Qt, and of the command
+///   line only what draws;
 /// - what the system says of an error comes from systemErrorText(), which is English in every locale;
 /// - sources that the texts for developers name are there;
 /// - the first line is the licence's SPDX line, and headers have `#pragma once`.

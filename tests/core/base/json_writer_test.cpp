@@ -204,8 +204,8 @@ private slots:
 
     void noTerminalObeysAVisibleText()
     {
-        QCOMPARE(visibleJson("[\n\"\x7f\u009b\u202e\u200d\U000e0001\U0001d173\u0600\"]\n"), std::string(R"([
-"\u007f\u009b\u202e\u200d\udb40\udc01\ud834\udd73\u0600"]
+        QCOMPARE(visibleJson("[\n\"\x7f\u009b\u202e\u200d\U000e0000\U000e0001\U0001d173\u0600\"]\n"), std::string(R"([
+"\u007f\u009b\u202e\u200d\udb40\udc00\udb40\udc01\ud834\udd73\u0600"]
 )"));
         const std::string seen = "{\n    \"\u00e4\u0416\u20ac\U0001f600\": \"\\n\"\n}\n";
         QCOMPARE(visibleJson(seen), seen);
