@@ -11951,30 +11951,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Datasets packed by gzip (*.gz)</source>
         <translation>Mit gzip gepackte Datensätze (*.gz)</translation>
     </message>
-    <message>
-        <source>Apply Look</source>
-        <translation>Aussehen übernehmen</translation>
-    </message>
-    <message>
-        <source>Not all of the look of %1 could be applied.</source>
-        <translation>Das Aussehen von %1 konnte nicht vollständig übernommen werden.</translation>
-    </message>
-    <message>
-        <source>Not all of the session could be kept.</source>
-        <translation>Die Sitzung konnte nicht ganz beibehalten werden.</translation>
-    </message>
-    <message>
-        <source>The session %1 stays as it is; saving will ask for another file name.</source>
-        <translation>Die Sitzung %1 bleibt, wie sie ist; beim Speichern wird nach einem anderen Dateinamen gefragt.</translation>
-    </message>
-    <message>
-        <source>It is shown as the session says.</source>
-        <translation>Es wird so gezeigt, wie die Sitzung sagt.</translation>
-    </message>
-    <message>
-        <source>It will be offered again the next time.</source>
-        <translation>Sie wird beim nächsten Start wieder angeboten.</translation>
-    </message>
 </context>
 <context>
     <name>tetra::OrientationActions</name>
@@ -12783,6 +12759,36 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
         <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SessionFile</name>
+    <message>
+        <source>Not all of the session could be kept.</source>
+        <translation>Die Sitzung konnte nicht ganz beibehalten werden.</translation>
+    </message>
+    <message>
+        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <translation>Die Sitzung %1 bleibt, wie sie ist; beim Speichern wird nach einem anderen Dateinamen gefragt.</translation>
+    </message>
+    <message>
+        <source>It is shown as the session says.</source>
+        <translation>Es wird so gezeigt, wie die Sitzung sagt.</translation>
+    </message>
+    <message>
+        <source>It will be offered again the next time.</source>
+        <translation>Sie wird beim nächsten Start wieder angeboten.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SessionOpening</name>
+    <message>
+        <source>Apply Look</source>
+        <translation>Aussehen übernehmen</translation>
+    </message>
+    <message>
+        <source>Not all of the look of %1 could be applied.</source>
+        <translation>Das Aussehen von %1 konnte nicht vollständig übernommen werden.</translation>
     </message>
 </context>
 <context>

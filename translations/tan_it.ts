@@ -11951,30 +11951,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Datasets packed by gzip (*.gz)</source>
         <translation>Dati compressi con gzip (*.gz)</translation>
     </message>
-    <message>
-        <source>Apply Look</source>
-        <translation>Applica aspetto</translation>
-    </message>
-    <message>
-        <source>Not all of the look of %1 could be applied.</source>
-        <translation>Non è stato possibile applicare tutto l&apos;aspetto di %1.</translation>
-    </message>
-    <message>
-        <source>Not all of the session could be kept.</source>
-        <translation>Non è stato possibile mantenere tutta la sessione.</translation>
-    </message>
-    <message>
-        <source>The session %1 stays as it is; saving will ask for another file name.</source>
-        <translation>La sessione %1 resta com&apos;è; al salvataggio verrà chiesto un altro nome di file.</translation>
-    </message>
-    <message>
-        <source>It is shown as the session says.</source>
-        <translation>Lo si mostra come dice la sessione.</translation>
-    </message>
-    <message>
-        <source>It will be offered again the next time.</source>
-        <translation>Verrà offerta di nuovo al prossimo avvio.</translation>
-    </message>
 </context>
 <context>
     <name>tetra::OrientationActions</name>
@@ -12783,6 +12759,36 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
         <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SessionFile</name>
+    <message>
+        <source>Not all of the session could be kept.</source>
+        <translation>Non è stato possibile mantenere tutta la sessione.</translation>
+    </message>
+    <message>
+        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <translation>La sessione %1 resta com&apos;è; al salvataggio verrà chiesto un altro nome di file.</translation>
+    </message>
+    <message>
+        <source>It is shown as the session says.</source>
+        <translation>Lo si mostra come dice la sessione.</translation>
+    </message>
+    <message>
+        <source>It will be offered again the next time.</source>
+        <translation>Verrà offerta di nuovo al prossimo avvio.</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::SessionOpening</name>
+    <message>
+        <source>Apply Look</source>
+        <translation>Applica aspetto</translation>
+    </message>
+    <message>
+        <source>Not all of the look of %1 could be applied.</source>
+        <translation>Non è stato possibile applicare tutto l&apos;aspetto di %1.</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 #include "app/command_line/depth_file.h"
 
 #include "core/base/text.h"
-#include "ui/workbench/picture_file.h"
+#include "ui/scenes/picture_file.h"
 
 #include <QImage>
 

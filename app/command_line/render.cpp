@@ -17,13 +17,13 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_values.h"
+#include "ui/scenes/restored_view.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/session/rendering_modes.h"
 #include "ui/session/session_document.h"
 #include "ui/session/session_model.h"
 #include "ui/session/shown_error.h"
 #include "ui/workbench/mesh_saving.h"
-#include "ui/workbench/restored_view.h"
-#include "ui/workbench/view_picture.h"
 
 #include <tan/query.h>
 

@@ -4,7 +4,7 @@
 #include "app/command_line/table.h"
 #include "app/reproduction/chart.h"
 #include "app/reproduction/sites_curve.h"
-#include "ui/workbench/picture_file.h"
+#include "ui/scenes/picture_file.h"
 
 #include <tan/query.h>
 

@@ -337,7 +337,7 @@ void ExampleWindowTest::aGridIsReadAndBuiltWithinABudget()
             file << sample.values.at(point) << '\n';
     }
     window_->window.open(QString::fromStdString(path));
-    const auto& dataset = window_->workbench.opening().dataset();
+    const auto& dataset = window_->workbench.opening().datasets().dataset();
     QTRY_VERIFY(dataset && dataset->source.path == path);
     QCOMPARE(dataset->pointCount(), sample.pointCount());
 

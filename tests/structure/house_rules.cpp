@@ -10,6 +10,7 @@
 #include <regex>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -143,23 +144,27 @@ const std::vector<Room>& rooms()
         {"ui/animation", {"core"}},
         {"ui/session", {"core", "plugins/api", "plugins/host", "plugins/widgets"}},
         {"ui/annotations", {"core", "plugins/api", "ui/session"}},
+        {"ui/scenes",
+         {"core", "plugins/api", "plugins/host", "ui/work", "ui/animation", "ui/session", "ui/annotations"}},
+        {"ui/opening",
+         {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "ui/work", "ui/session",
+          "ui/annotations", "ui/scenes"}},
         {"ui/workbench",
-         {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "ui/work", "ui/animation",
-          "ui/session", "ui/annotations"}},
-        {"ui/widgets", {"core", "plugins/widgets", "ui/session", "ui/workbench"}},
+         {"core", "plugins/api", "plugins/host", "ui/work", "ui/session", "ui/annotations", "ui/scenes", "ui/opening"}},
+        {"ui/widgets", {"core", "plugins/widgets", "ui/session", "ui/opening"}},
         {"ui/viewport",
          {"core", "plugins/api", "plugins/widgets", "ui/work", "ui/animation", "ui/session", "ui/annotations",
-          "ui/workbench", "ui/widgets"}},
+          "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets"}},
         {"ui/panels",
          {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui/work", "ui/animation", "ui/session",
-          "ui/annotations", "ui/workbench", "ui/widgets", "ui/viewport"}},
+          "ui/annotations", "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets", "ui/viewport"}},
         {"ui/window",
          {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui/work", "ui/animation", "ui/session",
-          "ui/annotations", "ui/workbench", "ui/widgets", "ui/viewport", "ui/panels"}},
+          "ui/annotations", "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets", "ui/viewport", "ui/panels"}},
         {"ui/desktop.h", {}},
         {"ui/desktop.cpp",
-         {"core", "plugins/widgets", "ui/work", "ui/session", "ui/workbench", "ui/widgets", "ui/window",
-          "ui/desktop.h"}},
+         {"core", "plugins/widgets", "ui/work", "ui/session", "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets",
+          "ui/window", "ui/desktop.h"}},
         {"app", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "ui"}},
         {"tests", {"core", "plugins", "ui", "app"}},
     };
@@ -168,6 +173,14 @@ const std::vector<Room>& rooms()
 
 /// A folder of more sources than this (a header and its source counted once) is a heap, not a room.
 constexpr std::size_t mostUnits = 25;
+
+/// Folders that are still more than that, and how many they hold: none may grow, and when one has become smaller its
+/// number falls with it, or its line goes.
+struct Heap {
+    std::string_view folder;
+    std::size_t units;
+};
+constexpr std::array<Heap, 3> heaps = {{{"app/command_line", 39}, {"tests/fuzz", 27}, {"tests/ui", 70}}};
 
 bool liesIn(std::string_view path, std::string_view folder)
 {
@@ -336,6 +349,20 @@ void readTexts(const fs::path& root, std::vector<std::string>& breaches)
                     readText(root, entry.path(), breaches);
 }
 
+/// The breach of a folder that holds so many units.
+std::optional<std::string> unitBreach(const std::string& folder, std::size_t units)
+{
+    const auto heap = std::ranges::find(heaps, folder, &Heap::folder);
+    const std::size_t most = heap == heaps.end() ? mostUnits : heap->units;
+    if (units > most)
+        return std::to_string(units) + " units, more than " + std::to_string(most) +
+               "; divide the folder, or join what is one idea";
+    if (heap != heaps.end() && units < most)
+        return std::to_string(units) + " units; let its number among the heaps of tests/structure/house_rules.cpp " +
+               "fall from " + std::to_string(most) + (units <= mostUnits ? ", that is, take its line away" : "");
+    return std::nullopt;
+}
+
 } // namespace
 
 std::vector<std::string> houseBreaches(const fs::path& root)
@@ -345,13 +372,11 @@ std::vector<std::string> houseBreaches(const fs::path& root)
     std::map<std::string, std::set<std::string>> unitsOf;
     for (const auto& path : sourcesUnder(root)) {
         readFile(root, path, breaches);
-        if (liesIn(path, "core") || liesIn(path, "ui"))
-            unitsOf[fs::path(path).parent_path()].insert(fs::path(path).stem());
+        unitsOf[fs::path(path).parent_path()].insert(fs::path(path).stem());
     }
     for (const auto& [folder, units] : unitsOf)
-        if (units.size() > mostUnits)
-            breaches.push_back(folder + ": " + std::to_string(units.size()) + " units, more than " +
-                               std::to_string(mostUnits) + "; divide the folder, or join what is one idea");
+        if (const auto breach = unitBreach(folder, units.size()))
+            breaches.push_back(folder + ": " + *breach);
     return breaches;
 }
 

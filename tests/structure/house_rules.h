@@ -11,7 +11,8 @@ namespace tetra {
 /// order of the paths, where they break the rules of the house:
 /// - who may include whom (core <- plugins/api <- plugins/*; core, plugins/api, plugins/host <- ui <- app; core <-
 ///   plugins/widgets <- plugins/editors, ui; no plugin includes another; inside core as the table of the source says);
-/// - a folder of core holds 25 units at most, a header and its source being one;
+/// - a folder holds 25 units at most, a header and its source being one, but for those that the source names with the
+///   number that each still holds;
 /// - own headers are included by their path from the root and exist;
 /// - core includes no Qt, and its headers neither OpenGL nor CGAL; of plugins only editors include Qt, and of the command
 ///   line only what draws;

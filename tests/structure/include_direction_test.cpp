@@ -40,6 +40,7 @@ void writeGoodTree(const fs::path& root)
                              "plugins/builders/decimation/heap.h",
                              "plugins/readers/lattice/nrrd.h",
                              "plugins/widgets/value_box.h",
+                             "ui/opening/opening.h",
                              "ui/workbench/exporting.h",
                              "ui/viewport/canvas.h",
                              "ui/window/window.h",
@@ -84,6 +85,25 @@ private slots:
             writeFile(root / ("ui/panels/unit" + std::to_string(i) + ".h"), header);
         QCOMPARE(breachesIn(root),
                  QStringList("ui/panels: 26 units, more than 25; divide the folder, or join what is one idea"));
+    }
+    void heapsMayOnlyFall()
+    {
+        const QTemporaryDir folder;
+        const fs::path root = folder.path().toStdString();
+        for (int i = 0; i < 27; ++i)
+            writeFile(root / ("tests/fuzz/unit" + std::to_string(i) + ".h"), header);
+        QCOMPARE(breachesIn(root), QStringList());
+        writeFile(root / "tests/fuzz/unit27.h", header);
+        QCOMPARE(breachesIn(root),
+                 QStringList("tests/fuzz: 28 units, more than 27; divide the folder, or join what is one idea"));
+        fs::remove(root / "tests/fuzz/unit27.h");
+        fs::remove(root / "tests/fuzz/unit26.h");
+        QCOMPARE(breachesIn(root), QStringList("tests/fuzz: 26 units; let its number among the heaps of "
+                                               "tests/structure/house_rules.cpp fall from 27"));
+        fs::remove(root / "tests/fuzz/unit25.h");
+        QCOMPARE(breachesIn(root), QStringList("tests/fuzz: 25 units; let its number among the heaps of "
+                                               "tests/structure/house_rules.cpp fall from 27, that is, take its line "
+                                               "away"));
     }
 
     void acceptsWhatIsAllowed_data();
@@ -200,6 +220,10 @@ void IncludeDirectionTest::findsTheBreach_data()
     row("ui sees plugin", "ui/window/bad.h", "#include \"plugins/readers/lattice/nrrd.h\"",
         "may not include plugins/readers/lattice/nrrd.h");
     row("a session sees the workbench", "ui/session/bad.h", "#include \"ui/workbench/exporting.h\"",
+        "may not include ui/workbench/exporting.h");
+    row("scenes see what is opened", "ui/scenes/bad.h", "#include \"ui/opening/opening.h\"",
+        "may not include ui/opening/opening.h");
+    row("what is opened sees the workbench", "ui/opening/bad.h", "#include \"ui/workbench/exporting.h\"",
         "may not include ui/workbench/exporting.h");
     row("widgets see the viewport", "ui/widgets/bad.h", "#include \"ui/viewport/canvas.h\"",
         "may not include ui/viewport/canvas.h");

@@ -5,11 +5,11 @@
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/annotations/annotation_content.h"
+#include "ui/opening/import_texts.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/files.h"
 #include "ui/session/session_document.h"
 #include "ui/viewport/value_pick.h"
-#include "ui/workbench/import_texts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -59,15 +59,15 @@ private:
     }
     std::string savedSession() const
     {
-        const auto document = window_->workbench.opening().sessionDocument();
+        const auto document = window_->workbench.opening().sessions().document();
         return document ? sessionToText(*document, window_->folderPath()) : std::string();
     }
     void openSession(const std::string& text) const
     {
-        window_->workbench.opening().closeModel();
+        window_->workbench.opening().models().close();
         const std::filesystem::path file = window_->folderPath() + "/opened.tansession";
         QVERIFY(writeTextFile(file, text));
-        window_->workbench.opening().openSession(file, SessionSource::File);
+        window_->workbench.opening().sessions().open(file, SessionSource::File);
         QTRY_VERIFY_WITH_TIMEOUT(session().model() && window_->settled(), 30'000);
     }
 
@@ -255,7 +255,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
 void BoundaryTest::buildOptionsAreThoseThatMatter()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     auto& builder = window_->find<QComboBox>("build.builder");
     builder.setCurrentIndex(builder.findData("refinement"));
     const auto isShown = [&](const QString& id) { return !window_->find<QWidget>("build.option." + id).isHidden(); };

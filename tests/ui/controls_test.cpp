@@ -129,7 +129,7 @@ void ControlsTest::open(const QString& language)
     window_->window.open(model_);
     QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
     window_->window.open(volume_);
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
 }
 
 std::vector<QMenu*> ControlsTest::menus() const

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
+#include "ui/scenes/scene_builder.h"
 #include "ui/viewport/canvas.h"
-#include "ui/workbench/scene_builder.h"
 
 #include <tan/query.h>
 

@@ -292,7 +292,7 @@ void EditingSessionTest::theProgramThatIsKilled()
     for (int done = 0; done < editsBeforeTheKill; ++done)
         some.editOnce();
     some.finish();
-    const auto document = window->workbench.opening().sessionDocument();
+    const auto document = window->workbench.opening().sessions().document();
     window->window.open(folder.filePath("no such file.tan"));
     QTRY_VERIFY(!window->messages().isEmpty() && window->workbench.opening().views().idle());
     session.setError(19); // is not kept any more

@@ -144,7 +144,7 @@ void FilmTest::aPreviewEndsWithItsModel()
     frame.query.error = 6;
     alone.scenes().previewView(frame);
     QVERIFY(alone.scenes().previewedView());
-    alone.opening().closeModel();
+    alone.opening().models().close();
     QVERIFY(!alone.scenes().previewedView());
 }
 

@@ -2,8 +2,8 @@
 #include "plugins/host/dataset_opening.h"
 #include "tests/lacks.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/scenes/picture_file.h"
 #include "ui/widgets/motion.h"
-#include "ui/workbench/picture_file.h"
 
 #include <tan/data.h>
 #include <tan/render.h>
@@ -164,7 +164,7 @@ void FirstLookTest::theIsovalueOfRealData()
 void FirstLookTest::coloursFollowTheFinishedModel()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QSignalSpy grown(&session(), &Session::modelGrown);
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session().model() != nullptr);
@@ -231,7 +231,7 @@ void FirstLookTest::whatMayBeErrorAloneIsTold()
 void FirstLookTest::whatWasChosenWhileItGrewStays()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session().model() != nullptr);
     TransferFunction chosen = session().view().appearance.transfer;
@@ -338,7 +338,7 @@ void FirstLookTest::theOrientationIsKeptInTheSession()
     QTest::keyClick(&window_->viewport(), Qt::Key_Up);
     const Camera camera = window_->viewport().camera();
     const QString file = window_->folder.filePath("head.tansession");
-    QSignalSpy saved(&window_->workbench.opening(), &Opening::sessionSaved);
+    QSignalSpy saved(&window_->workbench.opening().sessionFile(), &SessionFile::saved);
     trigger("action.saveSessionAs");
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(file);

@@ -99,7 +99,7 @@ void FirstWindowTest::theWindowLiesOnTheScreen()
             lookAt(dock->objectName(), window);
         }
     window.open(volume_);
-    QTRY_VERIFY(workbench.opening().dataset());
+    QTRY_VERIFY(workbench.opening().datasets().dataset());
     lookAt("with a dataset", window);
     window.findChild<QAction*>("action.resetLayout")->trigger();
     lookAt("laid out anew", window);

@@ -222,7 +222,7 @@ void FitTest::open()
     window_->window.open(model_);
     QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
     window_->window.open(volume_);
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QTRY_VERIFY(!window_->find<BuildPanel>("build").looking()); // what a build takes is told by a worker
 }
 

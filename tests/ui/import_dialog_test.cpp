@@ -129,11 +129,12 @@ void ImportDialogTest::logarithmsAreTaken()
     from.setText("0.5");
     QTRY_VERIFY(window_->find<QPushButton>("import.read").isEnabled());
     click("import.read");
-    QTRY_VERIFY(window_->workbench.opening().dataset());
-    const Dataset& dataset = *window_->workbench.opening().dataset();
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
+    const Dataset& dataset = *window_->workbench.opening().datasets().dataset();
     QCOMPARE(dataset.source.valueName, std::string("log10(value)"));
     QCOMPARE(dataset.values.range().minimum, static_cast<double>(static_cast<float>(std::log10(0.5))));
-    QVERIFY(window_->workbench.opening().importOptions().scale == (ValueScale{.logarithmic = true, .from = 0.5}));
+    QVERIFY(window_->workbench.opening().datasets().importOptions().scale ==
+            (ValueScale{.logarithmic = true, .from = 0.5}));
     const QString facts = window_->find<QLabel>("build.facts").text();
     QVERIFY2(facts.contains("values 0.5 to ") &&
                  facts.contains("Scale: logarithmic; an error of 1 % is a factor of 1."),
@@ -170,8 +171,8 @@ void ImportDialogTest::aRawFileIsDescribed()
     QVERIFY(window_->find<QLabel>("import.sizeCheck").text().contains("8 × 8 × 8 × uint8 = 512 bytes"));
     QTRY_VERIFY(window_->find<QLabel>("import.estimate").isVisible());
     click("import.read");
-    QTRY_VERIFY(window_->workbench.opening().dataset());
-    QCOMPARE(window_->workbench.opening().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
+    QCOMPARE(window_->workbench.opening().datasets().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
     QVERIFY(!dialog()->isVisible());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
     QTRY_VERIFY(window_->find<QLabel>("build.estimate").text().contains("memory"));
@@ -182,7 +183,7 @@ void ImportDialogTest::aRawFileIsDescribed()
     window_->find<QLineEdit>("import.option.spacing").setText("0.5 0.5 2");
     window_->find<QLineEdit>("import.option.unit").setText("mm");
     click("import.read");
-    QTRY_COMPARE(window_->workbench.opening().dataset()->lattice.spacing, Eigen::Vector3d(0.5, 0.5, 2));
+    QTRY_COMPARE(window_->workbench.opening().datasets().dataset()->lattice.spacing, Eigen::Vector3d(0.5, 0.5, 2));
     QTRY_VERIFY(window_->find<QLabel>("build.facts").text().contains("spacing 0.5 × 0.5 × 2 mm"));
     QVERIFY(!window_->find<QLabel>("build.facts").text().contains("assumed"));
 }
@@ -201,8 +202,8 @@ void ImportDialogTest::aPackedRawFileIsDescribed()
     QCOMPARE(window_->find<QLineEdit>("import.option.size").text(), QString("8x8x8"));
     QVERIFY(window_->find<QLabel>("import.sizeCheck").text().contains("8 × 8 × 8 × uint8 = 512 bytes: the file has"));
     click("import.read");
-    QTRY_VERIFY(window_->workbench.opening().dataset());
-    QCOMPARE(window_->workbench.opening().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
+    QCOMPARE(window_->workbench.opening().datasets().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
     QVERIFY(window_->workbench.opening().nameFilters().front().contains("*.gz"));
 }
 
@@ -270,8 +271,8 @@ void ImportDialogTest::choicesAreThoseOfTheFile()
     choose("import.option.time", "3: t = 1.25");
     choose("import.option.part", "stator");
     click("import.read");
-    QTRY_VERIFY(window_->workbench.opening().dataset());
-    QCOMPARE(window_->workbench.opening().dataset()->source.name, std::string("velocity/1/3/stator"));
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
+    QCOMPARE(window_->workbench.opening().datasets().dataset()->source.name, std::string("velocity/1/3/stator"));
 }
 
 void ImportDialogTest::aPartIsReadBuiltAndVerified()
@@ -290,8 +291,9 @@ void ImportDialogTest::aPartIsReadBuiltAndVerified()
     QVERIFY(!window_->find<QPushButton>("import.read").isEnabled());
     window_->find<QSpinBox>("import.region.last.x").setValue(15);
     click("import.read");
-    QTRY_VERIFY(window_->workbench.opening().dataset());
-    QCOMPARE(window_->workbench.opening().dataset()->lattice.size, (std::array<std::uint32_t, 3>{12, 12, 6}));
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
+    QCOMPARE(window_->workbench.opening().datasets().dataset()->lattice.size,
+             (std::array<std::uint32_t, 3>{12, 12, 6}));
 
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("part.tan"));
     click("build.start");
@@ -336,7 +338,7 @@ void ImportDialogTest::lastChoicesAreRemembered()
     choose("import.option.time", "2: t = 0.5");
     window_->find<QSpinBox>("import.region.last.x").setValue(3);
     click("import.read");
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     openAndAsk(path);
     QTRY_COMPARE(window_->find<QComboBox>("import.option.time").currentText(), QString("2: t = 0.5"));
     QCOMPARE(window_->find<QSpinBox>("import.region.last.x").value(), 3);
@@ -359,13 +361,13 @@ void ImportDialogTest::readingIsCancelled()
     QVERIFY(!window_->find<QLabel>("import.reason").isVisible()); // who cancels knows
     QTest::keyClick(dialog(), Qt::Key_Escape);
     QVERIFY(!dialog()->isVisible());
-    QVERIFY(!window_->workbench.opening().dataset());
+    QVERIFY(!window_->workbench.opening().datasets().dataset());
 }
 
 void ImportDialogTest::filesWithoutChoicesAreOpenedAtOnce()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QVERIFY(dialog() == nullptr);
     click("build.differently");
     QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_files.h"
+#include "ui/opening/import_question.h"
+#include "ui/opening/import_texts.h"
 #include "ui/panels/import_form.h"
 #include "ui/panels/slice_preview.h"
 #include "ui/session/message_text.h"
-#include "ui/workbench/import_question.h"
-#include "ui/workbench/import_texts.h"
 
 #include <QFile>
 #include <QLocale>

@@ -3,8 +3,8 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
+#include "ui/opening/kept_views.h"
 #include "ui/session/files.h"
-#include "ui/workbench/kept_views.h"
 
 #include <QElapsedTimer>
 #include <QFileDialog>
@@ -167,7 +167,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
     window_->find<QAction>("action.saveSession").trigger();
     choose(path);
     QTRY_VERIFY(QFile::exists(path));
-    QTRY_COMPARE(window_->workbench.opening().sessionFile(), filePath(path));
+    QTRY_COMPARE(window_->workbench.opening().sessionFile().path(), filePath(path));
     const auto isovalues = session().view().isovalues.size();
 
     // The next time there is nothing to ask.
@@ -180,7 +180,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
     session().setError(3.5);
     window_->find<QAction>("action.saveSession").trigger();
     QTRY_COMPARE(QFileInfo(path).size(), before);
-    QTRY_VERIFY(!window_->workbench.opening().savingSession().running()); // closing would wait for it
+    QTRY_VERIFY(!window_->workbench.opening().sessionFile().saving().running()); // closing would wait for it
 
     window_->find<QAction>("action.close").trigger();
     QVERIFY(!showsEdits());
@@ -194,7 +194,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
 void KeepSessionTest::aModelThatWasReplacedIsTold()
 {
     open(model_);
-    auto document = window_->workbench.opening().sessionDocument();
+    auto document = window_->workbench.opening().sessions().document();
     QVERIFY(document.has_value());
     document->identity ^= 1;
     const std::filesystem::path path = filePath(window_->folder.filePath("other.tansession"));
@@ -220,7 +220,7 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
 {
     open(model_);
     edit();
-    auto document = window_->workbench.opening().sessionDocument();
+    auto document = window_->workbench.opening().sessions().document();
     QVERIFY(document.has_value());
     window_.reset();
     const std::filesystem::path left = leave(*document);
@@ -236,7 +236,7 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
     QVERIFY(!std::filesystem::exists(left));
     QVERIFY(!window_->find<QWidget>("lost").isVisible());
     QCoreApplication::processEvents();
-    QVERIFY(window_->workbench.opening().sessionFile().empty());
+    QVERIFY(window_->workbench.opening().sessionFile().path().empty());
     QCOMPARE(window_->messages(), QStringList());
 }
 
@@ -272,7 +272,7 @@ void KeepSessionTest::theOffersFitIntoTheirPage()
     window_->window.resize(1280, 720);
     window_->window.show();
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QTRY_VERIFY(window_->find<QWidget>("dock.build").isVisible());
     const auto buttons = window_->window.findChildren<QPushButton*>("lost.discard");
     QCOMPARE(buttons.size(), 2);
@@ -399,7 +399,7 @@ void KeepSessionTest::theProgramThatIsKilled()
 void KeepSessionTest::aKilledSessionIsModified()
 {
     open(model_);
-    auto document = window_->workbench.opening().sessionDocument();
+    auto document = window_->workbench.opening().sessions().document();
     QVERIFY(document.has_value());
     const std::filesystem::path file = filePath(window_->folder.filePath("work.tansession"));
     QVERIFY(writeTextFile(file, sessionToText(*document, file.parent_path())));
@@ -413,7 +413,7 @@ void KeepSessionTest::aKilledSessionIsModified()
     next->find<QPushButton>("lost.restore").click();
     QTRY_VERIFY_WITH_TIMEOUT(next->workbench.session().model() != nullptr, 30'000);
     QCOMPARE(next->workbench.session().view().query.error, 3.5);
-    QCOMPARE(next->workbench.opening().sessionFile(), file);
+    QCOMPARE(next->workbench.opening().sessionFile().path(), file);
     QVERIFY(next->window.isWindowModified());
 }
 
@@ -421,7 +421,7 @@ void KeepSessionTest::aKilledSessionIsModified()
 void KeepSessionTest::whatIsNotAllRestoredIsOfferedAgain()
 {
     open(model_);
-    auto document = window_->workbench.opening().sessionDocument();
+    auto document = window_->workbench.opening().sessions().document();
     QVERIFY(document.has_value());
     document->view.appearance.mode = "of a plugin that is not there";
     leave(*document);
@@ -453,12 +453,12 @@ void KeepSessionTest::anEndedProgramHasNotCrashed()
 void KeepSessionTest::anEndedProgramOffersWhatItsSessionLacks()
 {
     open(model_);
-    const auto document = window_->workbench.opening().sessionDocument();
+    const auto document = window_->workbench.opening().sessions().document();
     const std::filesystem::path file = filePath(window_->folder.filePath("work.tansession"));
     QVERIFY(document && writeTextFile(file, sessionToText(*document, file.parent_path())));
     const auto before = readTextFile(file);
     open(pathText(file));
-    QTRY_COMPARE(window_->workbench.opening().sessionFile(), file);
+    QTRY_COMPARE(window_->workbench.opening().sessionFile().path(), file);
     session().setError(3.5);
     window_->window.keepAll();
     session().setError(4.5); // it was not ended after all
@@ -474,7 +474,7 @@ void KeepSessionTest::anEndedProgramOffersWhatItsSessionLacks()
     next->find<QPushButton>("lost.restore").click();
     QTRY_VERIFY(next->workbench.session().model() != nullptr);
     QCOMPARE(next->workbench.session().view().query.error, 4.5);
-    QCOMPARE(next->workbench.opening().sessionFile(), file);
+    QCOMPARE(next->workbench.opening().sessionFile().path(), file);
     QVERIFY(next->window.isWindowModified());
     QTRY_VERIFY(KeptViews(viewFolder()).lost().empty());
     next.reset();
@@ -506,7 +506,7 @@ void KeepSessionTest::aViewIsBackAfterAQuit()
     QVERIFY(showsEdits());
     QCOMPARE(session().view().isovalues, isovalues);
     QCOMPARE(session().undoStack().count(), 0);
-    QVERIFY(window_->workbench.opening().sessionFile().empty());
+    QVERIFY(window_->workbench.opening().sessionFile().path().empty());
     QVERIFY(!window_->window.isWindowModified());
     QCOMPARE(window_->messages(), QStringList());
     startAnew(); // without a change
@@ -597,7 +597,7 @@ void KeepSessionTest::aSessionLeavesTheViewOfItsModelAlone()
 {
     open(model_);
     edit();
-    auto document = window_->workbench.opening().sessionDocument();
+    auto document = window_->workbench.opening().sessions().document();
     QVERIFY(document.has_value());
     document->view.query.error = 8;
     const std::filesystem::path file = filePath(window_->folder.filePath("other.tansession"));
@@ -629,8 +629,8 @@ void KeepSessionTest::aLongFilmIsSavedAndOpened()
     session().setAnimation(animation);
     const std::filesystem::path file = filePath(folder_.filePath("long.tansession"));
     bool isSaved = false;
-    window_->workbench.opening().saveSession(file, *window_->workbench.opening().sessionDocument(),
-                                             [&](bool saved) { isSaved = saved; });
+    window_->workbench.opening().sessionFile().save(file, *window_->workbench.opening().sessions().document(),
+                                                    [&](bool saved) { isSaved = saved; });
     QTRY_VERIFY(isSaved);
     QVERIFY(std::filesystem::file_size(file) > 1 << 20);
     startAnew();

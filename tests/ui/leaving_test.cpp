@@ -2,10 +2,10 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
+#include "ui/opening/recent_files.h"
 #include "ui/panels/build_panel.h"
 #include "ui/session/files.h"
 #include "ui/window/picture_orders.h"
-#include "ui/workbench/recent_files.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -131,7 +131,7 @@ void LeavingTest::open(const QString& path) const
 void LeavingTest::startBuild(std::uint32_t size)
 {
     window_->window.open(pathText(writeNrrd(sampleDataset(size), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     auto& target = window_->find<QLineEdit>("build.target");
     target_ = window_->folder.filePath("into/built.tan");
     QVERIFY(QDir().mkpath(window_->folder.filePath("into")));
@@ -161,7 +161,8 @@ QString LeavingTest::saveSession() const
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(path);
     dialog.reject();
-    if (!waitFor([&] { return window_->workbench.opening().sessionFile() == filePath(path) && QFile::exists(path); }))
+    if (!waitFor(
+            [&] { return window_->workbench.opening().sessionFile().path() == filePath(path) && QFile::exists(path); }))
         qFatal("the session is not saved");
     return path;
 }
@@ -467,7 +468,7 @@ void LeavingTest::aModifiedSessionIsAskedAbout()
         QTRY_VERIFY(!window_->window.isVisible());
     } else {
         QTRY_VERIFY(session().model() != edited);
-        QVERIFY(window_->workbench.opening().sessionFile().empty());
+        QVERIFY(window_->workbench.opening().sessionFile().path().empty());
     }
     QCOMPARE(contentOf(file) != before, button == "save");
     QCOMPARE(window_->messages(), QStringList());
@@ -495,7 +496,7 @@ void LeavingTest::editWhatCannotBeSaved()
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(path);
     dialog.reject();
-    QTRY_COMPARE(window_->workbench.opening().sessionFile(), filePath(path));
+    QTRY_COMPARE(window_->workbench.opening().sessionFile().path(), filePath(path));
     edit();
     QVERIFY(QDir(window_->folder.filePath("gone")).removeRecursively());
 }
@@ -527,7 +528,7 @@ void LeavingTest::aSessionSavedJustNowIsWaitedFor()
     editWhatCannotBeSaved();
     const auto edited = session().model();
     window_->find<QAction>("action.saveSession").trigger();
-    QVERIFY(window_->workbench.opening().savingSession().running() && !window_->window.isWindowModified());
+    QVERIFY(window_->workbench.opening().sessionFile().saving().running() && !window_->window.isWindowModified());
     window_->find<QAction>("action.close").trigger();
     QVERIFY(session().model() == edited);
     QTRY_COMPARE(window_->messages().size(), 1);
@@ -578,7 +579,7 @@ void LeavingTest::everyFailedSaveIsTold()
     };
     Workbench& workbench = window_->workbench;
     workbench.exporting().saveText(bad("a.json"), "{}");
-    workbench.opening().saveSession(bad("b.tansession"), *workbench.opening().sessionDocument());
+    workbench.opening().sessionFile().save(bad("b.tansession"), *workbench.opening().sessions().document());
     workbench.exporting().saveStatistics(bad("c.csv"));
     workbench.exporting().saveMesh(bad("d.vtu"));
     workbench.exporting().saveMesh(bad("e.vtu"));
@@ -587,7 +588,7 @@ void LeavingTest::everyFailedSaveIsTold()
     window_->window.open(window_->folder.filePath("missing.png"));
     session().setError(7); // another mesh is on its way
     workbench.exporting().saveMesh(bad("h.vtu"));
-    workbench.opening().closeModel();
+    workbench.opening().models().close();
     QVERIFY(!files.empty());
     for (const QString& file : files)
         QTRY_VERIFY2_WITH_TIMEOUT(window_->messages().join('\n').contains(file), qPrintable(file), 30'000);

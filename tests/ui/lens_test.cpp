@@ -3,11 +3,11 @@
 #include "core/view/lens.h"
 #include "tests/ui/sample_window.h"
 #include "ui/annotations/picture_projection.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/session/session_document.h"
 #include "ui/viewport/lens_tool.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/window/picture_orders.h"
-#include "ui/workbench/view_picture.h"
 
 #include <QToolButton>
 #include <QUndoStack>

@@ -4,9 +4,9 @@
 #include "tests/core/remote/http_server.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/opening/model_cache.h"
+#include "ui/opening/recent_files.h"
 #include "ui/window/cache_dialog.h"
-#include "ui/workbench/model_cache.h"
-#include "ui/workbench/recent_files.h"
 
 #include <tan/packed.h>
 
@@ -93,20 +93,20 @@ void ModelAddressTest::aModelIsShownWhileItComes()
     const auto server = this->server();
     std::vector<std::uint32_t> shown;
     QStringList told;
-    connect(&opening(), &Opening::shownPartChanged, &window_->window, [&] {
+    connect(&opening().models(), &ModelOpening::shownPartChanged, &window_->window, [&] {
         shown.push_back(model()->siteCount());
-        if (opening().modelComes())
+        if (opening().models().isComing())
             told += window_->find<QLabel>("status.reading.activity").text();
     });
     const QSignalSpy opened(&window_->workbench.session(), &Session::modelChanged);
     const QSignalSpy grown(&window_->workbench.session(), &Session::modelGrown);
     window_->window.open(addressOf(*server));
-    QTRY_VERIFY(model() && model()->siteCount() == sites_ && !opening().modelComes());
+    QTRY_VERIFY(model() && model()->siteCount() == sites_ && !opening().models().isComing());
     QCOMPARE(opened.size(), 1);
     QVERIFY(!grown.isEmpty());
     QVERIFY(shown.front() < 5'000 && std::ranges::is_sorted(shown));
     QVERIFY2(!told.isEmpty() && told.first().contains("more is coming"), qPrintable(told.value(0)));
-    QCOMPARE(opening().sitesOfWhole(), 0u);
+    QCOMPARE(opening().models().sitesOfWhole(), 0u);
     QCOMPARE(model()->path().string(), addressOf(*server).toStdString());
     QVERIFY(opening().proposedPath(".packed.tan").endsWith("/sample.packed.tan"));
     QCOMPARE(recentFiles().value(0), addressOf(*server));
@@ -132,7 +132,8 @@ void ModelAddressTest::aPackedModelIsShownWhileItIsUnpacked()
     const auto report = packModel(**Model::open(file), packed);
     QVERIFY2(report.ok(), report ? "" : report.error().text().c_str());
     std::vector<std::uint32_t> shown;
-    connect(&opening(), &Opening::shownPartChanged, &window_->window, [&] { shown.push_back(model()->siteCount()); });
+    connect(&opening().models(), &ModelOpening::shownPartChanged, &window_->window,
+            [&] { shown.push_back(model()->siteCount()); });
     for (const bool isFirst : {true, false}) {
         shown.clear();
         window_->window.open(pathText(packed));
@@ -142,7 +143,7 @@ void ModelAddressTest::aPackedModelIsShownWhileItIsUnpacked()
         QCOMPARE(model()->path(), packed);
         QCOMPARE(recentFiles().value(0), pathText(packed));
         QVERIFY(opening().proposedPath(".packed.tan").endsWith("/p.packed.tan")); // not p.packed.packed.tan
-        QVERIFY(opening().sessionDocument());
+        QVERIFY(opening().sessions().document());
         QTRY_VERIFY(window_->settled());
         QCOMPARE(window_->messages(), QStringList());
         window_->find<QAction>("action.close").trigger();
@@ -183,8 +184,8 @@ void ModelAddressTest::aModelIsPacked()
 
     const auto server = this->server();
     bool waits = false;
-    connect(&opening(), &Opening::shownPartChanged, &window_->window,
-            [&] { waits |= opening().modelComes() && !save.isEnabled(); });
+    connect(&opening().models(), &ModelOpening::shownPartChanged, &window_->window,
+            [&] { waits |= opening().models().isComing() && !save.isEnabled(); });
     window_->window.open(addressOf(*server));
     QTRY_VERIFY(model()->path() == addressOf(*server).toStdString() && model()->siteCount() == sites_);
     QTRY_VERIFY(save.isEnabled());
@@ -200,15 +201,15 @@ void ModelAddressTest::whatHasComeStaysWhenTheRestIsCancelled()
             reply.before = std::chrono::seconds(1);
         });
     window_->window.open(addressOf(*server));
-    QTRY_VERIFY(model() && opening().modelComes());
+    QTRY_VERIFY(model() && opening().models().isComing());
     isSilent = true;
-    QVERIFY(!opening().sessionDocument()); // of a model under way
+    QVERIFY(!opening().sessions().document()); // of a model under way
     QTRY_VERIFY(window_->find<QToolButton>("status.reading.cancel").isVisible());
     window_->find<QToolButton>("status.reading.cancel").click();
     QTRY_VERIFY(!opening().reading().running());
     QVERIFY(model() && model()->siteCount() < sites_);
-    QCOMPARE(opening().sitesOfWhole(), sites_);
-    QVERIFY(!opening().modelComes() && opening().sessionDocument());
+    QCOMPARE(opening().models().sitesOfWhole(), sites_);
+    QVERIFY(!opening().models().isComing() && opening().sessions().document());
     QTRY_VERIFY(window_->settled());
     QCOMPARE(window_->messages(), QStringList());
 }
@@ -251,14 +252,14 @@ void ModelAddressTest::aSessionKeepsTheAddress()
     const auto server = this->server();
     window_->window.open(addressOf(*server));
     QTRY_VERIFY(model() && !opening().reading().running());
-    const auto document = opening().sessionDocument();
+    const auto document = opening().sessions().document();
     QVERIFY(document);
     const std::filesystem::path file = window_->folderPath() + "/far.tansession";
-    opening().saveSession(file, *document);
-    QTRY_VERIFY(std::filesystem::exists(file) && !opening().savingSession().running());
+    opening().sessionFile().save(file, *document);
+    QTRY_VERIFY(std::filesystem::exists(file) && !opening().sessionFile().saving().running());
     window_->find<QAction>("action.close").trigger();
     QVERIFY(!model());
-    opening().openSession(file, SessionSource::File);
+    opening().sessions().open(file, SessionSource::File);
     QTRY_VERIFY(model() && !opening().reading().running());
     QCOMPARE(model()->path().string(), addressOf(*server).toStdString());
     QCOMPARE(window_->messages(), QStringList());

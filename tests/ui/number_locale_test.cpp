@@ -71,7 +71,7 @@ void NumberLocaleTest::numbersAreTypedAndSaved()
     QCOMPARE(window.viewport().camera().target.x(), 1.5);
     QVERIFY(window.find<QAbstractSpinBox>("view.target.x").text().startsWith(text));
 
-    const auto document = window.workbench.opening().sessionDocument();
+    const auto document = window.workbench.opening().sessions().document();
     QVERIFY(document);
     const std::string saved = sessionToText(*document, window.folderPath());
     QVERIFY2(saved.find("1.5") != std::string::npos && saved.find("1,5") == std::string::npos, saved.c_str());

@@ -7,9 +7,9 @@
 //     with_film.tansession    by 3930fd9: with annotations, a film, a mask and groups of points
 //     with_domain.tansession  by c035d89: with the model's domain and range, before views had a size and cameras an
 //                             upright axis
+#include "ui/opening/kept_views.h"
 #include "ui/session/files.h"
 #include "ui/session/session_document.h"
-#include "ui/workbench/kept_views.h"
 
 #include <QDir>
 #include <QLockFile>

@@ -223,7 +223,7 @@ void OutputTest::aPictureRestoresItsView()
     window_->window.open(path);
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(window_->messages().first().contains("view.png"));
-    QSignalSpy opened(&window_->workbench.opening(), &Opening::viewRestored);
+    QSignalSpy opened(&window_->workbench.opening().models(), &ModelOpening::viewRestored);
     window_->find<QPushButton>("message.answer").click();
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(session().view().query.error, 3.0);

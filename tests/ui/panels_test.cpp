@@ -437,8 +437,9 @@ void PanelsTest::theDetailStaysWithAnotherBuilder()
 {
     const auto read = [this](const Dataset& dataset) {
         window_->window.open(QString::fromStdString(writeNrrd(dataset, window_->folderPath())));
-        QTRY_VERIFY(!window_->workbench.opening().reading().running() && window_->workbench.opening().dataset());
-        QTRY_COMPARE(window_->workbench.opening().dataset()->pointCount(), dataset.pointCount());
+        QTRY_VERIFY(!window_->workbench.opening().reading().running() &&
+                    window_->workbench.opening().datasets().dataset());
+        QTRY_COMPARE(window_->workbench.opening().datasets().dataset()->pointCount(), dataset.pointCount());
     };
     const auto chosen = [this] {
         QStringList names;

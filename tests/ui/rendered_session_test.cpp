@@ -76,7 +76,7 @@ void RenderedSessionTest::initTestCase()
 
 void RenderedSessionTest::saveSession(const QString& name) const
 {
-    QSignalSpy saved(&window_->workbench.opening(), &Opening::sessionSaved);
+    QSignalSpy saved(&window_->workbench.opening().sessionFile(), &SessionFile::saved);
     window_->find<QAction>("action.saveSessionAs").trigger();
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(path(name));

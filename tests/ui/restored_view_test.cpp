@@ -127,8 +127,9 @@ QString RestoredViewTest::saveLook(const QString& name, const QString& model) co
     view.background = Colour{0, 0.5F, 0};
     session().setView(view);
     bool isSaved = false;
-    window_->workbench.opening().saveSession(filePath(path(name)), *window_->workbench.opening().sessionDocument(),
-                                             [&](bool saved) { isSaved = saved; });
+    window_->workbench.opening().sessionFile().save(filePath(path(name)),
+                                                    *window_->workbench.opening().sessions().document(),
+                                                    [&](bool saved) { isSaved = saved; });
     if (!waitFor([&] { return isSaved; }))
         qFatal("the session is not saved");
     window_->find<QAction>("action.close").trigger();
@@ -152,7 +153,7 @@ void RestoredViewTest::theNextStepIsSeenAlike()
     QVERIFY(view.query.window.window.box.largest == Eigen::Vector3d(7, 6, 6));
     QCOMPARE(window_->messages().size(), 1); // that it is another one
     QVERIFY2(window_->messages().first().contains("has changed since"), qPrintable(window_->messages().first()));
-    QCOMPARE(window_->workbench.opening().sessionFile(), filePath(look)); // nothing was lost
+    QCOMPARE(window_->workbench.opening().sessionFile().path(), filePath(look)); // nothing was lost
 }
 
 void RestoredViewTest::whatAnotherModelCannotHaveIsNamed()
@@ -206,12 +207,12 @@ void RestoredViewTest::theLookOfASessionIsTakenOver()
     QCOMPARE(session().view().camera.distance, 15.5);
     QCOMPARE(session().model()->path(), filePath(path("target.tan")));
     QCOMPARE(window_->messages(), QStringList());
-    QVERIFY(window_->workbench.opening().sessionFile().empty());
+    QVERIFY(window_->workbench.opening().sessionFile().path().empty());
     session().undoStack().undo();
     QVERIFY(session().view() == start);
 
     open(build("small.tan", 0.8F, 6));
-    window_->workbench.opening().applyLook(filePath(look));
+    window_->workbench.opening().sessions().applyLook(filePath(look));
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY2(window_->messages().first().contains("1 of 2 isovalues"), qPrintable(window_->messages().first()));
     QCOMPARE(session().view().camera.azimuth, 100.0);
@@ -259,11 +260,11 @@ void RestoredViewTest::aModelIsLocated()
     dialog.reject();
     QTRY_VERIFY(session().model() != nullptr);
     QCOMPARE(session().view().camera.distance, 15.5);
-    QCOMPARE(window_->workbench.opening().sessionFile(), filePath(look));
+    QCOMPARE(window_->workbench.opening().sessionFile().path(), filePath(look));
     QVERIFY(window_->window.isWindowModified()); // the file says another place
     window_->find<QAction>("action.saveSession").trigger();
     QTRY_VERIFY(!window_->window.isWindowModified());
-    QTRY_VERIFY(!window_->workbench.opening().savingSession().running());
+    QTRY_VERIFY(!window_->workbench.opening().sessionFile().saving().running());
     QCOMPARE(readSession(filePath(look))->model, filePath(path("far/away/renamed.tan")));
 }
 

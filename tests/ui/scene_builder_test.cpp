@@ -2,10 +2,10 @@
 #include "plugins/host/plugin_guards.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
+#include "ui/scenes/picture_file.h"
+#include "ui/scenes/scene_builder.h"
 #include "ui/workbench/film_file.h"
 #include "ui/workbench/mesh_saving.h"
-#include "ui/workbench/picture_file.h"
-#include "ui/workbench/scene_builder.h"
 
 #include <tan/query.h>
 

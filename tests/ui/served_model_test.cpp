@@ -6,9 +6,9 @@
 #include "tests/core/packed/any_order.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/opening/model_cache.h"
+#include "ui/opening/recent_files.h"
 #include "ui/window/address_dialog.h"
-#include "ui/workbench/model_cache.h"
-#include "ui/workbench/recent_files.h"
 
 #include <tan/packed.h>
 
@@ -284,11 +284,11 @@ void ServedModelTest::aTokenIsAskedForAndNotKept()
     openButton().click();
     QTRY_VERIFY(model() && !window_->workbench.opening().reading().running());
     QTRY_VERIFY(window_->settled());
-    const auto document = window_->workbench.opening().sessionDocument();
+    const auto document = window_->workbench.opening().sessions().document();
     QVERIFY(document);
     const std::filesystem::path file = folder_.filePath("far.tansession").toStdString();
-    window_->workbench.opening().saveSession(file, *document);
-    QTRY_VERIFY(std::filesystem::exists(file) && !window_->workbench.opening().savingSession().running());
+    window_->workbench.opening().sessionFile().save(file, *document);
+    QTRY_VERIFY(std::filesystem::exists(file) && !window_->workbench.opening().sessionFile().saving().running());
     QVERIFY(readTextFile(file)->find("0123456789abcdef") == std::string::npos);
     QSettings().sync();
     for (const QString& key : QSettings().allKeys())
@@ -296,7 +296,7 @@ void ServedModelTest::aTokenIsAskedForAndNotKept()
 
     window_ = std::make_unique<WindowFixture>();
     window_->window.show();
-    window_->workbench.opening().openSession(file, SessionSource::File);
+    window_->workbench.opening().sessions().open(file, SessionSource::File);
     QTRY_VERIFY(window_->window.findChild<QDialog*>("tokenDialog") != nullptr);
     window_->find<QLineEdit>("tokenDialog.token").setText(token);
     window_->find<QDialog>("tokenDialog").accept();
@@ -304,7 +304,7 @@ void ServedModelTest::aTokenIsAskedForAndNotKept()
     QTRY_VERIFY(window_->settled());
     QCOMPARE(model()->path().string(), place(server));
     QVERIFY(model()->elsewhere() != nullptr);
-    QCOMPARE(window_->workbench.opening().sessionFile(), file);
+    QCOMPARE(window_->workbench.opening().sessionFile().path(), file);
     QCOMPARE(window_->messages(), QStringList());
     // Fetched, it is asked for, too.
     window_ = std::make_unique<WindowFixture>();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/samples/samples.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/opening/recent_files.h"
+#include "ui/opening/sample_models.h"
 #include "ui/workbench/plugin_choice.h"
-#include "ui/workbench/recent_files.h"
-#include "ui/workbench/sample_models.h"
 
 #include <QClipboard>
 #include <QCommandLinkButton>
@@ -150,7 +150,7 @@ void StartPageTest::samplesHavePictures()
     for (const SampleKind& kind : sampleKinds())
         QVERIFY(isBlank(window_->find<QToolButton>("empty.sample." + QString::fromStdString(std::string(kind.name)))));
     std::map<std::string, QImage> drawn;
-    connect(&window_->workbench.opening(), &Opening::thumbnailDrawn, this,
+    connect(&window_->workbench.opening().samples(), &Samples::thumbnailDrawn, this,
             [&](const std::string& sample, const QImage& picture) { drawn[sample] = picture; });
     QTRY_COMPARE_WITH_TIMEOUT(drawn.size(), sampleKinds().size(), 60'000);
     for (const auto& [sample, picture] : drawn) {
@@ -179,11 +179,11 @@ void StartPageTest::picturesWaitForTheFileThatIsRead()
 {
     window_ = std::make_unique<WindowFixture>();
     std::latch goOn(1);
-    window_->workbench.opening().reading().start([&goOn](const Progress&) {
+    window_->workbench.opening().reading().task().start([&goOn](const Progress&) {
         goOn.wait();
         return [] {};
     });
-    const QSignalSpy drawing(&window_->workbench.opening().thumbnails(), &LongTask::started);
+    const QSignalSpy drawing(&window_->workbench.opening().samples().drawing(), &LongTask::started);
     window_->window.show();
     QCoreApplication::processEvents();
     const auto begunEarly = drawing.count();
@@ -197,10 +197,10 @@ void StartPageTest::picturesWaitForTheFileThatIsRead()
 
 void StartPageTest::makingASampleIsCancelled()
 {
-    window_->workbench.opening().openSample("hydrogen");
+    window_->workbench.opening().samples().open("hydrogen");
     QTRY_VERIFY_WITH_TIMEOUT(window_->find<QWidget>("status.sampling").isVisible(), 20'000);
     window_->find<QToolButton>("status.sampling.cancel").click();
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.opening().sampling().running(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.opening().samples().making().running(), 20'000);
     QTRY_VERIFY(window_->find<QToolButton>("empty.sample.hydrogen").isEnabled());
     QVERIFY(!window_->workbench.session().model());
     QVERIFY(window_->messages().isEmpty());
@@ -209,7 +209,7 @@ void StartPageTest::makingASampleIsCancelled()
 
 void StartPageTest::anUnknownSampleIsRefused()
 {
-    window_->workbench.opening().openSample("nothing");
+    window_->workbench.opening().samples().open("nothing");
     QTRY_COMPARE(window_->messages().size(), 1);
 }
 
@@ -232,7 +232,7 @@ void StartPageTest::recentFilesSayWhereTheyLie()
 /// Their folder may be emptied at any time: it is none to save in, nor to look for files in.
 void StartPageTest::samplesLieWhereNobodyLooks()
 {
-    window_->workbench.opening().openSample("c60");
+    window_->workbench.opening().samples().open("c60");
     QTRY_VERIFY_WITH_TIMEOUT(window_->workbench.session().model() != nullptr, 60'000);
     QCOMPARE(recentFiles(), QStringList());
     const auto isOutside = [](const QString& folder) {
@@ -257,7 +257,8 @@ void StartPageTest::aPluginThatFailsIsToldOnce()
     QCOMPARE(window_->messages(), QStringList()); // it was not needed yet
     for (int time = 0; time < 2; ++time) {
         window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-        QTRY_VERIFY(!window_->workbench.opening().reading().running() && window_->workbench.opening().dataset());
+        QTRY_VERIFY(!window_->workbench.opening().reading().running() &&
+                    window_->workbench.opening().datasets().dataset());
         QTRY_COMPARE(window_->messages().size(), 1);
         QVERIFY2(window_->messages().first().contains("no luck"), qPrintable(window_->messages().first()));
         QVERIFY(window_->find<QLabel>("message.count").text().isEmpty());

@@ -77,12 +77,12 @@ void UndoFuzzTest::saveAndOpenAgain()
     const ViewValue saved = session().view();
     const std::filesystem::path file = folder_.filePath("left.tansession").toStdString();
     bool isSaved = false;
-    workbench_->opening().saveSession(file, *workbench_->opening().sessionDocument(),
-                                      [&](bool worked) { isSaved = worked; });
+    workbench_->opening().sessionFile().save(file, *workbench_->opening().sessions().document(),
+                                             [&](bool worked) { isSaved = worked; });
     QTRY_VERIFY(isSaved);
     session().setView(states_.front());
-    const QSignalSpy opened(&workbench_->opening(), &Opening::viewRestored);
-    workbench_->opening().openSession(file, SessionSource::File);
+    const QSignalSpy opened(&workbench_->opening().models(), &ModelOpening::viewRestored);
+    workbench_->opening().sessions().open(file, SessionSource::File);
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(session().undoStack().count(), 0);
     QVERIFY2(session().view() == saved, qPrintable(QString::number(differingParts(session().view(), saved).toInt())));

@@ -110,7 +110,7 @@ void WheelTest::init()
     window_->window.open(model_);
     QTRY_VERIFY(session().model() && window_->settled());
     window_->window.open(volume_);
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     window_->viewport().setFocus();
 }
 

@@ -5,9 +5,9 @@
 /// manual that need a dataset ("bluntfin.png" ...). What cannot be taken is named, and the exit code is 1.
 #include "tests/ui/every_dialog.h"
 #include "tests/ui/languages.h"
+#include "ui/opening/sample_models.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/docks.h"
-#include "ui/workbench/sample_models.h"
 
 #include <QApplication>
 #include <QDir>
@@ -203,10 +203,10 @@ QStringList takeOfSample(const QDir& folder, bool dark)
     QApplication::style()->polish(palette);
     QApplication::setPalette(palette);
     Sitting sitting(folder, dark ? "dark-" : "light-");
-    sitting.waitUntil([&] { return !sitting.workbench().opening().thumbnails().running(); },
+    sitting.waitUntil([&] { return !sitting.workbench().opening().samples().drawing().running(); },
                       "the samples have no pictures");
     sitting.take("start", sitting.window());
-    sitting.workbench().opening().openSample("c60");
+    sitting.workbench().opening().samples().open("c60");
     sitting.settle();
     sitting.take("window", sitting.window());
     takeMessages(sitting);
@@ -215,7 +215,8 @@ QStringList takeOfSample(const QDir& folder, bool dark)
     const QString described = pathText(sampleFolder() / "c60.nrrd");
     takeDialogs(sitting, described);
     sitting.window().open(described);
-    sitting.waitUntil([&] { return sitting.workbench().opening().dataset() != nullptr; }, "the dataset did not open");
+    sitting.waitUntil([&] { return sitting.workbench().opening().datasets().dataset() != nullptr; },
+                      "the dataset did not open");
     sitting.takePanel("build", "build-dataset");
     sitting.take("window-build", sitting.window());
     return sitting.failures();

@@ -2,9 +2,9 @@
 #include "plugins/host/model_building.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/opening/recent_files.h"
 #include "ui/panels/build_panel.h"
 #include "ui/widgets/mnemonics.h"
-#include "ui/workbench/recent_files.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -143,7 +143,7 @@ QString WindowTest::openDataset(const std::filesystem::path& path)
 {
     window_->window.open(QString::fromStdString(path));
     if (!waitFor([&] {
-            const auto& dataset = window_->workbench.opening().dataset();
+            const auto& dataset = window_->workbench.opening().datasets().dataset();
             return dataset && dataset->source.path == path && window_->find<QWidget>("build.start").isVisible();
         }))
         qFatal("the dataset did not open");
@@ -157,8 +157,8 @@ void WindowTest::leaveBuild(const QString& builder, const ParameterValues& value
         if (fraction > 0.25)
             stop.request_stop();
     });
-    const auto built = buildModel(*window_->host, *window_->workbench.opening().dataset(), builder.toStdString(),
-                                  values, filePath(target), progress, {.resume = true});
+    const auto built = buildModel(*window_->host, *window_->workbench.opening().datasets().dataset(),
+                                  builder.toStdString(), values, filePath(target), progress, {.resume = true});
     QVERIFY(!built && built.error().kind == ErrorKind::Cancelled);
     QVERIFY(QDir(target + ".work").exists());
     // As it is found by a program that starts.
@@ -182,8 +182,8 @@ void WindowTest::filesThatADesktopNamesAreOpened()
     const auto place = path.parent_path() / "100 % of Ü.nrrd";
     std::filesystem::rename(path, place);
     window_->window.open(QString::fromLatin1(QUrl::fromLocalFile(QString::fromStdString(place)).toEncoded()));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
-    QCOMPARE(window_->workbench.opening().dataset()->source.path, place);
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
+    QCOMPARE(window_->workbench.opening().datasets().dataset()->source.path, place);
 }
 
 void WindowTest::droppedFilesAreOpened()
@@ -196,7 +196,7 @@ void WindowTest::droppedFilesAreOpened()
     QVERIFY(enter.isAccepted());
     QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window_->window, &drop);
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
     QCOMPARE(window_->find<QLabel>("build.facts").text(),
              QString("8 × 8 × 8 samples, spacing 1 × 1 × 1, uint8, values 0 to 192"));
@@ -272,7 +272,7 @@ void WindowTest::messagesOfAnotherFileGo()
     QCOMPARE(std::ranges::count_if(rows, [](const MessageRow* row) { return row->isVisible(); }), 1); // of the last
     QVERIFY(window_->find<QWidget>("messages.more").isVisible());
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QCOMPARE(window_->messages(), QStringList());
     window_->window.open(missing);
     QTRY_COMPARE(window_->messages().size(), 1);
@@ -319,7 +319,7 @@ void WindowTest::allMessagesAreShownAndClosed()
 void WindowTest::aBuildIsCancelledAndLeavesNoFile()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(window_->find<QWidget>("build.progress").isVisible());
@@ -336,7 +336,7 @@ void WindowTest::aBuildIsCancelledAndLeavesNoFile()
 void WindowTest::aBuildIsWatchedWhileItGrows()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     std::vector<std::uint32_t> sites;
     const Session& session = window_->workbench.session();
@@ -367,7 +367,7 @@ void WindowTest::aBuildIsStoppedAndKept()
 {
     QFETCH(QString, block);
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     setBlock(block);
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
@@ -385,7 +385,7 @@ void WindowTest::aBuildIsStoppedAndKept()
 void WindowTest::aBuildWithNothingToKeepSaysSo()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(64), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     setBlock("8");
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
@@ -421,8 +421,8 @@ void WindowTest::anInterruptedBuildGoesOn()
     const QString target = openDataset(writeNrrd(sampleDataset(32), window_->folderPath()));
     const Opening& opening = window_->workbench.opening();
     const std::string reference = window_->folderPath() + "/reference.tan";
-    QVERIFY(buildModel(*window_->host, *opening.dataset(), builder.toStdString(), values, reference, {},
-                       {.imported = opening.importOptions()}));
+    QVERIFY(buildModel(*window_->host, *opening.datasets().dataset(), builder.toStdString(), values, reference, {},
+                       {.imported = opening.datasets().importOptions()}));
     leaveBuild(builder, values, target);
 
     auto& start = window_->find<QPushButton>("build.start");
@@ -527,7 +527,7 @@ void WindowTest::aBuildIsPaused()
 void WindowTest::aBuildThatCannotWriteSaysSo()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("no/such/folder/model.tan"));
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_COMPARE(window_->messages().size(), 1);
@@ -539,7 +539,7 @@ void WindowTest::anExistingModelIsReplacedOnlyWithAWord()
 {
     buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath());
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QTRY_VERIFY(window_->find<QLabel>("build.targetHint").isVisible());
     QCOMPARE(window_->find<QPushButton>("build.start").text(), QString("&Build and Replace"));
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("other.tan"));
@@ -632,7 +632,7 @@ void WindowTest::anExistingModelIsOfferedFirst()
     const auto model = buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath());
     const auto written = std::filesystem::last_write_time(model);
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     auto& existing = window_->find<QPushButton>("build.openExisting");
     QTRY_VERIFY(existing.isVisible());
     QTRY_VERIFY(existing.y() < window_->find<QWidget>("build.start").y());
@@ -655,7 +655,7 @@ void WindowTest::aFinishedModelIsNotReplacedByWhatIsKept()
     std::filesystem::rename(buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath()), finished);
     const QByteArray before = contentOf(pathText(finished));
     window_->window.open(pathText(dataset));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QCOMPARE(window_->find<QLineEdit>("build.target").text(), pathText(finished));
     QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
     window_->find<QPushButton>("build.start").click();
@@ -823,7 +823,7 @@ void WindowTest::aDatasetBesideAModelStaysWhenThatIsClosed()
 {
     openSample();
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     window_->find<QAction>("action.dock.build").trigger(); // away, to see more of the model
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
     window_->find<QAction>("action.close").trigger();
@@ -840,7 +840,7 @@ void WindowTest::aModelTakesThePlaceOfADataset()
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
     QTRY_VERIFY(window_->find<QWidget>("dock.build").isVisible());
     openSample();
-    QVERIFY(!window_->workbench.opening().dataset());
+    QVERIFY(!window_->workbench.opening().datasets().dataset());
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
 }
 

@@ -4,11 +4,11 @@
 #include "plugins/widgets/icons.h"
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
+#include "ui/opening/import_texts.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/files.h"
 #include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
-#include "ui/workbench/import_texts.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -172,7 +172,7 @@ QWidget* BuildPanel::makeBuildPage()
     differently_->setObjectName("build.differently");
     differently_->setToolTip(
         tr("Read the file again with other options: other values, another scale, a part of it, fewer points"));
-    connect(differently_, &QPushButton::clicked, this, [this] { workbench_.opening().readDifferently(); });
+    connect(differently_, &QPushButton::clicked, this, [this] { workbench_.opening().datasets().readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");
     builder_->setAccessibleName(tr("Builder"));
@@ -363,8 +363,9 @@ QWidget* BuildPanel::makeProgress()
 
 void BuildPanel::connectWorkbench()
 {
-    connect(&workbench_.opening(), &Opening::datasetOpened, this, &BuildPanel::showDataset);
-    connect(&workbench_.opening(), &Opening::datasetClosed, this, [this] { pages_->setCurrentWidget(nothingPage_); });
+    connect(&workbench_.opening().datasets(), &DatasetOpening::datasetOpened, this, &BuildPanel::showDataset);
+    connect(&workbench_.opening().datasets(), &DatasetOpening::datasetClosed, this,
+            [this] { pages_->setCurrentWidget(nothingPage_); });
     connect(&workbench_.building(), &Building::buildStopping, this, &BuildPanel::showStopping);
     connect(look_, &TargetLook::found, this, [this] {
         if (std::exchange(takesUp_, false))
@@ -387,9 +388,9 @@ void BuildPanel::connectWorkbench()
 
 void BuildPanel::showDataset()
 {
-    const Dataset& dataset = *workbench_.opening().dataset();
+    const Dataset& dataset = *workbench_.opening().datasets().dataset();
     name_->setText(shownText(dataset.source.name));
-    const ValueScale& scale = workbench_.opening().importOptions().scale;
+    const ValueScale& scale = workbench_.opening().datasets().importOptions().scale;
     QStringList facts = {factsOf(dataset, scale)};
     if (const QString text = scaleTextOf(dataset, scale); !text.isEmpty())
         facts << text;
@@ -401,7 +402,7 @@ void BuildPanel::showDataset()
     const QSignalBlocker blocker(builder_);
     builder_->clear();
     double best = 0;
-    const std::vector<Acceptance>& acceptances = workbench_.opening().acceptances();
+    const std::vector<Acceptance>& acceptances = workbench_.opening().datasets().acceptances();
     for (const Provided<Builder>& provided : workbench_.host().builders()) {
         const auto number = static_cast<std::size_t>(builder_->count());
         const Acceptance acceptance = number < acceptances.size() ? acceptances[number] : Acceptance();
@@ -415,7 +416,7 @@ void BuildPanel::showDataset()
     }
     {
         const QSignalBlocker withoutBuilder(target_);
-        const ParameterValues& imported = workbench_.opening().importOptions().values;
+        const ParameterValues& imported = workbench_.opening().datasets().importOptions().values;
         const auto array = imported.find("array"); // a model of another array gets a name of its own
         const std::string* const name = array != imported.end() ? std::get_if<std::string>(&array->second) : nullptr;
         target_->setText(proposedModelPath(dataset.source.path, name != nullptr ? *name : std::string()));
@@ -429,7 +430,7 @@ void BuildPanel::showBuilder(int detail)
 {
     reason_->setText(builder_->currentData(Qt::ToolTipRole).toString());
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    const auto& dataset = workbench_.opening().dataset();
+    const auto& dataset = workbench_.opening().datasets().dataset();
     options_->setParameters(builder ? builder->plugin->parameters() : std::vector<Parameter>{});
     if (dataset)
         options_->setSurroundings({{domainId, domainNameOf(*dataset)}});
@@ -443,7 +444,7 @@ void BuildPanel::showBuilder(int detail)
 void BuildPanel::chooseDetail(int index)
 {
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    const auto& dataset = workbench_.opening().dataset();
+    const auto& dataset = workbench_.opening().datasets().dataset();
     if (!builder || !dataset)
         return;
     const double error = detailErrors[static_cast<std::size_t>(index)];
@@ -456,7 +457,7 @@ void BuildPanel::showDetail()
 {
     showTarget();
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    const auto& dataset = workbench_.opening().dataset();
+    const auto& dataset = workbench_.opening().datasets().dataset();
     if (!builder || !dataset)
         return;
     const ParameterValues values = options_->values();
@@ -471,7 +472,7 @@ void BuildPanel::showDetail()
 
 void BuildPanel::askBuilder(const Builder& builder, const std::shared_ptr<const Dataset>& dataset)
 {
-    BuildQuestion question{&builder, dataset, workbench_.opening().buildSize(), options_->matteringValues()};
+    BuildQuestion question{&builder, dataset, workbench_.opening().datasets().buildSize(), options_->matteringValues()};
     for (const double error : detailErrors)
         question.others.push_back(withValues(question.values, builder.detail(error, dataset->domain)));
     outlook_.ask(
@@ -486,7 +487,7 @@ void BuildPanel::showOutlook(const BuildOutlook& outlook)
 {
     estimate_->setVisible(outlook.estimate.has_value());
     if (outlook.estimate)
-        estimate_->setText(estimateText(workbench_.opening().buildSize(), *outlook.estimate));
+        estimate_->setText(estimateText(workbench_.opening().datasets().buildSize(), *outlook.estimate));
     resume_->setVisible(outlook.resumes);
     for (std::size_t index = 0; index < detailErrors.size(); ++index) {
         const auto& needed = outlook.others[index];
@@ -560,7 +561,7 @@ void BuildPanel::offerExisting(bool offers)
 
 void BuildPanel::takeUpInterrupted()
 {
-    const auto& dataset = workbench_.opening().dataset();
+    const auto& dataset = workbench_.opening().datasets().dataset();
     if (!dataset || workbench_.building().running())
         return;
     const auto left = interruptedBuild(workbench_.host(), *dataset, look_->facts()->note);
@@ -577,7 +578,7 @@ void BuildPanel::showInterrupted()
 {
     if (workbench_.building().running())
         return;
-    const auto& dataset = workbench_.opening().dataset();
+    const auto& dataset = workbench_.opening().datasets().dataset();
     const std::string builder = builder_->currentData().toString().toStdString();
     const LeftBuild left =
         dataset ? leftBuild(workbench_.host(), *dataset, builder, options_->matteringValues(), look_->facts()->note)

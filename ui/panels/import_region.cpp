@@ -2,8 +2,8 @@
 #include "ui/panels/import_region.h"
 
 #include "plugins/widgets/value_box.h"
+#include "ui/opening/import_texts.h"
 #include "ui/widgets/check_label.h"
-#include "ui/workbench/import_texts.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/workbench/scene_builder.h"
+#include "ui/scenes/scene_builder.h"
 
 #include <tan/model.h>
 #include <tan/view.h>

@@ -2,10 +2,10 @@
 #include "ui/viewport/canvas.h"
 
 #include "plugins/widgets/colour_button.h"
+#include "ui/scenes/picture_file.h"
+#include "ui/scenes/scene_pipeline.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/motion.h"
-#include "ui/workbench/picture_file.h"
-#include "ui/workbench/scene_pipeline.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>

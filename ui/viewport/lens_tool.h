@@ -3,9 +3,9 @@
 
 #include "core/view/lens.h"
 #include "ui/annotations/annotation_painter.h"
+#include "ui/scenes/scene_builder.h"
 #include "ui/session/session.h"
 #include "ui/work/latest_job.h"
-#include "ui/workbench/scene_builder.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -2,8 +2,8 @@
 #include "ui/viewport/viewport.h"
 
 #include "core/view/lens.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/widgets/motion.h"
-#include "ui/workbench/view_picture.h"
 
 #include <QEvent>
 #include <QGestureEvent>

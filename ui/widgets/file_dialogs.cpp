@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/file_dialogs.h"
 
-#include "ui/workbench/recent_files.h"
+#include "ui/opening/recent_files.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>

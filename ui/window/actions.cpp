@@ -2,10 +2,10 @@
 #include "ui/window/actions.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/opening/sample_models.h"
 #include "ui/viewport/camera_controls.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/window/palette_commands.h"
-#include "ui/workbench/sample_models.h"
 
 #include <QCoreApplication>
 #include <QMainWindow>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/address_dialog.h"
 
+#include "ui/opening/model_cache.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/workbench/model_cache.h"
 
 #include <tan/open.h>
 

@@ -2,10 +2,10 @@
 #include "ui/window/empty_page.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/opening/sample_models.h"
 #include "ui/session/files.h"
 #include "ui/window/lost_offers.h"
 #include "ui/work/long_task.h"
-#include "ui/workbench/sample_models.h"
 
 #include <tan/open.h>
 

@@ -3,13 +3,13 @@
 
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
+#include "ui/opening/import_texts.h"
 #include "ui/panels/import_region.h"
 #include "ui/panels/slice_preview.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/check_label.h"
 #include "ui/widgets/scale_input.h"
-#include "ui/workbench/import_texts.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -147,21 +147,21 @@ void ImportDialog::connectAll()
     connect(read_, &QPushButton::clicked, this, &ImportDialog::read);
     connect(cancel_, &QPushButton::clicked, this, &ImportDialog::reject);
     connect(this, &QDialog::finished, preview_, [this] { preview_->setSamples({}, std::nullopt); });
-    connect(&workbench_.opening().reading(), &LongTask::progressed, this, [this](const TaskProgress& progress) {
+    connect(&workbench_.opening().reading().task(), &LongTask::progressed, this, [this](const TaskProgress& progress) {
         bar_->setValue(static_cast<int>(std::lround(progress.fraction * importBarSteps)));
     });
-    connect(&workbench_.opening().reading(), &LongTask::started, this, [this] {
+    connect(&workbench_.opening().reading().task(), &LongTask::started, this, [this] {
         if (isReading()) // another file took its place
             showReading(false);
     });
-    connect(&workbench_.opening(), &Opening::datasetOpened, this, [this] {
+    connect(&workbench_.opening().datasets(), &DatasetOpening::datasetOpened, this, [this] {
         if (isReading()) {
             showReading(false);
             question_.unpacked.reset();
             accept();
         }
     });
-    connect(&workbench_.opening(), &Opening::importFailed, this, [this](const QString& reason) {
+    connect(&workbench_.opening().datasets(), &DatasetOpening::importFailed, this, [this](const QString& reason) {
         showReading(false);
         showReason(false, reason);
     });
@@ -392,10 +392,10 @@ void ImportDialog::showReading(bool reading)
 void ImportDialog::read()
 {
     showReason(true, {});
-    workbench_.opening().importDataset(question_.path, {.reader = question_.reader.id,
-                                                        .values = form_->values(),
-                                                        .part = region_->part(),
-                                                        .scale = scale_->scale().value_or(ValueScale{})});
+    workbench_.opening().datasets().importDataset(question_.path, {.reader = question_.reader.id,
+                                                                   .values = form_->values(),
+                                                                   .part = region_->part(),
+                                                                   .scale = scale_->scale().value_or(ValueScale{})});
     showReading(true);
 }
 

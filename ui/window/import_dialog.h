@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/opening/import_question.h"
 #include "ui/panels/import_form.h"
 #include "ui/work/latest_answer.h"
-#include "ui/workbench/import_question.h"
 #include "ui/workbench/workbench.h"
 
 #include <QDialog>

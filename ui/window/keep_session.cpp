@@ -49,21 +49,21 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
     });
     connect(session, &Session::modelGrown, this, &KeepSession::changed);
     connect(session, &Session::viewChanged, this, &KeepSession::changed);
-    connect(&workbench.opening(), &Opening::aboutToRead, this, [this] {
+    connect(&workbench.opening().reading(), &Reading::aboutToRead, this, [this] {
         if (waiting_.isActive())
             keep(); // it may be opened anew
     });
-    connect(&workbench.opening(), &Opening::leaving, this, [this] {
+    connect(&workbench.opening().models(), &ModelOpening::leaving, this, [this] {
         hasEnded_ = false; // the program has gone on, and what was set aside for its end is not wanted
         leave();
     });
-    connect(&workbench.opening(), &Opening::viewRestored, this, &KeepSession::restored);
+    connect(&workbench.opening().models(), &ModelOpening::viewRestored, this, &KeepSession::restored);
     connect(&workbench.opening(), &Opening::pictureOpened, this, &KeepSession::offerPicture);
-    connect(&workbench.opening(), &Opening::modelMissing, this, &KeepSession::offerLocating);
+    connect(&workbench.opening().sessions(), &SessionOpening::modelMissing, this, &KeepSession::offerLocating);
     connect(&workbench.opening().views(), &KeptViews::failed, &messages,
             [&messages](const QString& text) { messages.add(text, MessageSubject::Program); });
     connect(&offers, &LostOffers::restoreClicked, this, [this](int offer) {
-        workbench_.opening().openSession(lost_.at(static_cast<std::size_t>(offer)).path, SessionSource::Lost);
+        workbench_.opening().sessions().open(lost_.at(static_cast<std::size_t>(offer)).path, SessionSource::Lost);
     });
     connect(&offers, &LostOffers::discardClicked, this, [this](int offer) {
         const std::filesystem::path path = lost_.at(static_cast<std::size_t>(offer)).path;
@@ -76,7 +76,7 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
 
 std::optional<SessionDocument> KeepSession::document() const
 {
-    auto document = workbench_.opening().sessionDocument();
+    auto document = workbench_.opening().sessions().document();
     if (document)
         document->viewSize = {viewport_.width(), viewport_.height()};
     return document;
@@ -85,23 +85,23 @@ std::optional<SessionDocument> KeepSession::document() const
 void KeepSession::save(const std::function<void(bool saved)>& then)
 {
     hasEnded_ = false;
-    if (workbench_.opening().sessionFile().empty())
+    if (workbench_.opening().sessionFile().path().empty())
         return saveAs(then);
     if (const auto now = document())
-        workbench_.opening().saveSession(workbench_.opening().sessionFile(), *now, then);
+        workbench_.opening().sessionFile().save(workbench_.opening().sessionFile().path(), *now, then);
 }
 
 void KeepSession::saveAs(const std::function<void(bool saved)>& then)
 {
     if (!workbench_.session().model())
         return;
-    const QString proposed = workbench_.opening().sessionFile().empty()
+    const QString proposed = workbench_.opening().sessionFile().path().empty()
                                  ? workbench_.opening().proposedPath(QString(".") + sessionSuffix)
-                                 : pathText(workbench_.opening().sessionFile());
+                                 : pathText(workbench_.opening().sessionFile().path());
     askForTextTarget(window_, "sessionDialog", tr("Save Session"), tr("Sessions (*.tansession)"), proposed,
                      [this, then](const QString& path) {
                          if (const auto now = document())
-                             workbench_.opening().saveSession(filePath(path), *now, then);
+                             workbench_.opening().sessionFile().save(filePath(path), *now, then);
                      });
 }
 
@@ -133,7 +133,7 @@ void KeepSession::offerInBar()
     for (const LostView& lost : std::exchange(lost_, {}))
         messages_.ask(
             endText(lost) + ' ' + tr("Its view can be restored."), tr("&Restore"),
-            [this, lost] { workbench_.opening().openSession(lost.path, SessionSource::Lost); },
+            [this, lost] { workbench_.opening().sessions().open(lost.path, SessionSource::Lost); },
             [this, lost] { removeLost(lost.path); }, MessageSubject::Program);
     offerLost();
 }
@@ -149,7 +149,7 @@ void KeepSession::offerPicture(const QString& path)
 {
     messages_.ask(
         tr("%1 contains the session it was made with, which can be restored.").arg(shownName(filePath(path))),
-        tr("&Restore"), [this, path] { workbench_.opening().openSession(filePath(path), SessionSource::Picture); },
+        tr("&Restore"), [this, path] { workbench_.opening().sessions().open(filePath(path), SessionSource::Picture); },
         [] {});
 }
 
@@ -169,7 +169,7 @@ void KeepSession::offerLocating(const std::filesystem::path& session, SessionSou
             askForTextFile(
                 window_, "locateDialog", tr("Locate %1").arg(name), tr("Models (*.tan)"),
                 [this, session, source](const QString& path) {
-                    workbench_.opening().openSession(session, source, filePath(path));
+                    workbench_.opening().sessions().open(session, source, filePath(path));
                 },
                 folder);
         },
@@ -187,16 +187,16 @@ void KeepSession::keep()
 {
     waiting_.stop();
     if (auto now = document()) {
-        now->file = workbench_.opening().sessionFile();
+        now->file = workbench_.opening().sessionFile().path();
         workbench_.opening().views().keep(now->file.empty() ? now->model : now->file, *now);
     }
 }
 
 void KeepSession::end()
 {
-    const std::filesystem::path session = workbench_.opening().sessionFile();
+    const std::filesystem::path session = workbench_.opening().sessionFile().path();
     auto now = document();
-    if (!now || !workbench_.opening().sessionModified()) {
+    if (!now || !workbench_.opening().sessionFile().isModified()) {
         leave();
     } else {
         waiting_.stop();
@@ -215,7 +215,7 @@ void KeepSession::leave()
     const auto now = document();
     if (!now)
         return;
-    const std::filesystem::path& session = workbench_.opening().sessionFile();
+    const std::filesystem::path& session = workbench_.opening().sessionFile().path();
     KeptViews& views = workbench_.opening().views();
     if (!session.empty() || !isTouched)
         return views.forget(session.empty() ? now->model : session);

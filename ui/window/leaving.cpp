@@ -170,7 +170,7 @@ Leaving::Leaving(Workbench& workbench, KeepSession& session, QWidget* window)
     // Not before their outcome is told.
     Exporting& files = workbench.exporting();
     for (LongTask* task : {&files.savingFilm(), &files.savingPicture(), &files.savingMesh(), &files.savingPacked(),
-                           &files.savingText(), &workbench.opening().savingSession()})
+                           &files.savingText(), &workbench.opening().sessionFile().saving()})
         connect(task, &LongTask::finished, this, &Leaving::next, Qt::QueuedConnection);
     connect(&workbench, &Workbench::saveFailed, this, &Leaving::stay);
     patience_.setSingleShot(true);
@@ -186,10 +186,11 @@ Leaving::Obstacle Leaving::obstacle(LeavingWay way) const
         return Obstacle::Build;
     if (workbench_.exporting().savingFilm().running() && (quits || !filmGoesOn_))
         return Obstacle::Film;
-    if (savesSession_ || (workbench_.opening().sessionModified() && way != LeavingWay::OpenDataset && !discards_))
+    if (savesSession_ ||
+        (workbench_.opening().sessionFile().isModified() && way != LeavingWay::OpenDataset && !discards_))
         return Obstacle::Session;
     // Until it is written the session counts as saved, and is not.
-    const LongTask& session = workbench_.opening().savingSession();
+    const LongTask& session = workbench_.opening().sessionFile().saving();
     const bool savesSession = session.running() || session.waiting() > 0; // none runs between two
     const bool savesFile = quits ? workbench_.saving() : way != LeavingWay::OpenDataset && savesSession;
     return savesFile ? Obstacle::Saving : Obstacle::None;
@@ -295,7 +296,7 @@ LeavingFacts Leaving::facts(Obstacle obstacle) const
         facts.name = nameOf(workbench_.exporting().filmTarget());
         facts.progress = progressText(filmed_);
     } else {
-        facts.name = nameOf(workbench_.opening().sessionFile());
+        facts.name = nameOf(workbench_.opening().sessionFile().path());
     }
     return facts;
 }

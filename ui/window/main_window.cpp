@@ -2,6 +2,7 @@
 #include "ui/window/main_window.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/opening/recent_files.h"
 #include "ui/panels/animation_panel.h"
 #include "ui/panels/build_panel.h"
 #include "ui/panels/focus_panel.h"
@@ -14,6 +15,7 @@
 #include "ui/viewport/lens_tool.h"
 #include "ui/viewport/picture_notice.h"
 #include "ui/viewport/region_tools.h"
+#include "ui/viewport/scene_showing.h"
 #include "ui/viewport/transfer_drag.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/viewport/viewport.h"
@@ -40,7 +42,6 @@
 #include "ui/window/status_line.h"
 #include "ui/window/task_line.h"
 #include "ui/workbench/plugin_choice.h"
-#include "ui/workbench/recent_files.h"
 
 #include <tan/open.h>
 
@@ -117,8 +118,9 @@ void givePictureMenu(Viewport& viewport, ValuePick& pick, const Actions& actions
 
 MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     : workbench_(workbench), actions_(makeActions(*this, workbench_.session().undoStack())), messages_(new MessageBar),
-      empty_(new EmptyPage(workbench_.opening().sampling())), viewport_(new Viewport(workbench.session(), backend)),
-      pages_(new QStackedWidget), status_(new StatusLine(statusBar())),
+      empty_(new EmptyPage(workbench_.opening().samples().making())),
+      viewport_(new Viewport(workbench.session(), backend)), pages_(new QStackedWidget),
+      status_(new StatusLine(statusBar())),
       regions_(new RegionActions(workbench_.session(), *viewport_, *actions_.region, *actions_.toolBar))
 {
     setObjectName("window");
@@ -127,7 +129,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     resize(firstSize.boundedTo(screen()->availableSize() - frameOfWindows));
     setCentralWidget(makeCentre());
     docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_, *pick_);
-    layOutDocks(*this, docks_, workbench_.opening().dataset() != nullptr);
+    layOutDocks(*this, docks_, workbench_.opening().datasets().dataset() != nullptr);
     connectActions();
     connectRegions();
     connectWorkbench();
@@ -142,12 +144,14 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
 MainWindow::~MainWindow()
 {
     workbench_.host().whenFailing({});
-    workbench_.opening().setGate({});
+    workbench_.opening().reading().setGate({});
     keptSession_->leave();
     // A drag that is still under way ends when its panel is destroyed, and then this is no longer a MainWindow.
-    for (const QObject* source :
-         std::initializer_list<const QObject*>{&workbench_, &workbench_.session(), &workbench_.opening(),
-                                               &workbench_.building(), &workbench_.exporting(), &workbench_.scenes()})
+    Opening& opening = workbench_.opening();
+    for (const QObject* source : std::initializer_list<const QObject*>{
+             &workbench_, &workbench_.session(), &opening.reading(), &opening.models(), &opening.datasets(),
+             &opening.samples(), &opening.sessionFile(), &workbench_.building(), &workbench_.exporting(),
+             &workbench_.scenes()})
         source->disconnect(this);
 }
 
@@ -272,10 +276,11 @@ void MainWindow::connectActions()
     });
     connect(actions_.openAddress, &QAction::triggered, this, [this] {
         auto* dialog = new AddressDialog(
-            "addressDialog", [this](const QString& place) { return workbench_.opening().tokenOf(place); }, this);
+            "addressDialog", [this](const QString& place) { return workbench_.opening().models().tokens().of(place); },
+            this);
         connect(dialog, &AddressDialog::chosen, this, [this](const QString& place, const QString& token) {
             if (!token.isEmpty())
-                workbench_.opening().setToken(place, token);
+                workbench_.opening().models().tokens().set(place, token);
             open(place);
         });
         dialog->open();
@@ -298,7 +303,7 @@ void MainWindow::connectActions()
     connect(actions_.applyLook, &QAction::triggered, this, [this] {
         askForTextFile(this, "lookDialog", tr("Apply Look From"),
                        tr("Sessions and pictures with their sessions (*.tansession *.png)"),
-                       [this](const QString& path) { workbench_.opening().applyLook(filePath(path)); });
+                       [this](const QString& path) { workbench_.opening().sessions().applyLook(filePath(path)); });
     });
     connectPictures();
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
@@ -328,7 +333,7 @@ void MainWindow::connectActions()
         connect(actions_.namedViews[view], &QAction::triggered, &session,
                 [&session, view] { session.setCamera(seenFrom(session.view().camera, static_cast<NamedView>(view))); });
     connect(actions_.resetLayout, &QAction::triggered, this,
-            [this] { layOutDocks(*this, docks_, workbench_.opening().dataset() != nullptr); });
+            [this] { layOutDocks(*this, docks_, workbench_.opening().datasets().dataset() != nullptr); });
     new OrientationActions(session, *actions_.orientation);
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
@@ -354,21 +359,21 @@ void MainWindow::connectActions()
     connect(empty_, &EmptyPage::openClicked, actions_.open, &QAction::trigger);
     connect(empty_, &EmptyPage::recentClicked, this, &MainWindow::open);
     connect(empty_, &EmptyPage::sampleClicked, &workbench_,
-            [this](const QString& name) { workbench_.opening().openSample(name.toStdString()); });
+            [this](const QString& name) { workbench_.opening().samples().open(name.toStdString()); });
     connect(actions_.samples, &QMenu::triggered, this, [this](const QAction* sample) {
-        workbench_.opening().openSample(sample->data().toString().toStdString());
+        workbench_.opening().samples().open(sample->data().toString().toStdString());
     });
-    connect(empty_, &EmptyPage::samplesShown, &workbench_.opening(), &Opening::drawThumbnails);
-    connect(actions_.samples, &QMenu::aboutToShow, &workbench_.opening(), &Opening::drawThumbnails);
-    connect(&workbench_.opening(), &Opening::thumbnailDrawn, this,
+    connect(empty_, &EmptyPage::samplesShown, &workbench_.opening().samples(), &Samples::drawThumbnails);
+    connect(actions_.samples, &QMenu::aboutToShow, &workbench_.opening().samples(), &Samples::drawThumbnails);
+    connect(&workbench_.opening().samples(), &Samples::thumbnailDrawn, this,
             [this](const std::string& sample, const QImage& picture) {
                 empty_->setThumbnail(sample, picture);
                 if (auto* action = findChild<QAction*>("action.sample." + QString::fromStdString(sample)))
                     action->setIcon(QIcon(QPixmap::fromImage(picture)));
             });
-    connect(&workbench_.opening().sampling(), &LongTask::started, actions_.samples,
+    connect(&workbench_.opening().samples().making(), &LongTask::started, actions_.samples,
             [this] { actions_.samples->setEnabled(false); });
-    connect(&workbench_.opening().sampling(), &LongTask::finished, actions_.samples,
+    connect(&workbench_.opening().samples().making(), &LongTask::finished, actions_.samples,
             [this] { actions_.samples->setEnabled(true); });
 }
 
@@ -388,13 +393,15 @@ void MainWindow::connectRegions()
 
 void MainWindow::connectWorkbench()
 {
-    connect(&workbench_.opening(), &Opening::datasetOpened, this, &MainWindow::showDataset);
-    connect(&workbench_.opening(), &Opening::datasetClosed, this, &MainWindow::showDataset);
-    connect(&workbench_.opening(), &Opening::choicesNeeded, this, [this](const ImportQuestion& question) {
-        if (import_ == nullptr)
-            import_ = new ImportDialog(workbench_, this);
-        import_->ask(question);
-    });
+    showScenes(workbench_.session(), workbench_.scenes(), *viewport_); // before what follows a picture
+    connect(&workbench_.opening().datasets(), &DatasetOpening::datasetOpened, this, &MainWindow::showDataset);
+    connect(&workbench_.opening().datasets(), &DatasetOpening::datasetClosed, this, &MainWindow::showDataset);
+    connect(&workbench_.opening().datasets(), &DatasetOpening::choicesNeeded, this,
+            [this](const ImportQuestion& question) {
+                if (import_ == nullptr)
+                    import_ = new ImportDialog(workbench_, this);
+                import_->ask(question);
+            });
     connect(&workbench_.building(), &Building::modelBuilt, this, &MainWindow::offerBuilt);
     const auto tellSaved = [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime);
@@ -411,39 +418,40 @@ void MainWindow::connectWorkbench()
         messages_->tell(tr("Saved %1. %2").arg(path, report), MessageSubject::Program);
     });
     connect(&workbench_.exporting(), &Exporting::textSaved, this, tellSaved);
-    connect(&workbench_.opening(), &Opening::sessionSaved, this, tellSaved);
+    connect(&workbench_.opening().sessionFile(), &SessionFile::saved, this, tellSaved);
     connect(&workbench_.exporting(), &Exporting::packedSaved, this,
             [this](const QString& path, quint64 bytes, quint64 unpackedBytes) {
                 statusBar()->showMessage(
                     tr("Saved %1: %2 instead of %3").arg(path, sizeText(bytes), sizeText(unpackedBytes)),
                     statusMessageTime);
             });
-    readingLine_ = new TaskLine("status.reading", tr("Reading"), workbench_.opening().reading());
+    readingLine_ = new TaskLine("status.reading", tr("Reading"), workbench_.opening().reading().task());
     statusBar()->addPermanentWidget(readingLine_);
-    connect(&workbench_.opening(), &Opening::aboutToRead, this, [this] { readingLine_->setActivity(tr("Reading")); });
-    connect(&workbench_.opening(), &Opening::shownPartChanged, this, &MainWindow::showPart);
-    connect(&workbench_.opening(), &Opening::partRead, this, &MainWindow::offerRest);
-    connect(&workbench_.opening(), &Opening::tokenWanted, this,
+    connect(&workbench_.opening().reading(), &Reading::aboutToRead, this,
+            [this] { readingLine_->setActivity(tr("Reading")); });
+    connect(&workbench_.opening().models(), &ModelOpening::shownPartChanged, this, &MainWindow::showPart);
+    connect(&workbench_.opening().models(), &ModelOpening::partRead, this, &MainWindow::offerRest);
+    connect(&workbench_.opening().models(), &ModelOpening::tokenWanted, this,
             [this](const QString& place, const std::function<void()>& again) {
                 askForToken(this, "tokenDialog", place, [this, place, again](const QString& token) {
-                    workbench_.opening().setToken(place, token);
+                    workbench_.opening().models().tokens().set(place, token);
                     again();
                 });
             });
     statusBar()->addPermanentWidget(
-        new TaskLine("status.sampling", tr("Making the sample"), workbench_.opening().sampling()));
+        new TaskLine("status.sampling", tr("Making the sample"), workbench_.opening().samples().making()));
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.exporting().savingMesh()));
     statusBar()->addPermanentWidget(
         new TaskLine("status.packing", tr("Packing"), workbench_.exporting().savingPacked()));
-    connect(&workbench_.opening(), &Opening::shownPartChanged, this, &MainWindow::showWhatCanBePacked);
+    connect(&workbench_.opening().models(), &ModelOpening::shownPartChanged, this, &MainWindow::showWhatCanBePacked);
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showWhatCanBePacked);
-    connect(&workbench_.opening(), &Opening::sessionFileChanged, this, &MainWindow::showFile);
+    connect(&workbench_.opening().sessionFile(), &SessionFile::changed, this, &MainWindow::showFile);
     connect(&workbench_.session().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showFile);
     connect(&workbench_.building().task(), &LongTask::started, this, &MainWindow::showWhatCanBeClosed);
     connect(&workbench_.building(), &Building::buildEnded, this, &MainWindow::showWhatCanBeClosed);
-    workbench_.opening().setGate([this](bool isModel, const auto& go, const auto& stay) {
+    workbench_.opening().reading().setGate([this](bool isModel, const auto& go, const auto& stay) {
         leaving_->ask(isModel ? LeavingWay::OpenModel : LeavingWay::OpenDataset, go, stay);
     });
     SceneBuilder& scenes = workbench_.scenes().sceneBuilder();
@@ -458,11 +466,6 @@ void MainWindow::connectWorkbench()
         showNotice();
     });
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
-    connect(&workbench_.scenes().draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
-    const auto tellCamera = [this] { workbench_.scenes().setSeenFrom(viewport_->shownCamera(), pixelsOf(*viewport_)); };
-    connect(viewport_, &Viewport::cameraChanged, this, tellCamera);
-    connect(viewport_, &Viewport::previewChanged, this, tellCamera);
-    connect(viewport_, &Viewport::resized, this, tellCamera);
     connect(viewport_, &Viewport::framePainted, this, [this](const FrameReport& report) {
         showBackend();
         if (viewport_->scene())
@@ -480,8 +483,8 @@ void MainWindow::connectMessages()
     connect(&workbench_, &Workbench::failed, messages_, [this](const QString& text) { messages_->add(text); });
     connect(&workbench_, &Workbench::saveFailed, messages_,
             [this](const QString& text) { messages_->add(text, MessageSubject::Program); });
-    connect(&workbench_.opening(), &Opening::aboutToRead, messages_, &MessageBar::markOld);
-    connect(&workbench_.opening(), &Opening::datasetOpened, messages_, &MessageBar::clearOld);
+    connect(&workbench_.opening().reading(), &Reading::aboutToRead, messages_, &MessageBar::markOld);
+    connect(&workbench_.opening().datasets(), &DatasetOpening::datasetOpened, messages_, &MessageBar::clearOld);
     connect(&workbench_.session(), &Session::modelChanged, messages_, &MessageBar::clearOld);
     for (const QString& error : pluginErrors(workbench_.host()))
         messages_->add(error, MessageSubject::Program);
@@ -612,9 +615,9 @@ void MainWindow::resetView()
 /// Where the user has turned to something else the model does not push that away.
 void MainWindow::offerBuilt(const QString& path, bool isShown, const QString& finished)
 {
-    if (isShown && workbench_.opening().datasetIsBuilt())
+    if (isShown && workbench_.opening().datasets().isBuilt())
         docks_.build->hide();
-    isBesideDataset_ = isBesideDataset_ && !workbench_.opening().datasetIsBuilt();
+    isBesideDataset_ = isBesideDataset_ && !workbench_.opening().datasets().isBuilt();
     showNotice();
     const QString name = shownName(filePath(path));
     const QString text = finished.isEmpty() ? tr("The model %1 is built.").arg(name)
@@ -632,22 +635,22 @@ void MainWindow::showFile()
     const auto& model = workbench_.session().model();
     const QString place = model ? shownPlace(model->path()) : QString();
     const QFileInfo file(place);
-    const std::filesystem::path& session = workbench_.opening().sessionFile();
+    const std::filesystem::path& session = workbench_.opening().sessionFile().path();
     const QString name = session.empty() ? file.fileName() : shownText(session.filename().string());
     const bool isRemote = model && isAddress(model->path().string());
     status_->setFile(model ? shownName(model->path()) : QString(), isRemote ? place : file.absoluteFilePath(),
                      model && model->elsewhere() != nullptr);
     setWindowTitle(model ? tr("%1[*] – TAn").arg(name) : tr("TAn"));
-    setWindowModified(workbench_.opening().sessionModified());
+    setWindowModified(workbench_.opening().sessionFile().isModified());
 }
 
 /// How much there is of what is shown, and that more is coming.
 void MainWindow::showPart()
 {
     const auto& model = workbench_.session().model();
-    if (!model || !workbench_.opening().modelComes())
+    if (!model || !workbench_.opening().models().isComing())
         return readingLine_->setActivity(tr("Reading"));
-    const std::uint32_t all = workbench_.opening().sitesOfWhole();
+    const std::uint32_t all = workbench_.opening().models().sitesOfWhole();
     const double share = all > 0 ? 100.0 * model->siteCount() / all : 0;
     readingLine_->setActivity(tr("%1 % shown, more is coming").arg(static_cast<int>(share)),
                               tr("Showing %L1 of %L2 vertices, more is coming").arg(model->siteCount()).arg(all));
@@ -662,12 +665,12 @@ void MainWindow::offerRest(const OpenedModel& part)
             .arg(part.model->siteCount())
             .arg(part.sitesOfWhole)
             .arg(sizeText(part.bytesRead), sizeText(part.bytesOfWhole)),
-        tr("&Fetch All"), [this] { workbench_.opening().readWhole(); }, [] {});
+        tr("&Fetch All"), [this] { workbench_.opening().models().readWhole(); }, [] {});
 }
 
 void MainWindow::showWhatCanBePacked()
 {
-    actions_.savePacked->setEnabled(workbench_.opening().showsWhole());
+    actions_.savePacked->setEnabled(workbench_.opening().models().showsWhole());
 }
 
 void MainWindow::showWhatCanBeClosed()
@@ -689,7 +692,6 @@ void MainWindow::showModel()
              actions_.namedViews)
         action->setEnabled(model != nullptr);
     showWhatCanBePacked();
-    viewport_->setScene(nullptr);
     status_->clearScene();
     isOutdated_ = false;
     isBesideDataset_ = false;
@@ -706,7 +708,6 @@ void MainWindow::showModel()
 
 void MainWindow::showScene(const BuiltScene& scene)
 {
-    viewport_->setScene(scene.scene, scene.mesh.tetrahedra);
     status_->setScene(scene);
     status_->setRemarks(workbench_.scenes().errorRemarks(scene), scene.model->description());
     isOutdated_ = false;
@@ -728,21 +729,13 @@ void MainWindow::forgetFailures()
 void MainWindow::showNotice()
 {
     const auto& model = workbench_.session().model();
-    const auto& dataset = workbench_.opening().dataset();
+    const auto& dataset = workbench_.opening().datasets().dataset();
     if (model && dataset && isBesideDataset_)
         notice_->tell(tr("%1 is not built yet. The picture still shows %2.")
                           .arg(shownText(dataset->source.name), shownName(model->path())));
     else
         notice_->tell(isOutdated_ ? tr("The picture does not show the current settings, which could not be drawn.")
                                   : QString());
-}
-
-void MainWindow::showDrafts(const std::vector<DraftScene>& drafts)
-{
-    std::vector<SceneLevel> levels;
-    for (const DraftScene& draft : drafts)
-        levels.push_back({draft.scene, draft.tetrahedra});
-    viewport_->setDrafts(std::move(levels));
 }
 
 /// While a control is dragged pictures follow quickly.
@@ -760,10 +753,11 @@ void MainWindow::connectFollowing()
 
 void MainWindow::showDataset()
 {
-    isBesideDataset_ = workbench_.opening().dataset() != nullptr && !workbench_.opening().datasetIsBuilt();
+    isBesideDataset_ =
+        workbench_.opening().datasets().dataset() != nullptr && !workbench_.opening().datasets().isBuilt();
     showNotice();
-    docks_.build->setVisible(workbench_.opening().dataset() != nullptr);
-    if (workbench_.opening().dataset()) {
+    docks_.build->setVisible(workbench_.opening().datasets().dataset() != nullptr);
+    if (workbench_.opening().datasets().dataset()) {
         docks_.build->raise();
         docks_.build->widget()->setFocus();
     }
@@ -773,7 +767,7 @@ void MainWindow::showDataset()
 void MainWindow::showNothing()
 {
     pages_->setCurrentWidget(empty_);
-    const auto& dataset = workbench_.opening().dataset();
+    const auto& dataset = workbench_.opening().datasets().dataset();
     if (!dataset)
         return empty_->invite(recentFiles());
     docks_.build->show(); // it was away while the model was seen

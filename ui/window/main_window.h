@@ -83,7 +83,6 @@ private:
     void showScene(const BuiltScene& scene);
     void forgetFailures();
     void showNotice();
-    void showDrafts(const std::vector<DraftScene>& drafts);
     void connectFollowing();
     void showDataset();
     void showNothing();

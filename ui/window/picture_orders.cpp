@@ -2,8 +2,8 @@
 #include "ui/window/picture_orders.h"
 
 #include "ui/annotations/annotation_painter.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/viewport/viewport.h"
-#include "ui/workbench/view_picture.h"
 
 namespace tetra {
 namespace {
@@ -22,11 +22,6 @@ ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, cons
 }
 
 } // namespace
-
-QSize pixelsOf(const Viewport& viewport)
-{
-    return viewport.size() * viewport.devicePixelRatioF();
-}
 
 PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {

@@ -2,14 +2,10 @@
 #pragma once
 
 #include "ui/panels/picture_form.h"
+#include "ui/viewport/scene_showing.h"
 #include "ui/workbench/workbench.h"
 
 namespace tetra {
-
-class Viewport;
-
-/// The pixels of the view on the screen.
-QSize pixelsOf(const Viewport& viewport);
 
 /// What is seen, as a picture without a target.
 PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);

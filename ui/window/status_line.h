@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/scenes/scene_builder.h"
 #include "ui/viewport/canvas.h"
-#include "ui/workbench/scene_builder.h"
 
 #include <QTimer>
 

@@ -3,10 +3,10 @@
 
 #include "plugins/host/interrupted_build.h"
 #include "plugins/host/model_building.h"
+#include "ui/opening/recent_files.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/workbench/recent_files.h"
-#include "ui/workbench/view_picture.h"
 
 namespace tetra {
 namespace {
@@ -20,21 +20,21 @@ Building::Building(PluginHost& host, Session& session, Opening& opening)
 {
     looking_.setInterval(timeBetweenLooks);
     connect(&looking_, &QTimer::timeout, this, &Building::lookAtBuild);
-    connect(&task_, &LongTask::started, this, [this] { opening_.setDatasetInUse(true); });
+    connect(&task_, &LongTask::started, this, [this] { opening_.datasets().setInUse(true); });
     connect(&task_, &LongTask::finished, this, [this] {
         looking_.stop();
-        opening_.setDatasetInUse(false);
+        opening_.datasets().setInUse(false);
     });
     const auto turnAway = [this] { turnedAway_ = running(); };
-    connect(&opening, &Opening::leaving, this, turnAway);
-    connect(&opening, &Opening::datasetOpened, this, turnAway);
+    connect(&opening.models(), &ModelOpening::leaving, this, turnAway);
+    connect(&opening.datasets(), &DatasetOpening::datasetOpened, this, turnAway);
 }
 
 Building::~Building() = default;
 
 void Building::build(const BuildOrder& order)
 {
-    const auto& dataset = opening_.dataset();
+    const auto& dataset = opening_.datasets().dataset();
     if (!dataset || running())
         return;
     live_ = std::make_shared<LiveBuild>();
@@ -45,7 +45,7 @@ void Building::build(const BuildOrder& order)
     buildName_ = shownText(dataset->source.name);
     buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
-    task_.start([this, order, dataset, imported = opening_.importOptions(), live = live_,
+    task_.start([this, order, dataset, imported = opening_.datasets().importOptions(), live = live_,
                  wish = wish_](const Progress& progress) -> std::function<void()> {
         wish->keepsBeside = tetra::keepsBeside(order.target);
         const auto built = tetra::buildModel(
@@ -54,9 +54,9 @@ void Building::build(const BuildOrder& order)
         const bool isLost = !built && wish->keep; // not what the user asked for
         if (order.resume && wish->leaveNothing && !isLost)
             (void)discardInterruptedBuild(order.target);
-        return [this, order, dataset, model = built ? opening_.openModel(built->model) : built.error()] {
+        return [this, order, dataset, model = built ? opening_.models().readNow(built->model) : built.error()] {
             if (model)
-                opening_.setBuilt(dataset);
+                opening_.datasets().setBuilt(dataset);
             showBuilt(order.target, model);
         };
     });
@@ -122,16 +122,16 @@ void Building::showLook(const Result<OpenedModel>& look)
         return;
     look_ = look->model;
     if (isFirst)
-        opening_.showModel(*look);
+        opening_.models().show(*look);
     else
-        opening_.growTo(*look);
+        opening_.models().growTo(*look);
 }
 
 /// What was watched has not become a model.
 void Building::closeLook()
 {
     if (showsLook())
-        opening_.closeModel();
+        opening_.models().close();
     look_.reset();
 }
 
@@ -154,15 +154,15 @@ void Building::showBuilt(const std::filesystem::path& target, const Result<Opene
     const QString path = pathText(built->model->path());
     const bool isBeside = built->model->path() != target;
     const bool isShown =
-        isWatched || (!turnedAway_ && !opening_.reading().running() && !opening_.sessionModified() &&
-                      !opening_.savingSession().running() && !(isBeside && session_.model() != nullptr));
+        isWatched || (!turnedAway_ && !opening_.reading().running() && !opening_.sessionFile().isModified() &&
+                      !opening_.sessionFile().saving().running() && !(isBeside && session_.model() != nullptr));
     look_.reset();
     addRecentFile(path);
     emit modelBuilt(path, isShown, isBeside ? pathText(target) : QString());
     if (isWatched)
-        opening_.growTo(*built);
+        opening_.models().growTo(*built);
     else if (isShown)
-        opening_.showModel(*built);
+        opening_.models().show(*built);
     emit buildEnded(true);
 }
 

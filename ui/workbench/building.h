@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plugins/host/live_build.h"
-#include "ui/workbench/opening.h"
+#include "ui/opening/opening.h"
 
 #include <QTemporaryDir>
 #include <QTimer>

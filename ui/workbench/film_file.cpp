@@ -6,8 +6,8 @@
 #include "core/base/folder.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/session/files.h"
-#include "ui/workbench/view_picture.h"
 
 #include <QFileInfo>
 #include <QProcess>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/scenes/picture_file.h"
 #include "ui/session/shown_mesh.h"
-#include "ui/workbench/picture_file.h"
+
 
 #include <tan/base.h>
 #include <tan/view.h>

@@ -3,7 +3,7 @@
 
 #include "plugins/host/file_saving.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/workbench/scene_pipeline.h"
+#include "ui/scenes/scene_pipeline.h"
 #include "ui/workbench/surface_making.h"
 
 #include <tan/base.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/opening/opening.h"
+#include "ui/scenes/scene_service.h"
 #include "ui/session/session.h"
 #include "ui/workbench/building.h"
 #include "ui/workbench/exporting.h"
-#include "ui/workbench/opening.h"
-#include "ui/workbench/scene_service.h"
 
 namespace tetra {
 
@@ -28,7 +28,7 @@ public:
     Exporting& exporting() noexcept { return exporting_; }
     const Exporting& exporting() const noexcept { return exporting_; }
     /// Whether a file is being written that is neither a model nor a film.
-    bool saving() noexcept { return exporting_.saving() || opening_.savingSession().running(); }
+    bool saving() noexcept { return exporting_.saving() || opening_.sessionFile().saving().running(); }
 
 signals:
     /// Something could not be opened or shown, by whichever of them.

@@ -63,8 +63,8 @@ Driver::Step withGrid(const QString& builder, const std::string& sample = "bent-
         const auto grid = makeSample(request);
         if (!grid || !saveDataset(*window.host, *grid, path))
             qFatal("the grid could not be made");
-        window.workbench.opening().importDataset(path, {}); // as if what the window asks were answered
-        if (!waitFor([&] { return window.workbench.opening().dataset()->source.path == path; }, 30'000))
+        window.workbench.opening().datasets().importDataset(path, {}); // as if what the window asks were answered
+        if (!waitFor([&] { return window.workbench.opening().datasets().dataset()->source.path == path; }, 30'000))
             qFatal("the grid did not open");
         chooseBuilder(window, builder);
     };
@@ -138,14 +138,14 @@ void openSample(DrivenWindow& window, std::uint32_t side)
 {
     const auto path = writeNrrd(sampleDataset(side), window.folderPath());
     window.window.open(QString::fromStdString(path));
-    if (!waitFor([&] { return window.workbench.opening().dataset()->source.path == path; }, 30'000))
+    if (!waitFor([&] { return window.workbench.opening().datasets().dataset()->source.path == path; }, 30'000))
         qFatal("the sample did not open");
     chooseBuilder(window, "refinement");
 }
 
 void beginBuilding(DrivenWindow& window, const QString& target)
 {
-    window.workbench.opening().closeModel();
+    window.workbench.opening().models().close();
     openSample(window, largeSide);
     setTarget(window, window.folder.filePath(target));
     window.press("build.start", Qt::Key_Space);
@@ -176,7 +176,7 @@ void leaveBuild(DrivenWindow& window)
             stop.request_stop();
     });
     const auto path = window.folderPath() + "/left.tan";
-    (void)buildModel(*window.host, *window.workbench.opening().dataset(), "refinement", {}, path, progress,
+    (void)buildModel(*window.host, *window.workbench.opening().datasets().dataset(), "refinement", {}, path, progress,
                      {.resume = true});
     setTarget(window, QString::fromStdString(path));
 }

@@ -58,16 +58,17 @@ void DrivenWindow::openAnew()
 {
     workbench.building().stopBuild(BuildEnd::Discard);
     waitUntil([this] { return !workbench.building().running(); }, "no build runs");
-    workbench.opening().closeModel();
+    workbench.opening().models().close();
     workbench.opening().views().forget(filePath(model_)); // as at first
     window.open(model_);
     waitUntil([this] { return session().model() && settled(); }, "the model is open");
-    if (!workbench.opening().dataset() || workbench.opening().dataset()->source.path != volume_.toStdString()) {
+    if (!workbench.opening().datasets().dataset() ||
+        workbench.opening().datasets().dataset()->source.path != volume_.toStdString()) {
         window.open(volume_);
         waitUntil(
             [this] {
-                return workbench.opening().dataset() &&
-                       workbench.opening().dataset()->source.path == volume_.toStdString();
+                return workbench.opening().datasets().dataset() &&
+                       workbench.opening().datasets().dataset()->source.path == volume_.toStdString();
             },
             "the dataset is open");
     }
@@ -94,8 +95,9 @@ void DrivenWindow::startAnew()
     session().endGesture();
     session().undoStack().setIndex(0);
     resetLayout();
-    const bool isThere = opened_ && session().model() == opened_ && workbench.opening().dataset() &&
-                         workbench.opening().dataset()->source.path == volume_.toStdString() && now() == atFirst_;
+    const bool isThere = opened_ && session().model() == opened_ && workbench.opening().datasets().dataset() &&
+                         workbench.opening().datasets().dataset()->source.path == volume_.toStdString() &&
+                         now() == atFirst_;
     if (!isThere)
         openAnew();
     session().undoStack().clear();

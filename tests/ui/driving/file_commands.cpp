@@ -3,9 +3,9 @@
 #include "core/view/appearance.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
+#include "ui/opening/recent_files.h"
+#include "ui/opening/sample_models.h"
 #include "ui/session/files.h"
-#include "ui/workbench/recent_files.h"
-#include "ui/workbench/sample_models.h"
 
 #include <tan/view.h>
 
@@ -42,7 +42,7 @@ struct RecentUse {
 bool hasOpened(const DrivenWindow& window, const RecentUse& use)
 {
     const auto& model = window.session().model();
-    const auto& dataset = window.workbench.opening().dataset();
+    const auto& dataset = window.workbench.opening().datasets().dataset();
     if (use.path.isEmpty() || recentFiles().value(0) != use.path)
         return false;
     if (use.path.endsWith(".tan"))
@@ -57,7 +57,7 @@ Driver openingRecent()
         "action.recent.*", [use](const DrivenWindow& window) { return hasOpened(window, *use); },
         [use](DrivenWindow& window) {
             fillRecentMenu(window);
-            *use = {window.session().model(), window.workbench.opening().dataset(), {}};
+            *use = {window.session().model(), window.workbench.opening().datasets().dataset(), {}};
             for (const QAction* entry : window.find<QMenu>("menu.recent").actions())
                 if (entry->objectName().startsWith("action.recent."))
                     QObject::connect(entry, &QAction::triggered, entry, [use, entry] { use->path = entry->toolTip(); });

@@ -155,7 +155,7 @@ void TransferTableTest::rowsFollowTheFunction()
     editor_->undo();
     QCOMPARE(table().model()->rowCount(), static_cast<int>(function().points.size()));
     QCOMPARE(textAt(0, Value), QLocale().toString(function().points[0].value, 'g', 7));
-    editor_->workbench.opening().closeModel();
+    editor_->workbench.opening().models().close();
     QCOMPARE(table().model()->rowCount(), 0);
 }
 

@@ -3,8 +3,8 @@
 
 #include "core/view/lens.h"
 #include "plugins/api/renderer.h"
+#include "ui/scenes/picture_file.h"
 #include "ui/session/shown_mesh.h"
-#include "ui/workbench/picture_file.h"
 
 #include <tan/base.h>
 #include <tan/model.h>

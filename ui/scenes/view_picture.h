@@ -4,8 +4,8 @@
 #include "plugins/api/renderer.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/annotations/annotation_content.h"
-#include "ui/workbench/picture_file.h"
-#include "ui/workbench/scene_pipeline.h"
+#include "ui/scenes/picture_file.h"
+#include "ui/scenes/scene_pipeline.h"
 
 #include <tan/model.h>
 #include <tan/view.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/scene_service.h"
+#include "ui/scenes/scene_service.h"
 
 #include "core/view/appearance.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/session/message_text.h"
 #include "ui/session/rendering_modes.h"
 #include "ui/session/shown_error.h"
-#include "ui/workbench/view_picture.h"
 
 #include <chrono>
 

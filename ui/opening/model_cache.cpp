@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/model_cache.h"
+#include "ui/opening/model_cache.h"
 
 #include "core/base/memory.h"
 #include "core/opening/served_model.h"

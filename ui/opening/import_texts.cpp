@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/import_texts.h"
+#include "ui/opening/import_texts.h"
 
 #include "core/base/memory.h"
 #include "plugins/widgets/number_text.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/scenes/scene_builder.h"
 #include "ui/session/session.h"
 #include "ui/work/latest_job.h"
-#include "ui/workbench/scene_builder.h"
 
 #include <QObject>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/import_question.h"
+#include "ui/opening/import_question.h"
 
 #include "plugins/host/dataset_opening.h"
 #include "ui/session/files.h"

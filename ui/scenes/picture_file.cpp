@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/picture_file.h"
+#include "ui/scenes/picture_file.h"
 
 #include "core/base/file_writer.h"
 

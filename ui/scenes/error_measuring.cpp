@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/error_measuring.h"
+#include "ui/scenes/error_measuring.h"
 
 #include "core/history/error_meaning.h"
 #include "core/verify/verify_mesh.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ui/animation/frame_pacer.h"
+#include "ui/scenes/scene_pipeline.h"
 #include "ui/work/latest_job.h"
-#include "ui/workbench/scene_pipeline.h"
 
 #include <QObject>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/recent_files.h"
+#include "ui/opening/recent_files.h"
 
+#include "ui/opening/sample_models.h"
 #include "ui/session/files.h"
-#include "ui/workbench/sample_models.h"
 
 #include <tan/open.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/scene_builder.h"
+#include "ui/scenes/scene_builder.h"
 
 #include "core/history/whole_elsewhere.h"
 

@@ -3,9 +3,9 @@
 
 #include "plugins/host/plugin_host.h"
 #include "ui/annotations/annotation_content.h"
+#include "ui/scenes/error_measuring.h"
+#include "ui/scenes/scene_builder.h"
 #include "ui/session/session.h"
-#include "ui/workbench/error_measuring.h"
-#include "ui/workbench/scene_builder.h"
 
 #include <tan/data.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/sample_models.h"
+#include "ui/opening/sample_models.h"
 
 #include "core/base/system_error.h"
 #include "plugins/api/boundary_parameters.h"
@@ -8,10 +8,10 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
+#include "ui/scenes/picture_file.h"
+#include "ui/scenes/view_picture.h"
 #include "ui/session/files.h"
 #include "ui/session/rendering_modes.h"
-#include "ui/workbench/picture_file.h"
-#include "ui/workbench/view_picture.h"
 
 #include <tan/model.h>
 #include <tan/version.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/scene_pipeline.h"
+#include "ui/scenes/scene_pipeline.h"
 
 #include "core/view/lens.h"
 #include "plugins/api/boundary_parameters.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/view_picture.h"
+#include "ui/scenes/view_picture.h"
 
 #include "core/base/guarded.h"
 #include "core/base/text.h"

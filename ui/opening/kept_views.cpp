@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/kept_views.h"
+#include "ui/opening/kept_views.h"
 
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/opening/session_opening.h"
+
+#include "ui/session/files.h"
+#include "ui/session/session_model.h"
+
+#include <tan/open.h>
+
+namespace tetra {
+
+SessionOpening::SessionOpening(Session& session, SceneService& scenes, SessionFile& file, ModelOpening& models,
+                               Reading& reading)
+    : session_(session), scenes_(scenes), file_(file), models_(models), reading_(reading)
+{
+    connect(&session_, &Session::modelChanged, this, [this] { ++opened_; });
+}
+
+void SessionOpening::open(const std::filesystem::path& path, SessionSource source, const std::filesystem::path& located)
+{
+    models_.read([this, path, source, located](const ModelOpening::ComingModel& coming,
+                                               const Progress& progress) -> std::function<void()> {
+        auto document = readSession(path);
+        if (!document)
+            return reading_.tellLater(document.error());
+        const auto model =
+            located.empty() ? sessionModel(*document, document->file.empty() ? path : document->file) : located;
+        if (!model)
+            return [this, path, source, missing = document->model] { emit modelMissing(path, source, missing); };
+        document->model = *model;
+        OpenedModel as;
+        as.view = *document;
+        as.from = path;
+        as.source = source;
+        as.isLocated = !located.empty();
+        return models_.whenRead({.place = *model, .as = as, .again = [this, path, source] { open(path, source); }},
+                                coming, progress);
+    });
+}
+
+void SessionOpening::applyLook(const std::filesystem::path& path)
+{
+    if (!session_.model())
+        return;
+    applying_.start([this, path, opened = opened_](const Progress&) -> std::function<void()> {
+        const auto document = readSession(path);
+        if (!document)
+            return [this, error = document.error()] { reading_.tell(error); };
+        return [this, path, opened, look = *document] {
+            if (opened_ == opened) // else the user has turned to something else
+                apply(path, look);
+        };
+    });
+}
+
+void SessionOpening::apply(const std::filesystem::path& path, const SessionDocument& look)
+{
+    const std::shared_ptr<const Model> model = session_.model(); // which may have grown meanwhile
+    const RestoredView restored = restoredView(look, scenes_.modes(), *model, scenes_.extent());
+    ViewValue view = restored.document.view;
+    if (!look.hasCamera)
+        view.camera = session_.view().camera;
+    else if (!restored.document.hasCamera)
+        view.camera = fitted(view.camera, model->description().bounds, session_.shape());
+    session_.setView(view, tr("Apply Look"));
+    if (!restored.differences.empty())
+        emit failed(tr("Not all of the look of %1 could be applied.").arg(shownName(path)) +
+                    sentencesOf(restored.differences));
+}
+
+std::optional<SessionDocument> SessionOpening::document() const
+{
+    if (!session_.model() || !models_.becomes().empty())
+        return std::nullopt;
+    const Model& model = *session_.model();
+    SessionDocument document;
+    document.model = isAddress(model.path().string()) ? model.path() : std::filesystem::absolute(model.path());
+    document.identity = models_.sitesOfWhole() == 0 ? modelIdentity(model) : 0;
+    document.bounds = model.description().bounds;
+    document.withDirections = !model.description().lattice.isAlongAxes();
+    document.range = model.description().range;
+    document.view = session_.view();
+    document.hasCamera = true;
+    document.found = file_.found();
+    return document;
+}
+
+} // namespace tetra
