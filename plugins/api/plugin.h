@@ -31,8 +31,8 @@
     namespace tan_plugin {                                                                                             \
     constexpr auto text = tetra::pluginNoteText(interface, qt, build, tetra::pluginMetadata);                          \
     TAN_NOT_SANITIZED                                                                                                  \
-        __attribute__((section(".note.tan"), used, aligned(8))) constexpr tetra::PluginNote<tetra::totalBytes(text)>   \
-            note(text);                                                                                                \
+    __attribute__((section(".note.tan"), used, aligned(8))) constexpr tetra::PluginNote<tetra::totalBytes(text)>       \
+        note(text);                                                                                                    \
     }
 
 /// What the program calls: the object as the interface of this name, null if it is no such one.

@@ -14,7 +14,8 @@ namespace tetra {
 /// - a folder holds 25 units at most, a header and its source being one, but for those that the source names with the
 ///   number that each still holds;
 /// - own headers are included by their path from the root and exist;
-/// - core includes no Qt, and its headers neither OpenGL nor CGAL; of plugins only editors include Qt, and of the command
+/// - core includes no Qt, and its headers neither OpenGL nor CGAL; of plugins only editors include Qt, and of the
+/// command
 ///   line only what draws;
 /// - what the system says of an error comes from systemErrorText(), which is English in every locale;
 /// - sources that the texts for developers name are there;

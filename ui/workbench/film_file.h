@@ -4,7 +4,6 @@
 #include "ui/scenes/picture_file.h"
 #include "ui/session/shown_mesh.h"
 
-
 #include <tan/base.h>
 #include <tan/view.h>
 
