@@ -85,7 +85,7 @@ void UndoFuzzTest::saveAndOpenAgain()
     workbench_->opening().sessions().open(file, SessionSource::File);
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(session().undoStack().count(), 0);
-    QVERIFY2(session().view() == saved, qPrintable(QString::number(differingParts(session().view(), saved).toInt())));
+    QVERIFY2(session().view() == saved, viewToText(session().view()).c_str());
 }
 
 void UndoFuzzTest::undoingAllEndsWhereItBegan()
