@@ -7,6 +7,7 @@
 #include "core/transfer/remark_texts.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -46,9 +47,8 @@ void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& 
     const bool ofLogarithms = holdsLogarithms(model.parameters);
     const ValueRange& range = model.range;
     const TransferLimits limits{range.minimum, range.maximum};
-    JsonArray all;
-    if (const JsonValue* const before = figures.find("remarks"); before != nullptr && before->array() != nullptr)
-        all = *before->array();
+    JsonValue& told = figures["remarks"]; // null where there is nothing to say
+    JsonArray all = told.array() != nullptr ? *told.array() : JsonArray();
     for (const ErrorRemark& remark : remarks) {
         std::string text =
             errorRemarkText(remark, ofLogarithms).text() + " " + errorCureText(remark, limits, ofLogarithms).text();
@@ -61,7 +61,7 @@ void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& 
         messages << text << "\n" << std::flush;
     }
     if (!remarks.empty())
-        figures["remarks"] = all;
+        told = std::move(all);
 }
 
 std::string reachedText(const JsonObject& figures)
