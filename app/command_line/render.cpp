@@ -526,7 +526,7 @@ Syntax renderSyntax(PluginHost& host)
         .options = {{.name = "mode",
                      .placeholder = idChoices(host.renderers()),
                      .explanation = "What to show.",
-                     .byDefault = std::string(defaultMode) + ", or with --slice " + std::string(sliceMode)}},
+                     .byDefault = std::string(defaultMode) + "; " + std::string(sliceMode) + " if --slice is given"}},
         .examples = {
             {"tan render engine.tan --error 0.5 --isovalue 100:silver:0.4 --isovalue 180:#ff8000 -o engine.png",
              "A translucent surface around a solid one."},
