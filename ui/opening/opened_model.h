@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/renderer.h"
 #include "ui/session/session_document.h"
 
 #include <tan/model.h>

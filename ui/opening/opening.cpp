@@ -61,9 +61,11 @@ void Opening::open(const QString& path)
             if (isPictureFile(file))
                 if (const auto session = sessionInPicture(file); session && !session->empty())
                     return [this, file] { emit pictureOpened(pathText(file)); };
-            if (isModelFile(file))
-                return models_.whenRead({.place = file, .as = {.view = views_.find(file)}}, coming, progress);
-            return datasets_.whenRead(file, false, progress);
+            if (!isModelFile(file))
+                return datasets_.whenRead(file, false, progress);
+            OpenedModel asSeenLast;
+            asSeenLast.view = views_.find(file);
+            return models_.whenRead({.place = file, .as = asSeenLast}, coming, progress);
         });
 }
 
