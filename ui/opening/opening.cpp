@@ -2,6 +2,7 @@
 #include "ui/opening/opening.h"
 
 #include "plugins/host/dataset_opening.h"
+#include "plugins/host/input_file.h"
 #include "ui/opening/sample_models.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
