@@ -572,7 +572,7 @@ CurvilinearMesh::Candidate CurvilinearMesh::at(std::uint64_t wholePoint)
         grid_->lattice().pack(static_cast<std::uint32_t>(wholePoint % options_.size[0]) - origin[0],
                               static_cast<std::uint32_t>(row % options_.size[1]) - origin[1],
                               static_cast<std::uint32_t>(row / options_.size[1]) - origin[2]);
-    const std::uint32_t slot = placeIn(delaunay_, point, hint_).slot;
+    const std::uint32_t slot = walkByFirstFace(delaunay_, point, hint_);
     if (std::ranges::find(delaunay_[slot].vertices, point) != delaunay_[slot].vertices.end())
         return {};
     return {point, slot, 0};

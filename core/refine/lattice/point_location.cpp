@@ -2,6 +2,7 @@
 #include "core/refine/lattice/point_location.h"
 
 #include "core/base/simd.h"
+#include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <cstring>
@@ -123,6 +124,21 @@ PlacedPoint placeIn(const LatticeDelaunay& delaunay, PackedPoint point, std::uin
     if (found == LatticeDelaunay::none)
         return {};
     return {found, volumesAt(delaunay.lattice(), point, delaunay[found].vertices)};
+}
+
+std::uint32_t walkByFirstFace(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot)
+{
+    for (;;) {
+        const DelaunayTetrahedron& tetrahedron = delaunay[slot];
+        std::uint32_t next = slot;
+        for (std::size_t face = 0; face < 4 && next == slot; ++face) {
+            if (!onInnerSide(delaunay.lattice(), point, withCornerFirst(tetrahedron.vertices, face)))
+                next = tetrahedron.neighbours[face];
+        }
+        if (next == slot)
+            return slot;
+        slot = next;
+    }
 }
 
 } // namespace tetra

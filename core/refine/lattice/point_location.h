@@ -34,4 +34,8 @@ std::array<std::int64_t, 4> volumesAt(const PackedLattice& lattice, PackedPoint 
 /// Where locate() finds a point from `slot`.
 PlacedPoint placeIn(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
 
+/// As placeIn(), but across the first face that separates: of several tetrahedra that contain the point it may be
+/// another one. Models of curvilinear grids in blocks depend on which it is, so that they keep this rule.
+std::uint32_t walkByFirstFace(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
+
 } // namespace tetra
