@@ -150,6 +150,27 @@ ViewValue anyView(Random& random)
     return view;
 }
 
+/// Qt reads whole numbers of 64 bits as such, and writes them in another way than as the doubles that they were.
+QJsonValue asDoubles(const QJsonValue& value)
+{
+    if (value.isDouble() && static_cast<double>(value.toInteger()) == value.toDouble() &&
+        static_cast<qint64>(value.toDouble()) == value.toInteger())
+        return value.toDouble();
+    if (value.isArray()) {
+        QJsonArray elements;
+        for (const QJsonValue element : value.toArray())
+            elements.append(asDoubles(element));
+        return elements;
+    }
+    if (value.isObject()) {
+        QJsonObject members = value.toObject();
+        for (auto member = members.begin(); member != members.end(); ++member)
+            member.value() = asDoubles(member.value());
+        return members;
+    }
+    return value;
+}
+
 } // namespace
 
 class ViewTextTest : public QObject {
@@ -177,7 +198,8 @@ private slots:
             ViewValue view = anyView(random);
             view.appearance.settings.erase("name"); // Qt has a shorter word for the line feed in it
             const QByteArray text = QByteArray::fromStdString(viewToText(view));
-            QCOMPARE(text, QJsonDocument::fromJson(text).toJson());
+            const QJsonValue read = asDoubles(QJsonDocument::fromJson(text).object());
+            QCOMPARE(text, QJsonDocument(read.toObject()).toJson());
         }
     }
 
