@@ -412,7 +412,6 @@ private slots:
         QVERIFY2(textOf(verdict).contains("not every closed set with it has a mesh"), qPrintable(textOf(verdict)));
     }
 
-    /// Weighted errors and warpings are compared with weighted claims (R6).
     /// At a contact that was meshed apart the data have two values at one place: none of them is an error of the mesh,
     /// but what is far from both is.
     void partsThatTouchHaveValuesOfTheirOwn()
@@ -433,6 +432,7 @@ private slots:
         }
     }
 
+    /// Weighted errors and warpings are compared with weighted claims (R6).
     void weightsCount()
     {
         const Dataset dataset = randomIrregular(4);
