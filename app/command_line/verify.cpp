@@ -105,9 +105,10 @@ std::string remarksOn(const VerificationReport& verdict)
         text += "\nInverted tetrahedra are no failure where the data's own cells are folded or bent too far (" +
                 std::to_string(verdict.foldedCells) + " folded).\n";
     if (verdict.touchingPoints > 0)
-        text += "\nPoints of the data that lie in or on a cell of which they are no corner: " +
-                std::to_string(verdict.touchingPoints) +
-                ". There parts touch or overlap, the data have several values at one place, and the closest counts.\n";
+        text +=
+            "\nPoints of the data that lie in or on a cell without being a corner of it: " +
+            std::to_string(verdict.touchingPoints) +
+            ". Parts touch or overlap there, so the data have several values at one place; the closest one counts.\n";
     return text;
 }
 

@@ -53,7 +53,7 @@ bool levelsMakeSense(std::span<const PackedLevelEntry> levels, const Header& hea
 }
 
 /// Whether a model of this header can have so many bytes. What a model keeps of a site, a sample or a tetrahedron takes
-/// some 200 bytes at most; the rest of the allowance is for faulty cells, of which no number in the header tells.
+/// a small part of what is allowed for each (FORMAT.md); the rest is for faulty cells, which the header does not count.
 bool sizeMakesSense(std::uint64_t bytes, const Header& header)
 {
     constexpr double ofWhole = 1 << 30, ofElement = 1 << 12;

@@ -38,7 +38,7 @@ checksum = xxh3()
 
 
 class Missing(Exception):
-    """A section that another change has taken."""
+    """What was to be changed, a section or its chunks, is not there: another change has taken it."""
 
 
 class Section:

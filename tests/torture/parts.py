@@ -739,7 +739,8 @@ def hard_mesh(bench, folder, chance, number):
     return "proved" if not failures else "went wrong", failures, {"cells taken out": told["faulty_cell_count"] if told else 0}
 
 
-# Together some 80 minutes of two quiet cores: each run has chances of its own, so that what they try adds up.
+# As many as fit into 90 minutes of two quiet cores by the time that each part takes by itself. Each run has chances of its own, so that
+# what runs try adds up.
 PARTS = (
     Part("latency", "tests that judge how soon something is seen, with the machine to themselves", repeated.latency, 10 ** 9, 0,
          in_parallel=False, counted=lambda bench: len(repeated.tests_of(bench, "latency"))),

@@ -74,8 +74,7 @@ void addBlock(std::vector<Eigen::Vector3d>& positions, std::vector<std::array<st
 }
 
 /// Two blocks that were meshed apart and touch in the plane x = 1, where the values jump: 4 points of the first one lie
-/// on faces of the second, and 9 of the second on faces of the first. Linear in each, but for one point of the contact
-/// and, more, one inside.
+/// on faces of the second, and 9 of the second on faces of the first. Linear in each, but for one point of the contact.
 Dataset blocksInContact()
 {
     std::vector<Eigen::Vector3d> positions;
