@@ -11879,6 +11879,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>The slices are as at first: theirs are for another domain.</source>
         <translation>Die Schnitte sind wie am Anfang: ihre Ebenen gehören zu einem anderen Gebiet.</translation>
     </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

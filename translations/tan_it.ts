@@ -11879,6 +11879,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>The slices are as at first: theirs are for another domain.</source>
         <translation>Le sezioni sono come all&apos;inizio: i loro piani sono di un altro dominio.</translation>
     </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -52,7 +52,7 @@ Parameter placeParameter()
     parameter.label = Message::marked("Place");
     parameter.explanation =
         Message::marked("Where the plane lies along its axis: at 0 where the data begin, at 100 where they end.");
-    parameter.unit = "%";
+    parameter.unit = Message::marked("%");
     parameter.defaultValue = 50.0;
     parameter.maximum = 100;
     parameter.onlyWith = {slicesId, {std::string()}};
