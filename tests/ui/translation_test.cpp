@@ -117,6 +117,8 @@ std::set<std::string> textsOf(PluginHost& host)
         texts.erase(std::string(sampleTypeName(static_cast<SampleType>(type))));
     for (const char* wider : {"int64", "uint64"}) // that are read as others
         texts.erase(wider);
+    for (const char* axis : {"x", "y", "z"})
+        texts.erase(axis);
     return texts;
 }
 
