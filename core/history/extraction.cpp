@@ -25,6 +25,25 @@ namespace {
 constexpr std::uint64_t slack = 1 << 13;
 constexpr MarkedText extracting = Message::marked("Extracting the mesh");
 
+Error laterSite(const Model& model, std::uint32_t creator)
+{
+    return inconsistentModel(
+        model, Message::say("a tetrahedron of site %1 or soon after has a site that comes after its creator", creator));
+}
+
+Error tooManyTetrahedra(const Model& model, std::uint32_t sites, std::uint64_t expected)
+{
+    return inconsistentModel(
+        model,
+        Message::say("the mesh of %1 sites has more than the %2 tetrahedra that it should have", sites, expected));
+}
+
+Error tooFewTetrahedra(const Model& model, std::uint32_t sites, std::uint64_t found, std::uint64_t expected)
+{
+    return inconsistentModel(
+        model, Message::say("the mesh of %1 sites has %2 tetrahedra instead of %3", sites, found, expected));
+}
+
 /// Takes the mesh out of the file, some stars at a time.
 class PrefixScan {
 public:
@@ -38,7 +57,6 @@ public:
 private:
     Status scanStars(const Stars& stars);
     Status scanLongStars(const Stars& stars);
-    Error tooMany() const;
 
     const Model& model_;
     const std::uint32_t sites_;
@@ -59,8 +77,7 @@ Status PrefixScan::run(const Progress& progress)
     if (const Status walked = walkHistory(model_, 0, sites_, progress, extracting, scan); !walked)
         return walked;
     if (found_ != expected_)
-        return inconsistentModel(
-            model_, Message::say("the mesh of %1 sites has %2 tetrahedra instead of %3", sites_, found_, expected_));
+        return tooFewTetrahedra(model_, sites_, found_, expected_);
     out_.resize(found_);
     return {};
 }
@@ -70,10 +87,8 @@ Status PrefixScan::scanStars(const Stars& stars)
     const AliveScan scanned = scanAlive(stars, sites_, out_.data() + found_);
     found_ = static_cast<std::uint64_t>(scanned.end - out_.data());
     if (!scanned.sitesComeBefore)
-        return inconsistentModel(
-            model_, Message::say("a tetrahedron of site %1 or soon after has a site that comes after its creator",
-                                 stars.firstSite));
-    return found_ > expected_ ? tooMany() : Status();
+        return laterSite(model_, stars.firstSite);
+    return found_ > expected_ ? tooManyTetrahedra(model_, sites_, expected_) : Status();
 }
 
 /// Stars that may have more tetrahedra than there is room for: one tetrahedron at a time.
@@ -91,17 +106,10 @@ Status PrefixScan::scanLongStars(const Stars& stars)
             if (scanned.end == alive)
                 continue;
             if (found_ == expected_)
-                return tooMany();
+                return tooManyTetrahedra(model_, sites_, expected_);
             out_[found_++] = alive[0];
         }
     return {};
-}
-
-Error PrefixScan::tooMany() const
-{
-    return inconsistentModel(
-        model_,
-        Message::say("the mesh of %1 sites has more than the %2 tetrahedra that it should have", sites_, expected_));
 }
 
 Status extractInto(const Model& model, std::uint32_t sites, const Progress& progress, TetrahedralMesh& mesh)
@@ -230,8 +238,10 @@ MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
     return {sites, model.meshSizes()[sites - 1], error, warping};
 }
 
-Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, const Progress& progress,
-                                      TetrahedralMesh reuse)
+namespace {
+
+/// Whether the first `sites` sites have a mesh of their own.
+Status checkPrefix(const Model& model, std::uint32_t sites)
 {
     if (sites > model.siteCount())
         return Error{ErrorKind::WrongUsage, Message::say("'%1' has %2 sites, fewer than the %3 asked for.",
@@ -245,12 +255,53 @@ Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, c
             Message::say(
                 "The first %1 sites of '%2' have no mesh of their own: site %3 enters together with the one before it.",
                 sites, model.path().string(), sites)};
+    return {};
+}
+
+constexpr MarkedText tooLittleMemory =
+    Message::marked("Not enough memory for a mesh of %1 sites. Choose a larger error.");
+
+} // namespace
+
+Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, const Progress& progress,
+                                      TetrahedralMesh reuse)
+{
+    if (const Status hasMesh = checkPrefix(model, sites); !hasMesh)
+        return hasMesh.error();
     const Status extracted = guarded(
-        Message::marked("Not enough memory for a mesh of %1 sites. Choose a larger error."),
-        [&] { return extractInto(model, sites, progress, reuse); }, sites);
+        tooLittleMemory, [&] { return extractInto(model, sites, progress, reuse); }, sites);
     if (!extracted)
         return extracted.error();
     return reuse;
+}
+
+Status forEachTetrahedron(const Model& model, std::uint32_t sites,
+                          const std::function<void(std::span<const std::array<std::uint32_t, 4>>)>& visit,
+                          const Progress& progress)
+{
+    if (const Status hasMesh = checkPrefix(model, sites); !hasMesh || sites == 0)
+        return hasMesh;
+    const std::uint64_t expected = model.meshSizes()[sites - 1];
+    std::uint64_t found = 0;
+    Buffer<Tetrahedron> some;
+    const auto tell = [&](const Stars& stars) -> Status {
+        some.resize(stars.count() + aliveScanOverrun);
+        const AliveScan scanned = scanAlive(stars, sites, some.data());
+        if (!scanned.sitesComeBefore)
+            return laterSite(model, stars.firstSite);
+        some.resize(static_cast<std::size_t>(scanned.end - some.data()));
+        found += some.size();
+        if (found > expected)
+            return tooManyTetrahedra(model, sites, expected);
+        turnToPhysicalSpace(model, some);
+        visit(some);
+        return {};
+    };
+    const Status visited = guarded(
+        tooLittleMemory, [&] { return walkHistory(model, 0, sites, progress, extracting, tell); }, sites);
+    if (!visited)
+        return visited;
+    return found == expected ? model.checkIntact() : tooFewTetrahedra(model, sites, found, expected);
 }
 
 namespace {

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <tan/build.h>
-#include <tan/open.h>
-#include <tan/packed.h>
-#include <tan/parameter.h>
-#include <tan/query.h>
-#include <tan/render.h>
-#include <tan/verify.h>
-#include <tan/version.h>
-#include <tan/view.h>
+#include <tan/tan.h>
 
 #include <iosfwd>
 
@@ -26,6 +18,8 @@ tetra::Result<tetra::TetrahedralMesh> meshFrom(const std::string& place, double 
 tetra::Result<std::string> packed(const std::filesystem::path& model, const std::filesystem::path& output);
 tetra::Status preview(const std::filesystem::path& packed, double error, const std::filesystem::path& output);
 tetra::Result<std::shared_ptr<const tetra::ExtractedMesh>> meshOfOnePercent(std::shared_ptr<const tetra::Model> model);
+tetra::Result<int> tetrahedraAtFirstSite(const tetra::Model& model);
+tetra::Result<std::uint64_t> sizeOfOnePercent(const std::string& place);
 tetra::MeshQuery ballInFocus(const Eigen::Vector3d& centre, double radius);
 tetra::Result<std::string> proved(const tetra::Model& model, const tetra::Dataset& original);
 tetra::Result<std::string> blueToYellow(double least, double largest, double thickness);

@@ -92,6 +92,19 @@ private slots:
         QVERIFY(!meshFrom(path("none.tan").string(), 1).ok());
     }
 
+    void aMeshIsCountedWithoutBeingMade()
+    {
+        const auto size = sizeOfOnePercent(path("ball.tan").string());
+        QVERIFY(size.ok());
+        QCOMPARE(*size, (*meshOfOnePercent(model_))->mesh.tetrahedra.size());
+        const auto coarse = meshFrom(path("ball.tan").string(), anyError);
+        const auto count = tetrahedraAtFirstSite(*model_);
+        QVERIFY(coarse.ok() && count.ok());
+        QCOMPARE(std::ptrdiff_t(*count), std::ranges::count_if(coarse->tetrahedra, [](const auto& sites) {
+                     return std::ranges::count(sites, 0u) > 0;
+                 }));
+    }
+
     void aFocusIsFinerWithinItsBudget()
     {
         const auto mesh = MeshExtractor(model_).extract(ballInFocus({1.6, 1.6, 1.6}, 0.4));
@@ -269,10 +282,11 @@ void HeaderExamplesTest::arraysAreChecked()
         values.clear();
     if (what == "points astray")
         places[2].x() = std::numeric_limits<double>::infinity();
-    const Result<Dataset> dataset = what.contains("grid")
-                                        ? curvilinearDataset(lattice.size, places, ScalarField::of(values), "it")
-                                    : what.contains("points") ? scatteredDataset(places, values, "it")
-                                                              : latticeDataset(lattice, ScalarField::of(values), "it");
+    const Result<Dataset> dataset =
+        what.contains("grid") ? curvilinearDataset(lattice.size, places, ScalarField::of(values), "it")
+        : what.contains("points")
+            ? scatteredDataset(places, values, "it")
+            : latticeDataset(lattice, ScalarField::copyOf(std::span(std::as_const(values))), "it");
     QCOMPARE(dataset.ok(), taken);
     if (!taken) {
         QCOMPARE(dataset.error().kind, ErrorKind::BadInput);

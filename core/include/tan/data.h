@@ -230,6 +230,12 @@ public:
         return ScalarField(sampleTypeOf<T>(), kept->size(), {kept, reinterpret_cast<const std::byte*>(kept->data())});
     }
 
+    /// Copies samples that stay the caller's. Those that need no copy are handed to the constructor.
+    template <class T> static ScalarField copyOf(std::span<const T> samples)
+    {
+        return of(std::vector<T>(samples.begin(), samples.end()));
+    }
+
     SampleType type() const noexcept { return type_; }
     std::uint64_t count() const noexcept { return count_; }
     std::span<const std::byte> bytes() const noexcept { return {samples_.get(), count_ * sampleSize(type_)}; }

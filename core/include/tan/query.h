@@ -24,6 +24,20 @@
 ///     query.budget = 100000;
 ///     return query;
 /// }
+///
+/// /// How many tetrahedra of the coarsest mesh touch site 0, without memory for the mesh.
+/// tetra::Result<int> tetrahedraAtFirstSite(const tetra::Model& model)
+/// {
+///     int count = 0;
+///     const auto visit = [&](std::span<const std::array<std::uint32_t, 4>> tetrahedra) {
+///         for (const auto& sites : tetrahedra)
+///             count += std::ranges::count(sites, 0u) > 0;
+///     };
+///     const std::uint32_t coarsest = tetra::meshSizeAt(model, {tetra::anyError, tetra::anyWarping}).sites;
+///     if (const tetra::Status visited = tetra::forEachTetrahedron(model, coarsest, visit); !visited)
+///         return visited.error();
+///     return count;
+/// }
 /// ~~~
 
 #include <tan/base.h>
@@ -35,6 +49,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -89,6 +104,15 @@ TAN_API Result<MeshSize> meshSizeWithin(const Model& model, const Accuracy& aske
 /// damaged or inconsistent file, sites that have no mesh, cancelled.
 TAN_API Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, const Progress& progress = {},
                                               TetrahedralMesh reuse = {});
+
+/// Calls `visit` with the tetrahedra of that same mesh, some thousand at a time in the order of the file, without
+/// memory for all of them. Each has its four sites, all below `sites`, in the orientation that extractPrefix() gives;
+/// Model::position() and Model::values() say where they lie and what they are worth. `visit` may copy from the span and
+/// must not keep it. What was visited is a whole, sound mesh only if no error comes back. Errors: as extractPrefix().
+TAN_API Status
+forEachTetrahedron(const Model& model, std::uint32_t sites,
+                   const std::function<void(std::span<const std::array<std::uint32_t, 4>> tetrahedra)>& visit,
+                   const Progress& progress = {});
 
 /// The sizes of a model's meshes at several accuracies, as a file for other programs: one line a level with a line of
 /// names before it, numbers independent of the locale, errors and warpings in % of the value range and of the diagonal.

@@ -59,6 +59,27 @@ private slots:
         }
     }
 
+    /// One after the other they are the mesh that is made as a whole; where there is none, none is visited.
+    void tetrahedraAreVisitedInOrder()
+    {
+        std::uint32_t refused = 0;
+        for (std::uint32_t sites = 0; sites <= model_->siteCount(); ++sites) {
+            std::vector<std::array<std::uint32_t, 4>> visited;
+            const Status status = forEachTetrahedron(
+                *model_, sites, [&](auto some) { visited.insert(visited.end(), some.begin(), some.end()); });
+            const auto extracted = extractPrefix(*model_, sites);
+            QCOMPARE(status.ok(), extracted.ok());
+            if (!status) {
+                QCOMPARE(status.error().text(), extracted.error().text());
+                QVERIFY(visited.empty());
+                ++refused;
+                continue;
+            }
+            QVERIFY(std::ranges::equal(visited, extracted->tetrahedra));
+        }
+        QVERIFY(refused > 7);
+    }
+
     /// By every instruction set that this machine has the scan finds the same, wherever it begins.
     void theScanFindsWhatIsAlive()
     {
@@ -324,6 +345,20 @@ void ExtractionTest::aDamagedFileIsAnError()
     QVERIFY(!extracted.ok());
     QCOMPARE(extracted.error().kind, ErrorKind::BadInput);
     QVERIFY2(QString::fromStdString(extracted.error().text()).contains(says), extracted.error().text().c_str());
+
+    // What is visited is never out of bounds; that a position is none is for whoever asks for it to find.
+    const std::uint32_t sites = model->siteCount();
+    bool isWithin = true;
+    const Status visited = forEachTetrahedron(*model, sites, [&](auto some) {
+        for (const auto& tetrahedron : some)
+            for (const std::uint32_t site : tetrahedron)
+                isWithin = isWithin && site < sites;
+    });
+    QVERIFY(isWithin);
+    const bool isOfPlaces = QByteArray(QTest::currentDataTag()) == "point";
+    QCOMPARE(visited.ok(), isOfPlaces);
+    if (!isOfPlaces)
+        QCOMPARE(visited.error().text(), extracted.error().text());
 }
 
 QTEST_GUILESS_MAIN(ExtractionTest)
