@@ -164,11 +164,11 @@
         <translation>&amp;Netz speichern …</translation>
     </message>
     <message>
-        <source>Save the mesh shown, for VTK, ParaView and others</source>
+        <source>Save the displayed mesh for VTK, ParaView and other programs</source>
         <translation>Speichert das gezeigte Netz, für VTK, ParaView und andere</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown, for 3D printers, Blender, ParaView and others</source>
+        <source>Save the displayed isosurfaces for 3D printing, Blender, ParaView and other programs</source>
         <translation>Speichert die gezeigten Isoflächen, für 3D-Drucker, Blender, ParaView und andere</translation>
     </message>
     <message>
@@ -188,7 +188,7 @@
         <translation>&amp;Sitzung speichern</translation>
     </message>
     <message>
-        <source>Save what is open and its view, to continue later</source>
+        <source>Save the open model and its view, to continue later</source>
         <translation>Speichert, was offen ist, mit seiner Ansicht, um später weiterzuarbeiten</translation>
     </message>
     <message>
@@ -196,7 +196,7 @@
         <translation>Sitzung speichern &amp;unter …</translation>
     </message>
     <message>
-        <source>Save the session in another file</source>
+        <source>Save the session under another name</source>
         <translation>Die Sitzung in einer anderen Datei speichern</translation>
     </message>
     <message>
@@ -232,7 +232,7 @@
         <translation>Durchsucht alle Befehle</translation>
     </message>
     <message>
-        <source>Reduced &amp;Motion</source>
+        <source>Turn off camera animation</source>
         <translation>&amp;Weniger Bewegung</translation>
     </message>
     <message>
@@ -248,7 +248,7 @@
         <translation>&amp;Hilfe zu diesem Bedienelement</translation>
     </message>
     <message>
-        <source>Explain the focused control</source>
+        <source>Explain the control that has the focus</source>
         <translation>Erklärt das Bedienelement, das den Fokus hat</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>&amp;Was ist das?</translation>
     </message>
     <message>
-        <source>Click on a control to read what it does</source>
+        <source>Click a control to read what it does</source>
         <translation>Auf ein Bedienelement klicken, um zu lesen, was es tut</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>A&amp;nsicht zurücksetzen</translation>
     </message>
     <message>
-        <source>Go back to the default accuracy, colours, isovalues and camera</source>
+        <source>Restore the default accuracy, colours, isovalues and camera</source>
         <translation>Stellt die anfängliche Genauigkeit, Farben, Isowerte und Kamera wieder her</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>U&amp;RL öffnen …</translation>
     </message>
     <message>
-        <source>Open a model that lies on a server</source>
+        <source>Open a model on a server</source>
         <translation>Ein Modell öffnen, das auf einem Server liegt</translation>
     </message>
     <message>
@@ -332,7 +332,7 @@
         <translation>Modell-Z&amp;wischenspeicher …</translation>
     </message>
     <message>
-        <source>Where models go that are unpacked or fetched</source>
+        <source>Manage the cache of downloaded and unpacked models</source>
         <translation>Wohin Modelle kommen, die entpackt oder geholt werden</translation>
     </message>
     <message>
@@ -340,7 +340,7 @@
         <translation>Gepac&amp;ktes Modell speichern …</translation>
     </message>
     <message>
-        <source>Save the model in a small part of the size, for archives and for servers</source>
+        <source>Save the model at a fraction of its size, for archiving or for a server</source>
         <translation>Das Modell in einem kleinen Teil der Größe speichern, für Archive und Server</translation>
     </message>
     <message>
@@ -352,11 +352,11 @@
         <translation>&amp;Aussehen übernehmen von …</translation>
     </message>
     <message>
-        <source>Show the open model as another session or picture shows its own: with its colours, isovalues, camera and settings</source>
+        <source>Apply the colours, isovalues, camera and settings of another session or picture to the open model</source>
         <translation>Zeigt das offene Modell so, wie eine andere Sitzung oder ein Bild das eigene zeigt: mit deren Farben, Isowerten, Kamera und Einstellungen</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain</source>
         <translation>Passt ein, was gezeigt wird, oder den Fokus; noch einmal: das ganze Gebiet</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Passt das ganze Gebiet ein</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
+        <source>Save the displayed isosurfaces as closed surfaces of solids, for 3D printing</source>
         <translation>Die gezeigten Isoflächen als geschlossene Flächen von Körpern speichern, für 3D-Drucker</translation>
     </message>
     <message>
@@ -411,7 +411,7 @@
         <translation>Gena&amp;uigkeit</translation>
     </message>
     <message>
-        <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
+        <source>Values and their colours, in data units; on the right their opacity, with marks at the isovalues</source>
         <translation>Werte und ihre Farben, in den Einheiten der Daten; rechts ihre Deckkraft, mit Marken an den Isowerten</translation>
     </message>
     <message>
@@ -419,7 +419,7 @@
         <translation>Die Richtungen von x, y und z</translation>
     </message>
     <message>
-        <source>A length in the units of the data; in perspective that of things as far away as the target</source>
+        <source>A length in data units; in perspective it applies at the distance of the target</source>
         <translation>Eine Länge in den Einheiten der Daten; in der Perspektive die von Dingen in der Entfernung des Blickziels</translation>
     </message>
     <message>
@@ -427,7 +427,7 @@
         <translation>Der Name des Modells</translation>
     </message>
     <message>
-        <source>The error that what is shown keeps, in % of the value range</source>
+        <source>The error bound of the displayed mesh, in % of the value range</source>
         <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
     </message>
     <message>
@@ -489,7 +489,7 @@
         <translation>Fokus ändern</translation>
     </message>
     <message>
-        <source>Change Window</source>
+        <source>Change Crop Box</source>
         <translation>Fenster ändern</translation>
     </message>
     <message>
@@ -532,7 +532,7 @@
 <context>
     <name>Desktop</name>
     <message>
-        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” says what else works without a window.</source>
+        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” lists what else works without a window.</source>
         <translation>Es gibt keinen Bildschirm für das Fenster: Weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt. „tan render“ zeichnet Bilder stattdessen in Dateien; „tan --help“ sagt, was sonst ohne Fenster geht.</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
     </message>
     <message>
-        <source>A dataset, a .tan model or a session to open; each in a window of its own.</source>
+        <source>A dataset, a .tan model or a session to open; each opens in its own window.</source>
         <translation>Datensätze, .tan-Modelle oder Sitzungen, die geöffnet werden; jede Datei in einem eigenen Fenster.</translation>
     </message>
 </context>
@@ -579,7 +579,7 @@
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+        <source>How far the mesh may deviate from the data, in percent of the value range; or how many tetrahedra it may have. The curve shows what each error costs.</source>
         <translation>Wie weit das Netz von den Daten abweichen darf, in Prozent des Wertebereichs, oder wie viele Tetraeder es haben darf. Die Kurve zeigt, was jeder Fehler kostet.</translation>
     </message>
     <message>
@@ -591,11 +591,11 @@
         <translation>Statistik</translation>
     </message>
     <message>
-        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers.</source>
+        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the figures of the displayed mesh.</source>
         <translation>Was jede Genauigkeit an Knoten, Tetraedern, Zeit und Speicher kostet, und das gezeigte Netz in Zahlen.</translation>
     </message>
     <message>
-        <source>Surfaces on which the field has one value each, in the units of the data.</source>
+        <source>Surfaces on which the field has a given value, in data units.</source>
         <translation>Flächen, auf denen das Feld je einen Wert hat, in den Einheiten der Daten.</translation>
     </message>
     <message>
@@ -603,7 +603,7 @@
         <translation>Eine Kugel oder ein Quader, in dem das Netz genauer ist als außerhalb.</translation>
     </message>
     <message>
-        <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+        <source>Which part of the domain is shown: a crop box, and a range of values.</source>
         <translation>Welcher Teil des Gebiets überhaupt gezeigt wird: ein Quader und ein Bereich von Werten.</translation>
     </message>
     <message>
@@ -611,7 +611,7 @@
         <translation>Animation</translation>
     </message>
     <message>
-        <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
+        <source>Films of the model: a turntable, or a path through key frames of your choice.</source>
         <translation>Filme vom Modell: eine Runde um es herum oder ein Weg durch Schlüsselbilder, die Sie wählen.</translation>
     </message>
     <message>
@@ -619,11 +619,11 @@
         <translation>Transfer</translation>
     </message>
     <message>
-        <source>Build a model from a dataset once; its mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
+        <source>Build a model from a dataset once; a mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
         <translation>Ein Modell wird einmal aus einem Datensatz gebaut; danach gibt es sein Netz in jeder Genauigkeit. Wählen Sie ein Verfahren und eine Datei und drücken Sie „Bauen“.</translation>
     </message>
     <message>
-        <source>The camera in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <source>The camera settings as numbers. In the picture: drag to turn, Shift+drag to move, use the wheel to zoom.</source>
         <translation>Die Kamera in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
     </message>
 </context>
@@ -634,11 +634,11 @@
         <translation>Der Editor kann nicht verwendet werden. %1</translation>
     </message>
     <message>
-        <source>Help › Plugins lists all plugins and where they are looked for.</source>
+        <source>Help › Plugins lists all plugins and the folders that are searched for them.</source>
         <translation>Hilfe › Plugins zeigt alle Plugins und wo nach ihnen gesucht wird.</translation>
     </message>
     <message>
-        <source>The mode %1 shows no transfer function. Changes are seen in other modes.</source>
+        <source>The mode %1 does not use a transfer function. Changes appear in other modes.</source>
         <translation>Der Modus %1 zeigt keine Transferfunktion. Änderungen sind in anderen Modi zu sehen.</translation>
     </message>
     <message>
@@ -703,7 +703,7 @@
         <translation>%1: t = %2</translation>
     </message>
     <message>
-        <source>All that fit together</source>
+        <source>All that go together</source>
         <translation>Alle, die zusammenpassen</translation>
     </message>
     <message>
@@ -718,7 +718,7 @@
 <context>
     <name>ImportTexts</name>
     <message>
-        <source>%1 = %2 bytes: the file has exactly that.</source>
+        <source>%1 = %2 bytes: exactly the size of the file.</source>
         <translation>%1 = %2 Bytes: genau so viele hat die Datei.</translation>
     </message>
     <message>
@@ -742,7 +742,7 @@
         <translation>Dieser Rechner hat %1 Arbeitsspeicher.</translation>
     </message>
     <message>
-        <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
+        <source>A volume needs at least two points along each axis. Choose a larger region or a smaller stride.</source>
         <translation>Ein Volumen braucht mindestens zwei Punkte entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
     </message>
     <message>
@@ -783,11 +783,11 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>No program opens web pages here. Install a web browser, or read %1.</source>
+        <source>No web browser was found on this computer. Install one, or read %1.</source>
         <translation>Hier öffnet kein Programm Webseiten. Installieren Sie einen Webbrowser, oder lesen Sie %1.</translation>
     </message>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <source>The manual is not installed. Reinstall the package tan with its documentation, or build TAn on a system that has Sphinx (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of the source code.</source>
         <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn dort, wo Sphinx installiert ist (python3-sphinx, python3-myst-parser, furo); dieselben Texte liegen im Ordner docs der Quellen.</translation>
     </message>
 </context>
@@ -818,11 +818,11 @@
         <translation>Gezeigt: %1.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <source>%1 tetrahedra in %2 pieces, cut by the crop box</source>
         <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
     </message>
     <message>
-        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
+        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are selected.</source>
         <translation>Gezeigt: Tetraeder der Netze (%1). %2 von %3 sind ausgewählt.</translation>
     </message>
     <message>
@@ -830,7 +830,7 @@
         <translation>Gezeigt: %1, Verwerfung %2.</translation>
     </message>
     <message>
-        <source>Shown: %1, whatever the warping.</source>
+        <source>Shown: %1, with any warping.</source>
         <translation>Gezeigt: %1, bei beliebiger Verwerfung.</translation>
     </message>
     <message>
@@ -995,7 +995,7 @@
         <translation>Fußballmolekül</translation>
     </message>
     <message>
-        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.</source>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. See the cage of atoms as an isosurface, and how few tetrahedra are enough for an error of 1 %.</source>
         <translation>Elektronendichte eines C60-Moleküls; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: der Käfig der Atome als Isofläche, und wie wenige Tetraeder für einen Fehler von 1 % genügen.</translation>
     </message>
     <message>
@@ -1003,7 +1003,7 @@
         <translation>Wasserstoffatom</translation>
     </message>
     <message>
-        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two lobes and the ring, as a volume or as isosurfaces.</source>
+        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. See the two lobes and the ring, as a volume or as isosurfaces.</source>
         <translation>Aufenthaltswahrscheinlichkeit des 3d-Elektrons; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die beiden Keulen und der Ring, als Volumen oder als Isoflächen.</translation>
     </message>
     <message>
@@ -1011,7 +1011,7 @@
         <translation>Überschallströmung</translation>
     </message>
     <message>
-        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. See the bow shock, and how the grid follows the body.</source>
         <translation>Dichte vor einer Halbkugel; krummliniges Gitter, %1, von TAn berechnet. Sehenswert: die Bugstoßwelle, und das Gitter, das dem Körper folgt.</translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
         <translation>Zylinderumströmung</translation>
     </message>
     <message>
-        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look at the front, where the flow is stopped, and at the sides, where it is fastest.</source>
+        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. See the front, where the flow is stopped, and the sides, where it is fastest.</source>
         <translation>Druck der Strömung; in sich geschlossenes krummliniges Gitter, %1, von TAn berechnet. Sehenswert: die Vorderseite, wo die Strömung gestaut wird, und die Seiten, wo sie am schnellsten ist.</translation>
     </message>
     <message>
@@ -1027,7 +1027,7 @@
         <translation>Kanalströmung</translation>
     </message>
     <message>
-        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. Look at how the flow keeps to the outer wall of the bend.</source>
+        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. See how the flow keeps to the outer wall of the bend.</source>
         <translation>Geschwindigkeit in einem gebogenen Kanal; krummliniges Gitter, %1, von TAn berechnet. Sehenswert: wie sich die Strömung an die Außenwand der Biegung hält.</translation>
     </message>
     <message>
@@ -1035,7 +1035,7 @@
         <translation>Platte mit Löchern</translation>
     </message>
     <message>
-        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
+        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. See how the boundary keeps its holes at every accuracy.</source>
         <translation>Spannung in einer Platte mit fünf Löchern und einem Hohlraum; unregelmäßiges Netz, von TAn berechnet. Sehenswert: die Berandung, die ihre Löcher in jeder Genauigkeit behält.</translation>
     </message>
     <message>
@@ -1043,7 +1043,7 @@
         <translation>Verstreute Punkte</translation>
     </message>
     <message>
-        <source>Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. Look at the volume: it needs no grid.</source>
+        <source>Waves that become finer outwards, sampled at random points in a ball; %1, computed by TAn. See the volume: it needs no grid.</source>
         <translation>Wellen, die nach außen feiner werden, an zufälligen Punkten einer Kugel abgetastet; %1, von TAn berechnet. Sehenswert: das Volumen, das kein Gitter braucht.</translation>
     </message>
     <message>
@@ -1051,7 +1051,7 @@
         <translation>Wellen</translation>
     </message>
     <message>
-        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine ripples, which vanish first when the error grows.</source>
+        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. See the fine ripples, which vanish first as the error grows.</source>
         <translation>Das Testsignal von Marschner und Lobb; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die feinen Wellen, die bei wachsendem Fehler zuerst verschwinden.</translation>
     </message>
     <message>
@@ -1059,7 +1059,7 @@
         <translation>Grenzschicht</translation>
     </message>
     <message>
-        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. Look at how the tetrahedra crowd at the wall.</source>
+        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. See how the tetrahedra crowd at the wall.</source>
         <translation>Eine Schicht an einer Wand; rechtwinkliges Gitter mit wachsenden Abständen, %1, von TAn berechnet. Sehenswert: wie sich die Tetraeder an der Wand drängen.</translation>
     </message>
     <message>
@@ -1067,7 +1067,7 @@
         <translation>Weißes Rauschen</translation>
     </message>
     <message>
-        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. See the statistics: even at a large error nearly all points are needed.</source>
         <translation>Zufallswerte, der schlimmste Fall für jedes Verfahren; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die Statistik, denn auch bei einem großen Fehler werden fast alle Punkte gebraucht.</translation>
     </message>
 </context>
@@ -1162,7 +1162,7 @@
         <translation>zerschnittene Tetraeder: %1</translation>
     </message>
     <message>
-        <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
+        <source>tetrahedra cut: %1; overlapping groups, drawn by distance: %2</source>
         <translation>zerschnittene Tetraeder: %1; überlappende Gruppen, nach Entfernung gezeichnet: %2</translation>
     </message>
     <message>
@@ -1174,11 +1174,11 @@
         <translation>Davon umrissen</translation>
     </message>
     <message>
-        <source>Taken of the file</source>
+        <source>Used from the file</source>
         <translation>Aus der Datei genommen</translation>
     </message>
     <message>
-        <source>Not used of it</source>
+        <source>Not used from the file</source>
         <translation>Nicht daraus benutzt</translation>
     </message>
     <message>
@@ -1286,7 +1286,7 @@
         <translation>Das kleinste Netz mit diesem Fehler</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh with at most this number of tetrahedra. A focus keeps its ratio to the rest.</source>
         <translation>Das beste Netz mit so vielen Tetraedern. Ein Fokus behält sein Verhältnis zum Rest.</translation>
     </message>
     <message>
@@ -1306,7 +1306,7 @@
         <translation>Wie der Fehler</translation>
     </message>
     <message>
-        <source>Its own</source>
+        <source>Custom</source>
         <translation>Eigene</translation>
     </message>
     <message>
@@ -1318,7 +1318,7 @@
         <translation>Grenze der Verwerfung</translation>
     </message>
     <message>
-        <source>Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal then; one of its own; or none, for the smallest mesh whose values are within the error</source>
+        <source>Limit on the warping, the distance of the mesh from the data: the same percentage as the error, but of the diagonal; a percentage of its own; or none, for the smallest mesh whose values are within the error</source>
         <translation>Grenze der Verwerfung, des Abstands des Netzes von den Daten: der Prozentsatz des Fehlers, dann von der Diagonale; ein eigener; oder keine, für das kleinste Netz, dessen Werte innerhalb des Fehlers liegen</translation>
     </message>
     <message>
@@ -1326,11 +1326,11 @@
         <translation>Verwerfung in Prozent der Diagonale</translation>
     </message>
     <message>
-        <source>Warping in percent of the diagonal of the box around the data</source>
+        <source>Warping in percent of the diagonal of the data&apos;s bounding box</source>
         <translation>Verwerfung in Prozent der Diagonale des Quaders um die Daten</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
+        <source>The percentages in data units. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the data&apos;s bounding box. Samples just outside the mesh, of irregular data and of grids decimated as a mesh, are compared with a place on its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
         <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese. Abtastwerte unregelmäßiger Daten und als Netz vergröberter Gitter, die knapp außerhalb des Netzes liegen, werden mit einer Stelle seiner Berandung innerhalb der Verwerfung verglichen; am nächsten Ort kann der Fehler größer sein, und „tan verify“ misst ihn.</translation>
     </message>
     <message>
@@ -1378,7 +1378,7 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::AddressDialog</name>
     <message>
-        <source>What whoever runs the server has set; it is kept until the program ends</source>
+        <source>Access token issued by the server&apos;s operator; forgotten when TAn quits</source>
         <translation>Was der Betreiber des Servers festgelegt hat; es wird behalten, bis das Programm endet</translation>
     </message>
     <message>
@@ -1402,23 +1402,23 @@ Verwerfung %2</translation>
         <translation>&amp;Adresse eines Modells auf einem Server:</translation>
     </message>
     <message>
-        <source>Where the model lies, packed or not: http:// or https://</source>
+        <source>Address of the model, packed or not: http:// or https://</source>
         <translation>Wo das Modell liegt, gepackt oder nicht: http:// oder https://</translation>
     </message>
     <message>
-        <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
+        <source>The server extracts each mesh and sends only that: for models too large for this computer. Every change waits for the network.</source>
         <translation>Der Server bestimmt jedes Netz und sendet nur dieses: für Modelle, die für diesen Rechner zu groß sind. Jede Änderung wartet auf das Netzwerk.</translation>
     </message>
     <message>
-        <source>Where the server is one of TAn: &apos;tan serve&apos;</source>
+        <source>Requires a TAn server: &apos;tan serve&apos;</source>
         <translation>Wenn der Server einer von TAn ist: „tan serve“</translation>
     </message>
     <message>
-        <source>This server answers only those who have its token.</source>
+        <source>This server requires a token.</source>
         <translation>Dieser Server antwortet nur dem, der sein Token hat.</translation>
     </message>
     <message>
-        <source>This is not the token of the server.</source>
+        <source>Wrong token.</source>
         <translation>Das ist nicht das Token des Servers.</translation>
     </message>
     <message>
@@ -1434,11 +1434,11 @@ Verwerfung %2</translation>
         <translation>Token</translation>
     </message>
     <message>
-        <source>The server of %1 answers only those who have its &amp;token:</source>
+        <source>The server of %1 requires its &amp;token:</source>
         <translation>Der Server von %1 antwortet nur dem, der sein &amp;Token hat:</translation>
     </message>
     <message>
-        <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
+        <source>Downloads only what is needed; cached afterwards.</source>
         <translation>Es kommt auf diesen Rechner, soweit es gebraucht wird, und ist von da an schnell.</translation>
     </message>
     <message>
@@ -1553,7 +1553,7 @@ Verwerfung %2</translation>
         <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>Up and down: the camera returns to its start, and stops at the poles</source>
+        <source>Up and down: the camera returns to its start and stops at the poles</source>
         <translation>Auf und ab: Die Kamera kehrt an ihren Anfang zurück und hält an den Polen</translation>
     </message>
     <message>
@@ -1596,7 +1596,7 @@ Verwerfung %2</translation>
         <translation>Feste Enden</translation>
     </message>
     <message>
-        <source>The colour bar goes from one chosen value to another, so that several pictures have the same one; else it goes over all values of the data</source>
+        <source>The colour bar covers a chosen range, so that several pictures can share it; otherwise it covers all values of the data</source>
         <translation>Die Farbskala geht von einem gewählten Wert bis zu einem anderen, sodass mehrere Bilder dieselbe haben; sonst geht sie über alle Werte der Daten</translation>
     </message>
     <message>
@@ -1623,7 +1623,7 @@ Verwerfung %2</translation>
         <translation>Höchstzahl der Tetraeder</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra</source>
+        <source>The best mesh with at most this number of tetrahedra</source>
         <translation>Das beste Netz mit höchstens so vielen Tetraedern</translation>
     </message>
 </context>
@@ -1734,7 +1734,7 @@ Verwerfung %2</translation>
         <translation>&amp;Importoptionen …</translation>
     </message>
     <message>
-        <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
+        <source>Estimated from a few thousand samples of the dataset; it may be off by a factor of two</source>
         <translation>Aus einigen Tausend Abtastwerten des Datensatzes geschätzt; kann um den Faktor zwei abweichen</translation>
     </message>
     <message>
@@ -1746,7 +1746,7 @@ Verwerfung %2</translation>
         <translation>&amp;Schneller Blick, Fehler 1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 1 % of the value range: enough for a first look</source>
+        <source>Keeps enough for an error of 1 % of the value range: enough for a first look</source>
         <translation>Behält, was für einen Fehler von 1 % des Wertebereichs nötig ist: genug für einen ersten Blick</translation>
     </message>
     <message>
@@ -1754,7 +1754,7 @@ Verwerfung %2</translation>
         <translation>&amp;Gut, Fehler 0,1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
+        <source>Keeps enough for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
         <translation>Behält, was für einen Fehler von 0,1 % des Wertebereichs nötig ist: Bilder sind von denen aller Daten kaum zu unterscheiden</translation>
     </message>
     <message>
@@ -1782,15 +1782,15 @@ Verwerfung %2</translation>
         <translation>Bei Unterbrechung &amp;fortsetzbar</translation>
     </message>
     <message>
-        <source>Write down now and then how far the build is, so that it can be paused, and goes on where it was if the program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it takes up to three times the size of the model on the disk</source>
+        <source>Save checkpoints so that the build can be paused and resumed, even after a crash. Short builds take up to 20 % longer, and until the build ends it needs up to three times the model&apos;s size on disk</source>
         <translation>Hält ab und zu fest, wie weit der Bau ist, sodass er angehalten werden kann und dort weitergeht, wo er war, wenn das Programm oder der Rechner ausfällt. Kurze Bauten dauern dadurch bis zu ein Fünftel länger, und bis zum Ende des Baus belegt das bis zum Dreifachen der Modellgröße auf der Platte</translation>
     </message>
     <message>
-        <source>Begin &amp;Anew</source>
+        <source>St&amp;art Over</source>
         <translation>Vo&amp;n vorn beginnen</translation>
     </message>
     <message>
-        <source>Delete what the interrupted build has left</source>
+        <source>Delete the interrupted build</source>
         <translation>Löscht, was der unterbrochene Bau hinterlassen hat</translation>
     </message>
     <message>
@@ -1798,7 +1798,7 @@ Verwerfung %2</translation>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Stop the build; it goes on from there later, even if the program is closed meanwhile</source>
+        <source>Stop the build; it can be resumed later, even after TAn has been closed</source>
         <translation>Hält den Bau an; er geht später von dort weiter, auch wenn das Programm inzwischen beendet wird</translation>
     </message>
     <message>
@@ -1806,11 +1806,11 @@ Verwerfung %2</translation>
         <translation>Ba&amp;u fortsetzen</translation>
     </message>
     <message>
-        <source>An interrupted build of these data was found: it goes on where it stopped.</source>
+        <source>An interrupted build of these data was found: it will continue where it stopped.</source>
         <translation>Ein unterbrochener Bau dieser Daten wurde gefunden: Er geht dort weiter, wo er aufgehört hat.</translation>
     </message>
     <message>
-        <source>An interrupted build of other data, or with other options, was found. Give the same ones, or begin anew.</source>
+        <source>Found an interrupted build of different data or with different options. Restore those options, or start over.</source>
         <translation>Ein unterbrochener Bau anderer Daten oder mit anderen Optionen wurde gefunden. Geben Sie dieselben an, oder beginnen Sie von vorn.</translation>
     </message>
     <message>
@@ -1822,15 +1822,15 @@ Verwerfung %2</translation>
         <translation>Vorhandenes M&amp;odell öffnen</translation>
     </message>
     <message>
-        <source>Open the model that is there already; nothing is built or replaced</source>
+        <source>Open the existing model; nothing is built or replaced</source>
         <translation>Öffnet das Modell, das schon da ist; es wird nichts gebaut oder ersetzt</translation>
     </message>
     <message>
-        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name stays as it is.</source>
+        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name is not changed.</source>
         <translation>Beendet den Bau und behält das Fertige als Modell, mit der bisher erreichten Genauigkeit. Ein fertiges Modell desselben Namens bleibt, wie es ist.</translation>
     </message>
     <message>
-        <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
+        <source>This file exists. You can open it; if you build, it is replaced when the build is complete.</source>
         <translation>Diese Datei gibt es schon. Sie können sie öffnen; wenn Sie bauen, wird sie ersetzt, sobald das Modell fertig ist.</translation>
     </message>
     <message>
@@ -1846,11 +1846,11 @@ Verwerfung %2</translation>
         <translation>Skala: logarithmisch; ein Fehler von 1 % entspricht dem %1</translation>
     </message>
     <message>
-        <source>Scale: linear. The values go over several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
+        <source>Scale: linear. The values span several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
         <translation>Skala: linear. Die Werte gehen über mehrere Zehnerpotenzen: Mit der logarithmischen Skala unter Importoptionen sind Fehler Faktoren.</translation>
     </message>
     <message>
-        <source>Read the file again with other options: other values, another scale, a part of it, fewer points</source>
+        <source>Read the file again with other options: other values, another scale, a part of it, or fewer points</source>
         <translation>Liest die Datei mit anderen Optionen noch einmal: andere Werte, eine andere Skala, ein Ausschnitt, weniger Punkte</translation>
     </message>
 </context>
@@ -1865,11 +1865,11 @@ Verwerfung %2</translation>
         <translation>Modell-Zwischenspeicher</translation>
     </message>
     <message>
-        <source>Models that are packed or lie on a server are unpacked or fetched into this folder, and opened from there the next time. What was unused for longest is removed when room is needed.</source>
+        <source>Packed models and models on servers are unpacked or downloaded into this folder, and opened from there the next time. When room is needed, those unused for longest are removed.</source>
         <translation>Modelle, die gepackt sind oder auf einem Server liegen, werden in diesen Ordner entpackt oder geholt und das nächste Mal von dort geöffnet. Wird Platz gebraucht, so wird entfernt, was am längsten nicht verwendet wurde.</translation>
     </message>
     <message>
-        <source>The folder; empty for the usual one</source>
+        <source>Cache folder (leave empty for the default)</source>
         <translation>Der Ordner; leer für den üblichen</translation>
     </message>
     <message>
@@ -1885,11 +1885,11 @@ Verwerfung %2</translation>
         <translation> GB</translation>
     </message>
     <message>
-        <source>How much of the disk it may take</source>
+        <source>Maximum size of the cache</source>
         <translation>Wie viel Platz er höchstens belegen darf</translation>
     </message>
     <message>
-        <source>Remove all models of the folder that are not open</source>
+        <source>Remove all models in the folder that are not open</source>
         <translation>Alle Modelle des Ordners entfernen, die nicht geöffnet sind</translation>
     </message>
     <message>
@@ -1916,7 +1916,7 @@ Verwerfung %2</translation>
         <translation>OpenGL</translation>
     </message>
     <message>
-        <source>OpenGL cannot draw this picture; the processor draws it instead. %1</source>
+        <source>OpenGL cannot draw this picture; the CPU draws it instead. %1</source>
         <translation>OpenGL kann dieses Bild nicht zeichnen; stattdessen zeichnet es der Prozessor. %1</translation>
     </message>
 </context>
@@ -1946,7 +1946,7 @@ Verwerfung %2</translation>
         <translation>Befehle</translation>
     </message>
     <message>
-        <source>Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves.</source>
+        <source>Type the beginnings of words to find a command or a setting. Enter runs it, Esc closes the list.</source>
         <translation>Geben Sie die Anfänge seiner Wörter ein, um einen Befehl oder eine Einstellung zu finden. Enter führt ihn aus, Esc schließt.</translation>
     </message>
     <message>
@@ -2140,14 +2140,14 @@ Verwerfung %2</translation>
         <translation>Oder ein Beispiel ansehen</translation>
     </message>
     <message>
-        <source>Samples are computed when you choose one; nothing is downloaded.</source>
+        <source>Samples are computed when you choose them; nothing is downloaded.</source>
         <translation>Beispiele werden berechnet, wenn Sie eines wählen; nichts wird heruntergeladen.</translation>
     </message>
 </context>
 <context>
     <name>tetra::Exporting</name>
     <message>
-        <source>Nothing was saved: the model was closed meanwhile.</source>
+        <source>Nothing was saved: the model was closed in the meantime.</source>
         <translation>Nichts wurde gespeichert: Das Modell wurde inzwischen geschlossen.</translation>
     </message>
 </context>
@@ -2174,7 +2174,7 @@ Verwerfung %2</translation>
         <translation>Film speichern</translation>
     </message>
     <message>
-        <source>Videos can be made where the program ffmpeg is installed</source>
+        <source>Videos require the program ffmpeg</source>
         <translation>Videos gibt es, wo das Programm ffmpeg installiert ist</translation>
     </message>
     <message>
@@ -2206,7 +2206,7 @@ Verwerfung %2</translation>
         <translation>Schl&amp;ießen</translation>
     </message>
     <message>
-        <source>A film that is being written goes on</source>
+        <source>A film that is being written continues</source>
         <translation>Ein Film, der geschrieben wird, läuft weiter</translation>
     </message>
     <message>
@@ -2230,7 +2230,7 @@ Verwerfung %2</translation>
         <translation>E&amp;rsetzen und speichern</translation>
     </message>
     <message>
-        <source>Beginning…</source>
+        <source>Starting…</source>
         <translation>Beginnt …</translation>
     </message>
     <message>
@@ -2246,7 +2246,7 @@ Verwerfung %2</translation>
         <translation>%1 Bilder, %2</translation>
     </message>
     <message>
-        <source>Files of this name are there already and will be replaced: %1.</source>
+        <source>Files with this name already exist and will be replaced: %1.</source>
         <translation>Dateien dieses Namens gibt es schon, sie werden ersetzt: %1.</translation>
     </message>
     <message>
@@ -2309,7 +2309,7 @@ Verwerfung %2</translation>
         <translation>Übergang</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that in the focus to that outside, in data units; 0 is a sharp border</source>
+        <source>The distance over which the error grows from its value in the focus to that outside, in data units; 0 gives a sharp border</source>
         <translation>Die Strecke, auf der der Fehler von dem im Fokus auf den außerhalb wächst, in Einheiten der Daten; 0 ist eine scharfe Grenze</translation>
     </message>
     <message>
@@ -2325,7 +2325,7 @@ Verwerfung %2</translation>
         <translation>Den Fokus zum Zielpunkt der Kamera bewegen (C)</translation>
     </message>
     <message>
-        <source>Reset place, size, error and fall-off</source>
+        <source>Reset position, size, error and fall-off</source>
         <translation>Ort, Größe, Fehler und Übergang zurücksetzen</translation>
     </message>
     <message>
@@ -2357,15 +2357,15 @@ Verwerfung %2</translation>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>With the budget the error outside is %1 times this one.</source>
+        <source>With the budget, the error outside is %1 times the error inside.</source>
         <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache davon.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <source>A focus is never coarser than its surroundings, so it gets the same error.</source>
         <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er denselben Fehler.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <source>A focus is never coarser than its surroundings, so it gets %1.</source>
         <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
     </message>
     <message>
@@ -2385,7 +2385,7 @@ Verwerfung %2</translation>
         <translation>&amp;Wertebereich</translation>
     </message>
     <message>
-        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
+        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; double-click a surface to move it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is visible.</source>
         <translation>Wo das Netz genauer ist als anderswo. Wählen Sie einen Quader oder eine Kugel und ziehen Sie an den Griffen im Bild; ein Doppelklick auf eine Fläche verschiebt den Bereich dorthin. Oder lassen Sie den Fehler mit dem Abstand vom Betrachter oder von den Isowerten wachsen, oder dort, wo wenig zu sehen ist.</translation>
     </message>
     <message>
@@ -2405,7 +2405,7 @@ Verwerfung %2</translation>
         <translation>Isowerte</translation>
     </message>
     <message>
-        <source>The error grows with the distance from the isovalues that are shown</source>
+        <source>The error grows with the distance from the displayed isovalues</source>
         <translation>Der Fehler wächst mit dem Abstand von den gezeigten Isowerten</translation>
     </message>
     <message>
@@ -2421,7 +2421,7 @@ Verwerfung %2</translation>
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>The region that place and size are of; all have the same error and fall-off</source>
+        <source>Selected region. All regions share one error and fall-off.</source>
         <translation>Der Bereich, zu dem Ort und Größe gehören; alle haben denselben Fehler und Übergang</translation>
     </message>
     <message>
@@ -2437,7 +2437,7 @@ Verwerfung %2</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
+        <source>The distance over which the error grows from its value inside, at the part of the data nearest to the viewer, to that outside, in data units</source>
         <translation>Der Abstand, über den der Fehler von dem inneren, der an dem Teil der Daten gilt, der dem Betrachter am nächsten ist, auf den äußeren wächst, in Einheiten der Daten</translation>
     </message>
     <message>
@@ -2445,7 +2445,7 @@ Verwerfung %2</translation>
         <translation>Bereich der Werte</translation>
     </message>
     <message>
-        <source>The difference from an isovalue over which the error grows from that inside to that outside, in the units of the values</source>
+        <source>The difference from an isovalue over which the error grows from its value inside to that outside, in the units of the values</source>
         <translation>Der Unterschied zu einem Isowert, über den der Fehler vom inneren auf den äußeren wächst, in Einheiten der Werte</translation>
     </message>
     <message>
@@ -2461,7 +2461,7 @@ Verwerfung %2</translation>
         <translation>Es gibt keinen Isowert, daher ist der Fehler überall %1.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra; without the focus %2, with its error everywhere %3.</source>
+        <source>%1 tetrahedra; %2 without the focus and with its error everywhere %3.</source>
         <translation>%1 Tetraeder; ohne den Fokus %2, mit dessen Fehler überall %3.</translation>
     </message>
 </context>
@@ -2472,7 +2472,7 @@ Verwerfung %2</translation>
         <translation>Histogramm</translation>
     </message>
     <message>
-        <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+        <source>How often the values of the displayed mesh occur, on a logarithmic scale; from the smallest to the largest value, in data units</source>
         <translation>Wie oft die Werte des gezeigten Netzes vorkommen, logarithmisch, vom kleinsten bis zum größten Wert, in den Einheiten der Daten</translation>
     </message>
 </context>
@@ -2507,11 +2507,11 @@ Verwerfung %2</translation>
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>Layouts that fit</source>
+        <source>Matching layouts</source>
         <translation>Passende Anordnungen</translation>
     </message>
     <message>
-        <source>Sizes and types that would fill the file exactly, the likeliest first</source>
+        <source>Sizes and types that fit the file exactly, the most likely first</source>
         <translation>Größen und Typen, die die Datei genau füllen würden, die wahrscheinlichsten zuerst</translation>
     </message>
     <message>
@@ -2527,11 +2527,11 @@ Verwerfung %2</translation>
         <translation>%1, %2 Bytes</translation>
     </message>
     <message>
-        <source>None is known</source>
+        <source>None found</source>
         <translation>Keine bekannt</translation>
     </message>
     <message>
-        <source>Give the number of points along x, y and z, as in 64x64x32.</source>
+        <source>Enter the number of points along x, y and z, as in 64x64x32.</source>
         <translation>Geben Sie die Zahl der Punkte entlang x, y und z an, wie in 64x64x32.</translation>
     </message>
     <message>
@@ -2555,7 +2555,7 @@ Verwerfung %2</translation>
         <translation>Eine obere Schranke; ein Modell mit geringerem Detailgrad braucht weniger.</translation>
     </message>
     <message>
-        <source>What would be taken of the file with these options, and what it says and is not used</source>
+        <source>What these options take from the file, and what else it states that is not used</source>
         <translation>Was mit diesen Optionen aus der Datei genommen würde, und was sie angibt und nicht benutzt wird</translation>
     </message>
 </context>
@@ -2570,7 +2570,7 @@ Verwerfung %2</translation>
         <translation>Nur ein &amp;Quader im Raum</translation>
     </message>
     <message>
-        <source>Takes every point of the whole dataset</source>
+        <source>Takes every point of the dataset</source>
         <translation>Nimmt jeden Punkt des ganzen Datensatzes</translation>
     </message>
     <message>
@@ -2610,7 +2610,7 @@ Verwerfung %2</translation>
         <translation>Behält jeden n-ten Punkt</translation>
     </message>
     <message>
-        <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
+        <source>Takes only what lies in a box; for irregular meshes, whole tetrahedra</source>
         <translation>Nimmt nur, was in einem Quader liegt; von unregelmäßigen Netzen ganze Tetraeder</translation>
     </message>
     <message>
@@ -2668,7 +2668,7 @@ Verwerfung %2</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>Opacity in percent; below 100 % what lies behind shows through</source>
+        <source>Opacity in percent; below 100 % what lies behind it shows through</source>
         <translation>Deckkraft in Prozent; unter 100 % scheint durch, was dahinter liegt</translation>
     </message>
     <message>
@@ -2837,7 +2837,7 @@ Verwerfung %2</translation>
         <translation>Wenn Sie jetzt anhalten, können Sie das Fertige als %1 behalten, ein Modell geringerer Genauigkeit.</translation>
     </message>
     <message>
-        <source>Nothing of it can be kept yet.</source>
+        <source>Nothing can be kept yet.</source>
         <translation>Behalten werden kann davon noch nichts.</translation>
     </message>
     <message>
@@ -2865,7 +2865,7 @@ Verwerfung %2</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>If you stop it, nothing of it is kept.</source>
+        <source>If you stop it, nothing is kept.</source>
         <translation>Wenn Sie ihn anhalten, bleibt nichts davon.</translation>
     </message>
     <message>
@@ -2913,7 +2913,7 @@ Verwerfung %2</translation>
         <translation>Eine Datei wird noch gespeichert.</translation>
     </message>
     <message>
-        <source>TAn will quit when it is done.</source>
+        <source>TAn will quit when this is done.</source>
         <translation>TAn wird beendet, sobald das getan ist.</translation>
     </message>
     <message>
@@ -2933,7 +2933,7 @@ Verwerfung %2</translation>
         <translation>%1 % fertig.</translation>
     </message>
     <message>
-        <source>TAn will continue when it is done.</source>
+        <source>TAn will continue when this is done.</source>
         <translation>TAn fährt fort, sobald das getan ist.</translation>
     </message>
     <message>
@@ -2957,7 +2957,7 @@ Verwerfung %2</translation>
         <translation>Den Bau von %1 anhalten und das Fertige behalten?</translation>
     </message>
     <message>
-        <source>If you stop now, you can keep what is finished as a model of its own, named after its error. The finished model %1 stays as it is.</source>
+        <source>If you stop now, you can keep what is finished as a separate model, named after its error. The finished model %1 is not changed.</source>
         <translation>Wenn Sie jetzt anhalten, können Sie behalten, was fertig ist: als eigenes Modell, das nach seinem Fehler benannt ist. Das fertige Modell %1 bleibt, wie es ist.</translation>
     </message>
 </context>
@@ -2980,7 +2980,7 @@ Verwerfung %2</translation>
         <translation>Kreis</translation>
     </message>
     <message>
-        <source>A round lens, with its own error (L). Drag it; the wheel over it changes the magnification.</source>
+        <source>A round lens with its own error (L). Drag it; turn the wheel over it to change the magnification.</source>
         <translation>Eine runde Lupe mit eigenem Fehler (L). Zum Verschieben ziehen; das Mausrad über ihr ändert die Vergrößerung.</translation>
     </message>
     <message>
@@ -2996,7 +2996,7 @@ Verwerfung %2</translation>
         <translation>Vergrößerung</translation>
     </message>
     <message>
-        <source>How much larger the lens shows what lies under its middle</source>
+        <source>How much larger the lens shows what is under its centre</source>
         <translation>Wievielmal größer die Lupe zeigt, was unter ihrer Mitte liegt</translation>
     </message>
     <message>
@@ -3050,7 +3050,7 @@ Verwerfung %2</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Open the model with its view restored. The saved view is kept until that has worked.</source>
+        <source>Open the model with its view restored. The saved view is kept until that has succeeded.</source>
         <translation>Öffnet das Modell in seiner letzten Ansicht. Die gesicherte Ansicht bleibt, bis das gelungen ist.</translation>
     </message>
     <message>
@@ -3077,7 +3077,7 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of the files dropped, %1 was opened.</source>
         <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
     </message>
     <message>
@@ -3129,7 +3129,7 @@ Verwerfung %2</translation>
         <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
-        <source>The model %1 is built.</source>
+        <source>The model %1 has been built.</source>
         <translation>Das Modell %1 ist fertig gebaut.</translation>
     </message>
     <message>
@@ -3149,7 +3149,7 @@ Verwerfung %2</translation>
         <translation>Das Beispiel wird erzeugt</translation>
     </message>
     <message>
-        <source>%1 is not built yet. The picture still shows %2.</source>
+        <source>%1 has not been built yet. The picture still shows %2.</source>
         <translation>%1 ist noch nicht gebaut. Das Bild zeigt noch %2.</translation>
     </message>
     <message>
@@ -3169,11 +3169,11 @@ Verwerfung %2</translation>
         <translation>Lesen</translation>
     </message>
     <message>
-        <source>Showing %L1 of %L2 vertices, more is coming</source>
+        <source>Showing %L1 of %L2 vertices, more are on the way</source>
         <translation>Zeigt %L1 von %L2 Knoten, weitere kommen</translation>
     </message>
     <message>
-        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.</source>
+        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were downloaded.</source>
         <translation>%1 wird mit %L2 seiner %L3 Knoten gezeigt: %4 von %5 wurden geholt.</translation>
     </message>
     <message>
@@ -3201,15 +3201,15 @@ Verwerfung %2</translation>
         <translation>Aussehen übernehmen von</translation>
     </message>
     <message>
-        <source>Sessions and pictures with their sessions (*.tansession *.png)</source>
+        <source>Sessions, and pictures saved by TAn (*.tansession *.png)</source>
         <translation>Sitzungen und Bilder mit ihren Sitzungen (*.tansession *.png)</translation>
     </message>
     <message>
-        <source>What was finished is kept as %1. The model %2 is as it was.</source>
+        <source>What was finished has been kept as %1. The model %2 is unchanged.</source>
         <translation>Das Fertige ist als %1 behalten. Das Modell %2 ist, wie es war.</translation>
     </message>
     <message>
-        <source>%1 % shown, more is coming</source>
+        <source>%1 % shown, more is on the way</source>
         <translation>%1 % gezeigt, mehr kommt</translation>
     </message>
     <message>
@@ -11932,7 +11932,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Modelle (*.tan)</translation>
     </message>
     <message>
-        <source>All that can be opened (%1)</source>
+        <source>All supported files (%1)</source>
         <translation>Alles, was sich öffnen lässt (%1)</translation>
     </message>
     <message>
@@ -11944,11 +11944,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sitzungen (*.tansession)</translation>
     </message>
     <message>
-        <source>Pictures with their sessions (*.png)</source>
+        <source>Pictures saved by TAn (*.png)</source>
         <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
     <message>
-        <source>Datasets packed by gzip (*.gz)</source>
+        <source>Datasets compressed with gzip (*.gz)</source>
         <translation>Mit gzip gepackte Datensätze (*.gz)</translation>
     </message>
 </context>
@@ -11991,7 +11991,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Dragging turns the model freely, in any direction, instead of around the up axis</source>
+        <source>Dragging turns the model freely in any direction, instead of around the up axis</source>
         <translation>Ziehen dreht das Modell frei in jede Richtung, statt um die Achse, die nach oben zeigt</translation>
     </message>
     <message>
@@ -12025,7 +12025,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>W&amp;ählen</translation>
     </message>
     <message>
-        <source>Pick the value at the pointer, or in the middle of the picture</source>
+        <source>Pick the value at the pointer, or in the centre of the picture</source>
         <translation>Wählt den Wert am Zeiger oder in der Bildmitte</translation>
     </message>
     <message>
@@ -12057,7 +12057,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Erst ein Modell öffnen</translation>
     </message>
     <message>
-        <source>Click a place in the picture first, or pick one</source>
+        <source>Click or pick a place in the picture first</source>
         <translation>Erst eine Stelle im Bild anklicken oder wählen</translation>
     </message>
 </context>
@@ -12072,7 +12072,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it offers its view</source>
         <translation>Programm, Modell, Genauigkeit, Kamera, Transferfunktion und Isowerte, sodass das Bild noch einmal gemacht werden kann: Beim Öffnen wird seine Ansicht angeboten</translation>
     </message>
     <message>
@@ -12088,7 +12088,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Schl&amp;ießen</translation>
     </message>
     <message>
-        <source>Put it on the clipboard</source>
+        <source>Copy it to the clipboard</source>
         <translation>In die Zwischenablage legen</translation>
     </message>
 </context>
@@ -12155,7 +12155,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Eigene</translation>
     </message>
     <message>
-        <source>Annotations and lines take as much of the picture as they do of the view</source>
+        <source>Annotations and lines take up the same share of the picture as of the view</source>
         <translation>Beschriftung und Linien nehmen so viel vom Bild ein wie von der Ansicht</translation>
     </message>
     <message>
@@ -12191,7 +12191,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Proportionen beibehalten</translation>
     </message>
     <message>
-        <source>Width and height follow each other, so that nothing is added or cut off</source>
+        <source>Width and height change together, so that nothing is added or cut off</source>
         <translation>Breite und Höhe folgen einander, sodass nichts hinzukommt oder abgeschnitten wird</translation>
     </message>
 </context>
@@ -12222,7 +12222,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
     </message>
     <message>
-        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space turns a plugin on or off.</source>
         <translation>Was gefunden wurde, und warum etwas nicht benutzt wird. Die Leertaste schaltet ein Plugin ein oder aus.</translation>
     </message>
     <message>
@@ -12265,7 +12265,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <source>Opacity of the selected points: percentage of light absorbed per unit distance</source>
         <translation>Deckkraft der ausgewählten Punkte: Prozent des Lichts, das auf der Einheitslänge verschluckt wird</translation>
     </message>
     <message>
@@ -12281,7 +12281,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Einheitslänge</translation>
     </message>
     <message>
-        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <source>The thickness of a layer to which the opacities apply, in data units: a smaller one makes everything denser</source>
         <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
     </message>
     <message>
@@ -12327,7 +12327,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Gruppe</translation>
     </message>
     <message>
-        <source>In the units of the data</source>
+        <source>In data units</source>
         <translation>In den Einheiten der Daten</translation>
     </message>
     <message>
@@ -12378,7 +12378,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nur die Deckkraft</translation>
     </message>
     <message>
-        <source>Presets</source>
+        <source>Keep the current transfer function for this and other models</source>
         <translation>Vorlagen</translation>
     </message>
     <message>
@@ -12386,11 +12386,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Transferfunktion, wie sie jetzt ist, für dieses und andere Modelle behalten</translation>
     </message>
     <message>
-        <source>Delete the chosen preset, if it is one of your own</source>
+        <source>Delete the selected preset, if it is one of your own</source>
         <translation>Die gewählte Vorlage löschen, wenn es eine eigene ist</translation>
     </message>
     <message>
-        <source>One of your own</source>
+        <source>Your own preset</source>
         <translation>Eine eigene</translation>
     </message>
     <message>
@@ -12429,7 +12429,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Den Fokus zum Zielpunkt der Kamera bewegen</translation>
     </message>
     <message>
-        <source>&amp;Window</source>
+        <source>Crop Bo&amp;x</source>
         <translation>&amp;Fenster</translation>
     </message>
     <message>
@@ -12437,7 +12437,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
     </message>
     <message>
-        <source>Switch on a focus first</source>
+        <source>Turn on a focus first</source>
         <translation>Erst einen Fokus einschalten</translation>
     </message>
     <message>
@@ -12456,7 +12456,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
 <context>
     <name>tetra::RegionPanel</name>
     <message>
-        <source>Only a &amp;window</source>
+        <source>&amp;Only a crop box</source>
         <translation>Nur ein &amp;Fenster</translation>
     </message>
     <message>
@@ -12464,7 +12464,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
     </message>
     <message>
-        <source>Bounds of the window, in data coordinates</source>
+        <source>Corners of the crop box, in data coordinates</source>
         <translation>Grenzen des Fensters, in den Koordinaten der Daten</translation>
     </message>
     <message>
@@ -12492,11 +12492,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Rand</translation>
     </message>
     <message>
-        <source>Make the window as large as the domain</source>
+        <source>Make the crop box as large as the domain</source>
         <translation>Das Fenster so groß machen wie das Gebiet</translation>
     </message>
     <message>
-        <source>In the units of the data: %1 to %2</source>
+        <source>In data units: %1 to %2</source>
         <translation>In der Einheit der Daten: %1 bis %2</translation>
     </message>
     <message>
@@ -12528,11 +12528,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Größter</translation>
     </message>
     <message>
-        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <source>Show only tetrahedra that can contain a value in a range. Isosurfaces of other values disappear, or are shown only in part.</source>
         <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können. Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
     </message>
     <message>
-        <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
+        <source>How tetrahedra at the border of the crop box are treated: cut exactly there, or kept or left out whole</source>
         <translation>Wie das Fenster endet: Tetraeder an seiner Grenze werden genau dort geschnitten oder ganz behalten oder ganz weggelassen</translation>
     </message>
     <message>
@@ -12540,11 +12540,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Alle Tetraeder in einem Bereich von &amp;Fehlern</translation>
     </message>
     <message>
-        <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
+        <source>Overlay the tetrahedra of every mesh between two errors, as surfaces. The crop box does not cut them.</source>
         <translation>Statt eines Netzes die Tetraeder aller Netze zwischen zwei Fehlern zeigen, übereinander, als Flächen. Ein Fenster lässt sie ganz.</translation>
     </message>
     <message>
-        <source>in percent of the value range; 100 is no limit</source>
+        <source>in percent of the value range; 100 means no limit</source>
         <translation>in Prozent des Wertebereichs; 100 ist keine Grenze</translation>
     </message>
     <message>
@@ -12572,47 +12572,47 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Netz dieses Fehlers ist das gröbste des Bereichs, in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Bor&amp;n above</source>
+        <source>&amp;Appear above</source>
         <translation>E&amp;ntstanden über</translation>
     </message>
     <message>
-        <source>Born above</source>
+        <source>Appear above</source>
         <translation>Entstanden über</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
+        <source>Only tetrahedra that first appear above this error, in percent of the value range</source>
         <translation>Nur Tetraeder, die ab einem Fehler über diesem in Netzen sind, in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Born &amp;up to</source>
+        <source>Appear &amp;up to</source>
         <translation>Entstanden &amp;bis</translation>
     </message>
     <message>
-        <source>Born up to</source>
+        <source>Appear up to</source>
         <translation>Entstanden bis</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in no mesh of a larger error than this, %1</source>
+        <source>Only tetrahedra that first appear at or below this error, %1</source>
         <translation>Nur Tetraeder, die in keinem Netz eines größeren Fehlers sind, %1</translation>
     </message>
     <message>
-        <source>Replace&amp;d from</source>
+        <source>&amp;Disappear from</source>
         <translation>Ersetzt a&amp;b</translation>
     </message>
     <message>
-        <source>Replaced from</source>
+        <source>Disappear from</source>
         <translation>Ersetzt ab</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
+        <source>Only tetrahedra that are replaced at this error or a larger one, in percent of the value range</source>
         <translation>Nur Tetraeder, die bei diesem Fehler oder vorher ersetzt werden, in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Re&amp;placed up to</source>
+        <source>Disap&amp;pear up to</source>
         <translation>Erset&amp;zt bis</translation>
     </message>
     <message>
-        <source>Replaced up to</source>
+        <source>Disappear up to</source>
         <translation>Ersetzt bis</translation>
     </message>
     <message>
@@ -12635,7 +12635,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation> Bilder/s</translation>
     </message>
     <message>
-        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the picture at rest is always complete.</source>
+        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the still picture is always complete.</source>
         <translation>Die Bildrate, die in Bewegung gehalten wird. Ist der Rechner zu langsam, werden die Bilder kleiner und aus weniger Tetraedern gezeichnet; das ruhende Bild ist immer vollständig.</translation>
     </message>
     <message>
@@ -12655,7 +12655,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Was bei Bewegung gezeichnet wird</translation>
     </message>
     <message>
-        <source>What to draw while something moves. The picture at rest is always complete.</source>
+        <source>What to draw while something moves. The still picture is always complete.</source>
         <translation>Was gezeichnet wird, während sich etwas bewegt. Das Bild in Ruhe ist immer vollständig.</translation>
     </message>
     <message>
@@ -12699,7 +12699,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeit bis zum vollen Bild</translation>
     </message>
     <message>
-        <source>When nothing has moved for this long, in milliseconds, the full picture is drawn.</source>
+        <source>The full picture is drawn when nothing has moved for this long, in milliseconds.</source>
         <translation>Wenn sich so lange nichts bewegt hat, in Millisekunden, wird das volle Bild gezeichnet.</translation>
     </message>
     <message>
@@ -12730,7 +12730,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Skala</translation>
     </message>
     <message>
-        <source>Linear takes the values as they are. Logarithmic takes their logarithms to base 10, for values over many powers of ten: errors are factors then, the same at large and at small values</source>
+        <source>Linear uses the values as they are. Logarithmic uses their logarithms to base 10, for values spanning many powers of ten: errors are then factors, the same for large and small values</source>
         <translation>Linear nimmt die Werte, wie sie sind. Logarithmisch nimmt ihre Logarithmen zur Basis 10, für Werte über viele Zehnerpotenzen: Fehler sind dann Faktoren, dieselben bei großen und bei kleinen Werten</translation>
     </message>
     <message>
@@ -12750,14 +12750,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>alle Werte sind positiv</translation>
     </message>
     <message>
-        <source>What smaller values are taken as, zero and negative ones too: they have no logarithm. Empty: all values have to be positive</source>
+        <source>Values smaller than this are replaced by it, including zero and negative ones, which have no logarithm. Leave empty if all values are positive</source>
         <translation>Der Wert, als der kleinere genommen werden, auch null und negative: Sie haben keinen Logarithmus. Leer: Alle Werte müssen positiv sein</translation>
     </message>
 </context>
 <context>
     <name>tetra::SceneService</name>
     <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <source>No renderer plugin could be loaded, so models cannot be shown. %1</source>
         <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
     </message>
 </context>
@@ -12768,11 +12768,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Sitzung konnte nicht ganz beibehalten werden.</translation>
     </message>
     <message>
-        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <source>The session %1 is not changed; saving will ask for another file name.</source>
         <translation>Die Sitzung %1 bleibt, wie sie ist; beim Speichern wird nach einem anderen Dateinamen gefragt.</translation>
     </message>
     <message>
-        <source>It is shown as the session says.</source>
+        <source>The view saved in the session is applied.</source>
         <translation>Es wird so gezeigt, wie die Sitzung sagt.</translation>
     </message>
     <message>
@@ -12841,7 +12841,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Körper speichern</translation>
     </message>
     <message>
-        <source>The isosurfaces shown are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as a 3D printer needs it.</source>
+        <source>The displayed isosurfaces are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as 3D printing requires.</source>
         <translation>Die gezeigten Isoflächen werden dort geschlossen, wo sie auf die Berandung des Netzes treffen, sodass jede die Fläche eines Körpers ist, wie ein 3D-Drucker sie braucht.</translation>
     </message>
     <message>
@@ -12861,11 +12861,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Wo der Körper liegt: auf welcher Seite der Isofläche</translation>
     </message>
     <message>
-        <source>Save of each surface only the part with the largest area</source>
+        <source>Save only the part of each surface with the largest area</source>
         <translation>Von jeder Fläche nur den Teil mit dem größten Flächeninhalt speichern</translation>
     </message>
     <message>
-        <source>Also measure how far the surfaces are from those of the finest mesh; that takes as long as to show the model at error 0</source>
+        <source>Also measure how far the surfaces are from those of the finest mesh; this takes as long as showing the model at error 0</source>
         <translation>Auch messen, wie weit die Flächen von denen des feinsten Netzes entfernt sind; das dauert so lange, wie das Modell bei Fehler 0 zu zeigen</translation>
     </message>
     <message>
@@ -12900,7 +12900,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Fehlerhafte Zellen zeigen</translation>
     </message>
     <message>
-        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and those of a grid that are folded or have no volume</source>
+        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and the cells of a grid that are folded or have no volume</source>
         <translation>Über dem Bild die Zellen umreißen, die weggelassen wurden, weil mit ihnen etwas nicht stimmt, und die eines Gitters, die gefaltet sind oder kein Volumen haben</translation>
     </message>
     <message>
@@ -12908,7 +12908,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dieses Modell führt keine fehlerhaften Zellen auf: Seine Daten haben keine, oder eine frühere Version von TAn hat es gebaut</translation>
     </message>
     <message>
-        <source>What the mesh of each error costs: its error in percent of the range of values and in their units or as a factor, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <source>What the mesh of each error costs: its error in percent of the value range and in units of the values or as a factor, its size, the time to extract it, measured on this computer, and the memory that it occupies. Choose a row to see that mesh.</source>
         <translation>Was das Netz jedes Fehlers kostet: der Fehler in Prozent des Wertebereichs und in den Einheiten der Werte oder als Faktor, die Größe, die Zeit für die Extraktion, wie hier gemessen, und der Speicher, den es belegt. Eine Zeile wählen, um dieses Netz zu sehen.</translation>
     </message>
 </context>
@@ -12979,11 +12979,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Gewählter Wert und sein Ort, in den Einheiten der Daten. Ein Klick anderswo wählt einen anderen, Esc nimmt die Markierung weg.</translation>
     </message>
     <message>
-        <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
+        <source>Time to draw the last picture; during movement, the frame rate, and the reduced size and number of tetrahedra</source>
         <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bildrate, die verringerte Bildgröße und die verringerte Zahl der Tetraeder</translation>
     </message>
     <message>
-        <source>The server finds the mesh, or the picture is being drawn</source>
+        <source>The server is extracting the mesh, or the picture is being drawn</source>
         <translation>Der Server bestimmt das Netz, oder das Bild wird gezeichnet</translation>
     </message>
     <message>
@@ -13052,15 +13052,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Lo&amp;garithmisch</translation>
     </message>
     <message>
-        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <source>Give the point two sides: one colour and opacity for the values below it, another for those above</source>
         <translation>Dem Punkt zwei Seiten geben: was unter seinem Wert liegt, endet dort, und was darüber liegt, beginnt</translation>
     </message>
     <message>
-        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are visible</source>
         <translation>Die Häufigkeit der Werte logarithmisch zeigen, damit man auch seltene sieht</translation>
     </message>
     <message>
-        <source>Presets</source>
+        <source>Keep the current transfer function for this and other models</source>
         <translation>Vorlagen</translation>
     </message>
     <message>
@@ -13076,7 +13076,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: TAn&apos;s own, or ParaView presets (JSON or XML)</source>
         <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
     </message>
     <message>
@@ -13104,7 +13104,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <source>Save the transfer function as a JSON file, which “tan render” also accepts</source>
         <translation>Die Transferfunktion als JSON-Datei speichern, die auch „tan render“ nimmt</translation>
     </message>
     <message>
@@ -13148,11 +13148,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>A&amp;lles zeigen</translation>
     </message>
     <message>
-        <source>Value, opacity, colour and how often it occurs, at the pointer</source>
+        <source>Value, opacity, colour and frequency of occurrence, at the pointer</source>
         <translation>Wert, Deckkraft, Farbe und Häufigkeit unter dem Mauszeiger</translation>
     </message>
     <message>
-        <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
+        <source>Add a point after the selected one; or click the curve, or double-click the plot</source>
         <translation>Einen Punkt nach dem ausgewählten hinzufügen; oder auf die Kurve klicken, oder doppelt in das Diagramm</translation>
     </message>
     <message>
@@ -13212,12 +13212,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Logarithmisch: nach &amp;Faktoren</translation>
     </message>
     <message>
-        <source>Which of the rendering mode&apos;s transfer functions is edited</source>
-        <translation>Welche der Transferfunktionen der Darstellungsart bearbeitet wird</translation>
-    </message>
-    <message>
         <source>Transfer function to edit</source>
-        <translation>Zu bearbeitende Transferfunktion</translation>
+        <translation>Welche der Transferfunktionen der Darstellungsart bearbeitet wird</translation>
     </message>
     <message>
         <source>Fun&amp;ction</source>
@@ -13342,7 +13338,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Kamera aus einer JSON-Datei laden</translation>
     </message>
     <message>
-        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <source>Save the camera as a JSON file, which “tan render --camera” also accepts</source>
         <translation>Die Kamera als JSON-Datei speichern, die auch „tan render --camera“ nimmt</translation>
     </message>
     <message>
@@ -13394,7 +13390,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Richtung um die senkrechte Achse, in Grad</translation>
     </message>
     <message>
-        <source>Height above the plane across the up axis, in degrees</source>
+        <source>Height above the plane perpendicular to the up axis, in degrees</source>
         <translation>Höhe über der Ebene quer zur senkrechten Achse, in Grad</translation>
     </message>
     <message>
@@ -13442,14 +13438,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Ziehen</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain (Home)</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain (Home)</source>
         <translation>Einpassen, was gezeigt wird, oder den Fokus; noch einmal: das ganze Gebiet (Pos1)</translation>
     </message>
 </context>
 <context>
     <name>tetra::Viewport</name>
     <message>
-        <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
+        <source>OpenGL cannot be used; the CPU draws the picture instead. %1</source>
         <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
     </message>
 </context>

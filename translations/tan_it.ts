@@ -164,7 +164,7 @@
         <translation>Salva &amp;mesh…</translation>
     </message>
     <message>
-        <source>Save the mesh shown, for VTK, ParaView and others</source>
+        <source>Save the displayed mesh for VTK, ParaView and other programs</source>
         <translation>Salva la mesh mostrata, per VTK, ParaView e altri</translation>
     </message>
     <message>
@@ -172,7 +172,7 @@
         <translation>Salva s&amp;uperfici…</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown, for 3D printers, Blender, ParaView and others</source>
+        <source>Save the displayed isosurfaces for 3D printing, Blender, ParaView and other programs</source>
         <translation>Salva le isosuperfici mostrate, per stampanti 3D, Blender, ParaView e altri</translation>
     </message>
     <message>
@@ -196,7 +196,7 @@
         <translation>&amp;Salva sessione</translation>
     </message>
     <message>
-        <source>Save what is open and its view, to continue later</source>
+        <source>Save the open model and its view, to continue later</source>
         <translation>Salva ciò che è aperto con la sua vista, per continuare più tardi</translation>
     </message>
     <message>
@@ -204,7 +204,7 @@
         <translation>Salva sessione &amp;con nome…</translation>
     </message>
     <message>
-        <source>Save the session in another file</source>
+        <source>Save the session under another name</source>
         <translation>Salva la sessione in un altro file</translation>
     </message>
     <message>
@@ -224,7 +224,7 @@
         <translation>Cerca fra tutti i comandi</translation>
     </message>
     <message>
-        <source>Reduced &amp;Motion</source>
+        <source>Turn off camera animation</source>
         <translation>Movimento ri&amp;dotto</translation>
     </message>
     <message>
@@ -240,7 +240,7 @@
         <translation>&amp;Guida a questo controllo</translation>
     </message>
     <message>
-        <source>Explain the focused control</source>
+        <source>Explain the control that has the focus</source>
         <translation>Spiega il controllo attivo</translation>
     </message>
     <message>
@@ -248,7 +248,7 @@
         <translation>&amp;Che cos&apos;è?</translation>
     </message>
     <message>
-        <source>Click on a control to read what it does</source>
+        <source>Click a control to read what it does</source>
         <translation>Fare clic su un controllo per leggere che cosa fa</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Reimposta &amp;vista</translation>
     </message>
     <message>
-        <source>Go back to the default accuracy, colours, isovalues and camera</source>
+        <source>Restore the default accuracy, colours, isovalues and camera</source>
         <translation>Ripristina accuratezza, colori, isovalori e camera iniziali</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>Apri UR&amp;L…</translation>
     </message>
     <message>
-        <source>Open a model that lies on a server</source>
+        <source>Open a model on a server</source>
         <translation>Apre un modello che si trova su un server</translation>
     </message>
     <message>
@@ -332,7 +332,7 @@
         <translation>Cache &amp;dei modelli…</translation>
     </message>
     <message>
-        <source>Where models go that are unpacked or fetched</source>
+        <source>Manage the cache of downloaded and unpacked models</source>
         <translation>Dove vanno i modelli che vengono decompressi o scaricati</translation>
     </message>
     <message>
@@ -340,7 +340,7 @@
         <translation>Sal&amp;va modello compresso…</translation>
     </message>
     <message>
-        <source>Save the model in a small part of the size, for archives and for servers</source>
+        <source>Save the model at a fraction of its size, for archiving or for a server</source>
         <translation>Salva il modello in una piccola parte della dimensione, per archivi e server</translation>
     </message>
     <message>
@@ -352,11 +352,11 @@
         <translation>Applica aspetto da u&amp;n file…</translation>
     </message>
     <message>
-        <source>Show the open model as another session or picture shows its own: with its colours, isovalues, camera and settings</source>
+        <source>Apply the colours, isovalues, camera and settings of another session or picture to the open model</source>
         <translation>Mostra il modello aperto come un&apos;altra sessione o un&apos;immagine mostra il proprio: con i suoi colori, isovalori, camera e impostazioni</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain</source>
         <translation>Inquadra ciò che si mostra, o il focus; ancora una volta: l&apos;intero dominio</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Inquadra l&apos;intero dominio</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
+        <source>Save the displayed isosurfaces as closed surfaces of solids, for 3D printing</source>
         <translation>Salva le isosuperfici mostrate come superfici chiuse di solidi, per stampanti 3D</translation>
     </message>
     <message>
@@ -411,7 +411,7 @@
         <translation>A&amp;ccuratezza</translation>
     </message>
     <message>
-        <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
+        <source>Values and their colours, in data units; on the right their opacity, with marks at the isovalues</source>
         <translation>I valori e i loro colori, nelle unità dei dati; a destra l&apos;opacità, con segni agli isovalori</translation>
     </message>
     <message>
@@ -419,7 +419,7 @@
         <translation>Le direzioni di x, y e z</translation>
     </message>
     <message>
-        <source>A length in the units of the data; in perspective that of things as far away as the target</source>
+        <source>A length in data units; in perspective it applies at the distance of the target</source>
         <translation>Una lunghezza nelle unità dei dati; in prospettiva quella delle cose distanti quanto il punto mirato</translation>
     </message>
     <message>
@@ -427,7 +427,7 @@
         <translation>Il nome del modello</translation>
     </message>
     <message>
-        <source>The error that what is shown keeps, in % of the value range</source>
+        <source>The error bound of the displayed mesh, in % of the value range</source>
         <translation>L&apos;errore che ciò che si vede non supera, in % dell&apos;intervallo dei valori</translation>
     </message>
     <message>
@@ -489,7 +489,7 @@
         <translation>Modifica focus</translation>
     </message>
     <message>
-        <source>Change Window</source>
+        <source>Change Crop Box</source>
         <translation>Modifica finestra</translation>
     </message>
     <message>
@@ -532,7 +532,7 @@
 <context>
     <name>Desktop</name>
     <message>
-        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” says what else works without a window.</source>
+        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” lists what else works without a window.</source>
         <translation>Non c&apos;è uno schermo per la finestra: né DISPLAY né WAYLAND_DISPLAY è impostata. «tan render» disegna invece le immagini in file; «tan --help» dice che cos&apos;altro funziona senza finestra.</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>Che cosa disegna l&apos;immagine: auto, cpu o gl.</translation>
     </message>
     <message>
-        <source>A dataset, a .tan model or a session to open; each in a window of its own.</source>
+        <source>A dataset, a .tan model or a session to open; each opens in its own window.</source>
         <translation>Un insieme di dati, un modello .tan o una sessione da aprire; ciascuno in una finestra propria.</translation>
     </message>
 </context>
@@ -579,7 +579,7 @@
         <translation>Regione</translation>
     </message>
     <message>
-        <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+        <source>How far the mesh may deviate from the data, in percent of the value range; or how many tetrahedra it may have. The curve shows what each error costs.</source>
         <translation>Di quanto la mesh può scostarsi dai dati, in percento dell&apos;intervallo dei valori, oppure quanti tetraedri può avere. La curva mostra quanto costa ogni errore.</translation>
     </message>
     <message>
@@ -591,11 +591,11 @@
         <translation>Statistiche</translation>
     </message>
     <message>
-        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers.</source>
+        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the figures of the displayed mesh.</source>
         <translation>Quanto costa ogni accuratezza in vertici, tetraedri, tempo e memoria, e la mesh mostrata in numeri.</translation>
     </message>
     <message>
-        <source>Surfaces on which the field has one value each, in the units of the data.</source>
+        <source>Surfaces on which the field has a given value, in data units.</source>
         <translation>Superfici su ciascuna delle quali il campo ha un solo valore, nelle unità dei dati.</translation>
     </message>
     <message>
@@ -603,7 +603,7 @@
         <translation>Una sfera o un parallelepipedo in cui la mesh è più accurata che all&apos;esterno.</translation>
     </message>
     <message>
-        <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+        <source>Which part of the domain is shown: a crop box, and a range of values.</source>
         <translation>Quale parte del dominio si mostra: un parallelepipedo e un intervallo di valori.</translation>
     </message>
     <message>
@@ -611,7 +611,7 @@
         <translation>Animazione</translation>
     </message>
     <message>
-        <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
+        <source>Films of the model: a turntable, or a path through key frames of your choice.</source>
         <translation>Filmati del modello: un giro completo, o un percorso tra fotogrammi chiave a scelta.</translation>
     </message>
     <message>
@@ -619,11 +619,11 @@
         <translation>Trasferimento</translation>
     </message>
     <message>
-        <source>Build a model from a dataset once; its mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
+        <source>Build a model from a dataset once; a mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
         <translation>Il modello si costruisce una volta sola da un insieme di dati; la sua mesh è poi disponibile con qualsiasi accuratezza. Scegliere un metodo e un file, e premere «Costruisci».</translation>
     </message>
     <message>
-        <source>The camera in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <source>The camera settings as numbers. In the picture: drag to turn, Shift+drag to move, use the wheel to zoom.</source>
         <translation>La camera in numeri. Nell&apos;immagine: trascinare per ruotare, Maiusc e trascinare per spostare, la rotella ingrandisce.</translation>
     </message>
 </context>
@@ -634,11 +634,11 @@
         <translation>L&apos;editor non si può usare. %1</translation>
     </message>
     <message>
-        <source>Help › Plugins lists all plugins and where they are looked for.</source>
+        <source>Help › Plugins lists all plugins and the folders that are searched for them.</source>
         <translation>Aiuto › Plugin elenca tutti i plugin e dove vengono cercati.</translation>
     </message>
     <message>
-        <source>The mode %1 shows no transfer function. Changes are seen in other modes.</source>
+        <source>The mode %1 does not use a transfer function. Changes appear in other modes.</source>
         <translation>La modalità %1 non mostra alcuna funzione di trasferimento. Le modifiche si vedono in altre modalità.</translation>
     </message>
     <message>
@@ -703,7 +703,7 @@
         <translation>%1: t = %2</translation>
     </message>
     <message>
-        <source>All that fit together</source>
+        <source>All that go together</source>
         <translation>Tutti quelli compatibili fra loro</translation>
     </message>
     <message>
@@ -718,7 +718,7 @@
 <context>
     <name>ImportTexts</name>
     <message>
-        <source>%1 = %2 bytes: the file has exactly that.</source>
+        <source>%1 = %2 bytes: exactly the size of the file.</source>
         <translation>%1 = %2 byte: il file ne ha esattamente tanti.</translation>
     </message>
     <message>
@@ -742,7 +742,7 @@
         <translation>Questo computer ha %1 di memoria.</translation>
     </message>
     <message>
-        <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
+        <source>A volume needs at least two points along each axis. Choose a larger region or a smaller stride.</source>
         <translation>Un volume richiede almeno due punti lungo ogni asse. Prendere una regione più grande o un passo più piccolo.</translation>
     </message>
     <message>
@@ -783,11 +783,11 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>No program opens web pages here. Install a web browser, or read %1.</source>
+        <source>No web browser was found on this computer. Install one, or read %1.</source>
         <translation>Qui nessun programma apre pagine web. Installare un browser, oppure leggere %1.</translation>
     </message>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <source>The manual is not installed. Reinstall the package tan with its documentation, or build TAn on a system that has Sphinx (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of the source code.</source>
         <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn dove Sphinx è installato (python3-sphinx, python3-myst-parser, furo); gli stessi testi sono nella cartella docs dei sorgenti.</translation>
     </message>
 </context>
@@ -818,11 +818,11 @@
         <translation>Mostrato: %1.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <source>%1 tetrahedra in %2 pieces, cut by the crop box</source>
         <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
     </message>
     <message>
-        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
+        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are selected.</source>
         <translation>Mostrati: tetraedri delle mesh (%1). Scelti %2 su %3.</translation>
     </message>
     <message>
@@ -830,7 +830,7 @@
         <translation>Mostrato: %1, deformazione %2.</translation>
     </message>
     <message>
-        <source>Shown: %1, whatever the warping.</source>
+        <source>Shown: %1, with any warping.</source>
         <translation>Mostrato: %1, qualunque sia la deformazione.</translation>
     </message>
     <message>
@@ -995,7 +995,7 @@
         <translation>Fullerene</translation>
     </message>
     <message>
-        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.</source>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. See the cage of atoms as an isosurface, and how few tetrahedra are enough for an error of 1 %.</source>
         <translation>Densità elettronica di una molecola C60; reticolo regolare, %1, calcolato da TAn. Da guardare: la gabbia di atomi come isosuperficie, e quanti pochi tetraedri bastano per un errore dell&apos;1 %.</translation>
     </message>
     <message>
@@ -1003,7 +1003,7 @@
         <translation>Atomo di idrogeno</translation>
     </message>
     <message>
-        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two lobes and the ring, as a volume or as isosurfaces.</source>
+        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. See the two lobes and the ring, as a volume or as isosurfaces.</source>
         <translation>Densità di probabilità dell&apos;elettrone 3d; reticolo regolare, %1, calcolato da TAn. Da guardare: i due lobi e l&apos;anello, come volume o come isosuperfici.</translation>
     </message>
     <message>
@@ -1011,7 +1011,7 @@
         <translation>Flusso supersonico</translation>
     </message>
     <message>
-        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. See the bow shock, and how the grid follows the body.</source>
         <translation>Densità davanti a una semisfera; griglia curvilinea, %1, calcolata da TAn. Da guardare: l&apos;onda d&apos;urto, e la griglia che segue il corpo.</translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
         <translation>Flusso su cilindro</translation>
     </message>
     <message>
-        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look at the front, where the flow is stopped, and at the sides, where it is fastest.</source>
+        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. See the front, where the flow is stopped, and the sides, where it is fastest.</source>
         <translation>Pressione del flusso; griglia curvilinea chiusa su sé stessa, %1, calcolata da TAn. Da guardare: il fronte, dove il flusso si arresta, e i lati, dove è più veloce.</translation>
     </message>
     <message>
@@ -1027,7 +1027,7 @@
         <translation>Flusso in un condotto</translation>
     </message>
     <message>
-        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. Look at how the flow keeps to the outer wall of the bend.</source>
+        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. See how the flow keeps to the outer wall of the bend.</source>
         <translation>Velocità in un condotto curvo; griglia curvilinea, %1, calcolata da TAn. Da guardare: come il flusso resta sulla parete esterna della curva.</translation>
     </message>
     <message>
@@ -1035,7 +1035,7 @@
         <translation>Piastra forata</translation>
     </message>
     <message>
-        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
+        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. See how the boundary keeps its holes at every accuracy.</source>
         <translation>Tensione in una piastra con cinque fori e una cavità chiusa; mesh irregolare, calcolata da TAn. Da guardare: il contorno, che conserva i fori a ogni accuratezza.</translation>
     </message>
     <message>
@@ -1043,7 +1043,7 @@
         <translation>Punti sparsi</translation>
     </message>
     <message>
-        <source>Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. Look at the volume: it needs no grid.</source>
+        <source>Waves that become finer outwards, sampled at random points in a ball; %1, computed by TAn. See the volume: it needs no grid.</source>
         <translation>Onde sempre più fini verso l&apos;esterno, campionate in punti casuali di una sfera; %1, calcolati da TAn. Da guardare: il volume, che non ha bisogno di griglia.</translation>
     </message>
     <message>
@@ -1051,7 +1051,7 @@
         <translation>Increspature</translation>
     </message>
     <message>
-        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine ripples, which vanish first when the error grows.</source>
+        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. See the fine ripples, which vanish first as the error grows.</source>
         <translation>Il segnale di prova di Marschner e Lobb; reticolo regolare, %1, calcolato da TAn. Da guardare: le increspature fini, le prime a sparire quando l&apos;errore cresce.</translation>
     </message>
     <message>
@@ -1059,7 +1059,7 @@
         <translation>Strato limite</translation>
     </message>
     <message>
-        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. Look at how the tetrahedra crowd at the wall.</source>
+        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. See how the tetrahedra crowd at the wall.</source>
         <translation>Uno strato presso una parete; griglia rettilinea a passo crescente, %1, calcolata da TAn. Da guardare: come i tetraedri si addensano alla parete.</translation>
     </message>
     <message>
@@ -1067,7 +1067,7 @@
         <translation>Rumore bianco</translation>
     </message>
     <message>
-        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. See the statistics: even at a large error nearly all points are needed.</source>
         <translation>Valori casuali, il caso peggiore per ogni metodo; reticolo regolare, %1, calcolato da TAn. Da guardare: le statistiche, perché anche con un errore grande servono quasi tutti i punti.</translation>
     </message>
 </context>
@@ -1162,7 +1162,7 @@
         <translation>tetraedri tagliati: %1</translation>
     </message>
     <message>
-        <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
+        <source>tetrahedra cut: %1; overlapping groups, drawn by distance: %2</source>
         <translation>tetraedri tagliati: %1; gruppi sovrapposti, disegnati per distanza: %2</translation>
     </message>
     <message>
@@ -1174,11 +1174,11 @@
         <translation>Celle difettose contornate</translation>
     </message>
     <message>
-        <source>Taken of the file</source>
+        <source>Used from the file</source>
         <translation>Preso dal file</translation>
     </message>
     <message>
-        <source>Not used of it</source>
+        <source>Not used from the file</source>
         <translation>Non usato del file</translation>
     </message>
     <message>
@@ -1286,7 +1286,7 @@
         <translation>La mesh più piccola con questo errore</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh with at most this number of tetrahedra. A focus keeps its ratio to the rest.</source>
         <translation>La mesh migliore con tanti tetraedri. Un focus conserva la sua proporzione col resto.</translation>
     </message>
     <message>
@@ -1306,7 +1306,7 @@
         <translation>Come l&apos;errore</translation>
     </message>
     <message>
-        <source>Its own</source>
+        <source>Custom</source>
         <translation>Propria</translation>
     </message>
     <message>
@@ -1318,7 +1318,7 @@
         <translation>Limite della deformazione</translation>
     </message>
     <message>
-        <source>Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal then; one of its own; or none, for the smallest mesh whose values are within the error</source>
+        <source>Limit on the warping, the distance of the mesh from the data: the same percentage as the error, but of the diagonal; a percentage of its own; or none, for the smallest mesh whose values are within the error</source>
         <translation>Limite della deformazione, cioè della distanza della mesh dai dati: la percentuale dell&apos;errore, riferita alla diagonale; una propria; oppure nessuno, per la mesh più piccola i cui valori rientrano nell&apos;errore</translation>
     </message>
     <message>
@@ -1326,11 +1326,11 @@
         <translation>Deformazione in percento della diagonale</translation>
     </message>
     <message>
-        <source>Warping in percent of the diagonal of the box around the data</source>
+        <source>Warping in percent of the diagonal of the data&apos;s bounding box</source>
         <translation>Deformazione in percento della diagonale del parallelepipedo attorno ai dati</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
+        <source>The percentages in data units. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the data&apos;s bounding box. Samples just outside the mesh, of irregular data and of grids decimated as a mesh, are compared with a place on its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
         <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi. I campioni di dati irregolari, e di griglie decimate come mesh, che si trovano appena fuori dalla mesh si confrontano con un punto del suo contorno entro la deformazione; nel punto più vicino l&apos;errore può essere maggiore, e «tan verify» lo misura.</translation>
     </message>
     <message>
@@ -1378,7 +1378,7 @@ deformazione %2</translation>
 <context>
     <name>tetra::AddressDialog</name>
     <message>
-        <source>What whoever runs the server has set; it is kept until the program ends</source>
+        <source>Access token issued by the server&apos;s operator; forgotten when TAn quits</source>
         <translation>Quello stabilito da chi gestisce il server; viene conservato fino alla chiusura del programma</translation>
     </message>
     <message>
@@ -1402,23 +1402,23 @@ deformazione %2</translation>
         <translation>&amp;Indirizzo di un modello su un server:</translation>
     </message>
     <message>
-        <source>Where the model lies, packed or not: http:// or https://</source>
+        <source>Address of the model, packed or not: http:// or https://</source>
         <translation>Dove si trova il modello, compresso o no: http:// o https://</translation>
     </message>
     <message>
-        <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
+        <source>The server extracts each mesh and sends only that: for models too large for this computer. Every change waits for the network.</source>
         <translation>Il server trova ogni mesh e invia solo quella: per modelli troppo grandi per questo computer. Ogni modifica aspetta la rete.</translation>
     </message>
     <message>
-        <source>Where the server is one of TAn: &apos;tan serve&apos;</source>
+        <source>Requires a TAn server: &apos;tan serve&apos;</source>
         <translation>Se il server è uno di TAn: «tan serve»</translation>
     </message>
     <message>
-        <source>This server answers only those who have its token.</source>
+        <source>This server requires a token.</source>
         <translation>Questo server risponde solo a chi ha il suo token.</translation>
     </message>
     <message>
-        <source>This is not the token of the server.</source>
+        <source>Wrong token.</source>
         <translation>Questo non è il token del server.</translation>
     </message>
     <message>
@@ -1434,11 +1434,11 @@ deformazione %2</translation>
         <translation>Token</translation>
     </message>
     <message>
-        <source>The server of %1 answers only those who have its &amp;token:</source>
+        <source>The server of %1 requires its &amp;token:</source>
         <translation>Il server di %1 risponde solo a chi ha il suo &amp;token:</translation>
     </message>
     <message>
-        <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
+        <source>Downloads only what is needed; cached afterwards.</source>
         <translation>Arriva su questo computer per quanto serve, e da lì in poi è veloce.</translation>
     </message>
     <message>
@@ -1553,7 +1553,7 @@ deformazione %2</translation>
         <translation>Fotogrammi al secondo</translation>
     </message>
     <message>
-        <source>Up and down: the camera returns to its start, and stops at the poles</source>
+        <source>Up and down: the camera returns to its start and stops at the poles</source>
         <translation>In su e in giù: la camera torna al punto di partenza, e si ferma ai poli</translation>
     </message>
     <message>
@@ -1596,7 +1596,7 @@ deformazione %2</translation>
         <translation>Estremi fissi</translation>
     </message>
     <message>
-        <source>The colour bar goes from one chosen value to another, so that several pictures have the same one; else it goes over all values of the data</source>
+        <source>The colour bar covers a chosen range, so that several pictures can share it; otherwise it covers all values of the data</source>
         <translation>La barra dei colori va da un valore scelto a un altro, così che più immagini abbiano la stessa; altrimenti copre tutti i valori dei dati</translation>
     </message>
     <message>
@@ -1623,7 +1623,7 @@ deformazione %2</translation>
         <translation>Massimo di tetraedri</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra</source>
+        <source>The best mesh with at most this number of tetrahedra</source>
         <translation>La mesh migliore entro questo numero di tetraedri</translation>
     </message>
 </context>
@@ -1734,7 +1734,7 @@ deformazione %2</translation>
         <translation>Opzioni di &amp;importazione…</translation>
     </message>
     <message>
-        <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
+        <source>Estimated from a few thousand samples of the dataset; it may be off by a factor of two</source>
         <translation>Stimato da qualche migliaio di campioni; può discostarsi di un fattore due</translation>
     </message>
     <message>
@@ -1746,7 +1746,7 @@ deformazione %2</translation>
         <translation>&amp;Rapido, errore 1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 1 % of the value range: enough for a first look</source>
+        <source>Keeps enough for an error of 1 % of the value range: enough for a first look</source>
         <translation>Conserva ciò che serve per un errore dell&apos;1 % dell&apos;intervallo dei valori: basta per un primo sguardo</translation>
     </message>
     <message>
@@ -1754,7 +1754,7 @@ deformazione %2</translation>
         <translation>&amp;Buono, errore 0,1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
+        <source>Keeps enough for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
         <translation>Conserva ciò che serve per un errore dello 0,1 % dell&apos;intervallo dei valori: le immagini si distinguono appena da quelle dei dati completi</translation>
     </message>
     <message>
@@ -1782,15 +1782,15 @@ deformazione %2</translation>
         <translation>Ri&amp;prendibile se interrotta</translation>
     </message>
     <message>
-        <source>Write down now and then how far the build is, so that it can be paused, and goes on where it was if the program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it takes up to three times the size of the model on the disk</source>
+        <source>Save checkpoints so that the build can be paused and resumed, even after a crash. Short builds take up to 20 % longer, and until the build ends it needs up to three times the model&apos;s size on disk</source>
         <translation>Annota di tanto in tanto a che punto è la costruzione, così che si possa mettere in pausa e riprenda da dove era se il programma o il computer si arresta. Le costruzioni brevi durano fino a un quinto in più e, fino alla fine della costruzione, su disco si occupa fino al triplo della dimensione del modello</translation>
     </message>
     <message>
-        <source>Begin &amp;Anew</source>
+        <source>St&amp;art Over</source>
         <translation>Ricomincia &amp;da capo</translation>
     </message>
     <message>
-        <source>Delete what the interrupted build has left</source>
+        <source>Delete the interrupted build</source>
         <translation>Elimina ciò che la costruzione interrotta ha lasciato</translation>
     </message>
     <message>
@@ -1798,7 +1798,7 @@ deformazione %2</translation>
         <translation>Pa&amp;usa</translation>
     </message>
     <message>
-        <source>Stop the build; it goes on from there later, even if the program is closed meanwhile</source>
+        <source>Stop the build; it can be resumed later, even after TAn has been closed</source>
         <translation>Ferma la costruzione; più tardi riprende da lì, anche se intanto il programma viene chiuso</translation>
     </message>
     <message>
@@ -1806,11 +1806,11 @@ deformazione %2</translation>
         <translation>Riprendi &amp;costruzione</translation>
     </message>
     <message>
-        <source>An interrupted build of these data was found: it goes on where it stopped.</source>
+        <source>An interrupted build of these data was found: it will continue where it stopped.</source>
         <translation>È stata trovata una costruzione interrotta di questi dati: riprende da dove si era fermata.</translation>
     </message>
     <message>
-        <source>An interrupted build of other data, or with other options, was found. Give the same ones, or begin anew.</source>
+        <source>Found an interrupted build of different data or with different options. Restore those options, or start over.</source>
         <translation>È stata trovata una costruzione interrotta di altri dati o con altre opzioni. Indicare gli stessi, oppure ricominciare da capo.</translation>
     </message>
     <message>
@@ -1822,15 +1822,15 @@ deformazione %2</translation>
         <translation>Apri il modello &amp;già esistente</translation>
     </message>
     <message>
-        <source>Open the model that is there already; nothing is built or replaced</source>
+        <source>Open the existing model; nothing is built or replaced</source>
         <translation>Apre il modello che c&apos;è già; nulla viene costruito o sostituito</translation>
     </message>
     <message>
-        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name stays as it is.</source>
+        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name is not changed.</source>
         <translation>Ferma la costruzione e conserva ciò che è pronto come modello, con l&apos;accuratezza raggiunta. Un modello finito con lo stesso nome resta com&apos;è.</translation>
     </message>
     <message>
-        <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
+        <source>This file exists. You can open it; if you build, it is replaced when the build is complete.</source>
         <translation>Questo file esiste. Si può aprirlo; se si costruisce, viene sostituito a costruzione finita.</translation>
     </message>
     <message>
@@ -1846,11 +1846,11 @@ deformazione %2</translation>
         <translation>Scala: logaritmica; un errore dell&apos;1 % corrisponde al %1</translation>
     </message>
     <message>
-        <source>Scale: linear. The values go over several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
+        <source>Scale: linear. The values span several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
         <translation>Scala: lineare. I valori coprono più potenze di dieci: con la scala logaritmica nelle opzioni di importazione gli errori sono fattori.</translation>
     </message>
     <message>
-        <source>Read the file again with other options: other values, another scale, a part of it, fewer points</source>
+        <source>Read the file again with other options: other values, another scale, a part of it, or fewer points</source>
         <translation>Rilegge il file con altre opzioni: altri valori, un&apos;altra scala, una sua parte, meno punti</translation>
     </message>
 </context>
@@ -1865,11 +1865,11 @@ deformazione %2</translation>
         <translation>Cache dei modelli</translation>
     </message>
     <message>
-        <source>Models that are packed or lie on a server are unpacked or fetched into this folder, and opened from there the next time. What was unused for longest is removed when room is needed.</source>
+        <source>Packed models and models on servers are unpacked or downloaded into this folder, and opened from there the next time. When room is needed, those unused for longest are removed.</source>
         <translation>I modelli compressi o che si trovano su un server vengono decompressi o scaricati in questa cartella, e la volta successiva aperti da lì. Quando serve spazio si elimina ciò che non è stato usato da più tempo.</translation>
     </message>
     <message>
-        <source>The folder; empty for the usual one</source>
+        <source>Cache folder (leave empty for the default)</source>
         <translation>La cartella; vuoto per quella consueta</translation>
     </message>
     <message>
@@ -1885,11 +1885,11 @@ deformazione %2</translation>
         <translation> GB</translation>
     </message>
     <message>
-        <source>How much of the disk it may take</source>
+        <source>Maximum size of the cache</source>
         <translation>Quanto spazio su disco può occupare</translation>
     </message>
     <message>
-        <source>Remove all models of the folder that are not open</source>
+        <source>Remove all models in the folder that are not open</source>
         <translation>Elimina tutti i modelli della cartella che non sono aperti</translation>
     </message>
     <message>
@@ -1916,7 +1916,7 @@ deformazione %2</translation>
         <translation>OpenGL</translation>
     </message>
     <message>
-        <source>OpenGL cannot draw this picture; the processor draws it instead. %1</source>
+        <source>OpenGL cannot draw this picture; the CPU draws it instead. %1</source>
         <translation>OpenGL non può disegnare questa immagine; la disegna invece il processore. %1</translation>
     </message>
 </context>
@@ -1946,7 +1946,7 @@ deformazione %2</translation>
         <translation>Comandi</translation>
     </message>
     <message>
-        <source>Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves.</source>
+        <source>Type the beginnings of words to find a command or a setting. Enter runs it, Esc closes the list.</source>
         <translation>Scrivere gli inizi delle sue parole per trovare un comando o un&apos;impostazione. Invio lo esegue, Esc chiude.</translation>
     </message>
     <message>
@@ -2140,14 +2140,14 @@ deformazione %2</translation>
         <translation>Oppure provare un esempio</translation>
     </message>
     <message>
-        <source>Samples are computed when you choose one; nothing is downloaded.</source>
+        <source>Samples are computed when you choose them; nothing is downloaded.</source>
         <translation>Gli esempi si calcolano quando se ne sceglie uno; non si scarica nulla.</translation>
     </message>
 </context>
 <context>
     <name>tetra::Exporting</name>
     <message>
-        <source>Nothing was saved: the model was closed meanwhile.</source>
+        <source>Nothing was saved: the model was closed in the meantime.</source>
         <translation>Non è stato salvato nulla: nel frattempo il modello è stato chiuso.</translation>
     </message>
 </context>
@@ -2174,7 +2174,7 @@ deformazione %2</translation>
         <translation>Salva filmato</translation>
     </message>
     <message>
-        <source>Videos can be made where the program ffmpeg is installed</source>
+        <source>Videos require the program ffmpeg</source>
         <translation>I video si possono fare dove è installato il programma ffmpeg</translation>
     </message>
     <message>
@@ -2206,7 +2206,7 @@ deformazione %2</translation>
         <translation>&amp;Chiudi</translation>
     </message>
     <message>
-        <source>A film that is being written goes on</source>
+        <source>A film that is being written continues</source>
         <translation>Un filmato che si sta scrivendo continua</translation>
     </message>
     <message>
@@ -2230,7 +2230,7 @@ deformazione %2</translation>
         <translation>%1, …</translation>
     </message>
     <message>
-        <source>Files of this name are there already and will be replaced: %1.</source>
+        <source>Files with this name already exist and will be replaced: %1.</source>
         <translation>Esistono già file con questo nome e verranno sostituiti: %1.</translation>
     </message>
     <message>
@@ -2238,7 +2238,7 @@ deformazione %2</translation>
         <translation>Sostituisci e &amp;salva</translation>
     </message>
     <message>
-        <source>Beginning…</source>
+        <source>Starting…</source>
         <translation>Si comincia…</translation>
     </message>
     <message>
@@ -2309,7 +2309,7 @@ deformazione %2</translation>
         <translation>Transizione</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that in the focus to that outside, in data units; 0 is a sharp border</source>
+        <source>The distance over which the error grows from its value in the focus to that outside, in data units; 0 gives a sharp border</source>
         <translation>La distanza su cui l&apos;errore cresce da quello nel focus a quello esterno, nelle unità dei dati; 0 è un bordo netto</translation>
     </message>
     <message>
@@ -2325,7 +2325,7 @@ deformazione %2</translation>
         <translation>Sposta il focus al punto mirato dalla camera (C)</translation>
     </message>
     <message>
-        <source>Reset place, size, error and fall-off</source>
+        <source>Reset position, size, error and fall-off</source>
         <translation>Reimposta posizione, dimensioni, errore e transizione</translation>
     </message>
     <message>
@@ -2357,15 +2357,15 @@ deformazione %2</translation>
         <translation>Ripristina</translation>
     </message>
     <message>
-        <source>With the budget the error outside is %1 times this one.</source>
+        <source>With the budget, the error outside is %1 times the error inside.</source>
         <translation>Con il budget l&apos;errore esterno è %1 volte questo.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <source>A focus is never coarser than its surroundings, so it gets the same error.</source>
         <translation>Un focus non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <source>A focus is never coarser than its surroundings, so it gets %1.</source>
         <translation>Un focus non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
     </message>
     <message>
@@ -2385,7 +2385,7 @@ deformazione %2</translation>
         <translation>Intervallo di va&amp;lori</translation>
     </message>
     <message>
-        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
+        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; double-click a surface to move it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is visible.</source>
         <translation>Dove la mesh è più accurata che altrove. Scegliere un parallelepipedo o una sfera, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie li sposta lì. Oppure far crescere l&apos;errore con la distanza dall&apos;osservatore o dagli isovalori, o dove si vede poco.</translation>
     </message>
     <message>
@@ -2405,7 +2405,7 @@ deformazione %2</translation>
         <translation>Isovalori</translation>
     </message>
     <message>
-        <source>The error grows with the distance from the isovalues that are shown</source>
+        <source>The error grows with the distance from the displayed isovalues</source>
         <translation>L&apos;errore cresce con la distanza dagli isovalori mostrati</translation>
     </message>
     <message>
@@ -2421,7 +2421,7 @@ deformazione %2</translation>
         <translation>Regione</translation>
     </message>
     <message>
-        <source>The region that place and size are of; all have the same error and fall-off</source>
+        <source>Selected region. All regions share one error and fall-off.</source>
         <translation>La regione a cui si riferiscono posizione e dimensione; tutte hanno lo stesso errore e la stessa transizione</translation>
     </message>
     <message>
@@ -2437,7 +2437,7 @@ deformazione %2</translation>
         <translation>Distanza</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
+        <source>The distance over which the error grows from its value inside, at the part of the data nearest to the viewer, to that outside, in data units</source>
         <translation>La distanza su cui l&apos;errore cresce da quello interno, nella parte dei dati più vicina all&apos;osservatore, a quello esterno, nelle unità dei dati</translation>
     </message>
     <message>
@@ -2445,7 +2445,7 @@ deformazione %2</translation>
         <translation>Intervallo di valori</translation>
     </message>
     <message>
-        <source>The difference from an isovalue over which the error grows from that inside to that outside, in the units of the values</source>
+        <source>The difference from an isovalue over which the error grows from its value inside to that outside, in the units of the values</source>
         <translation>La differenza da un isovalore su cui l&apos;errore cresce da quello interno a quello esterno, nelle unità dei valori</translation>
     </message>
     <message>
@@ -2461,7 +2461,7 @@ deformazione %2</translation>
         <translation>Non c&apos;è nessun isovalore, quindi l&apos;errore è %1 ovunque.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra; without the focus %2, with its error everywhere %3.</source>
+        <source>%1 tetrahedra; %2 without the focus and with its error everywhere %3.</source>
         <translation>%1 tetraedri; senza il focus %2, con il suo errore ovunque %3.</translation>
     </message>
 </context>
@@ -2472,7 +2472,7 @@ deformazione %2</translation>
         <translation>Istogramma</translation>
     </message>
     <message>
-        <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+        <source>How often the values of the displayed mesh occur, on a logarithmic scale; from the smallest to the largest value, in data units</source>
         <translation>Quanto spesso si presentano i valori della mesh mostrata, in scala logaritmica, dal valore minimo al massimo, nelle unità dei dati</translation>
     </message>
 </context>
@@ -2507,11 +2507,11 @@ deformazione %2</translation>
         <translation>Sottoinsieme</translation>
     </message>
     <message>
-        <source>Layouts that fit</source>
+        <source>Matching layouts</source>
         <translation>Formati adatti</translation>
     </message>
     <message>
-        <source>Sizes and types that would fill the file exactly, the likeliest first</source>
+        <source>Sizes and types that fit the file exactly, the most likely first</source>
         <translation>Dimensioni e tipi che riempirebbero esattamente il file, i più probabili per primi</translation>
     </message>
     <message>
@@ -2527,11 +2527,11 @@ deformazione %2</translation>
         <translation>%1, %2 byte</translation>
     </message>
     <message>
-        <source>None is known</source>
+        <source>None found</source>
         <translation>Nessuno noto</translation>
     </message>
     <message>
-        <source>Give the number of points along x, y and z, as in 64x64x32.</source>
+        <source>Enter the number of points along x, y and z, as in 64x64x32.</source>
         <translation>Dare il numero di punti lungo x, y e z, come in 64x64x32.</translation>
     </message>
     <message>
@@ -2555,7 +2555,7 @@ deformazione %2</translation>
         <translation>Un limite superiore; un modello con meno dettaglio richiede meno.</translation>
     </message>
     <message>
-        <source>What would be taken of the file with these options, and what it says and is not used</source>
+        <source>What these options take from the file, and what else it states that is not used</source>
         <translation>Che cosa si prenderebbe del file con queste opzioni, e che cosa il file dichiara e non viene usato</translation>
     </message>
 </context>
@@ -2570,7 +2570,7 @@ deformazione %2</translation>
         <translation>Solo un &amp;box nello spazio</translation>
     </message>
     <message>
-        <source>Takes every point of the whole dataset</source>
+        <source>Takes every point of the dataset</source>
         <translation>Prende ogni punto dell&apos;intero insieme di dati</translation>
     </message>
     <message>
@@ -2610,7 +2610,7 @@ deformazione %2</translation>
         <translation>Mantiene un punto ogni n</translation>
     </message>
     <message>
-        <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
+        <source>Takes only what lies in a box; for irregular meshes, whole tetrahedra</source>
         <translation>Prende solo ciò che sta in un parallelepipedo; di mesh irregolari tetraedri interi</translation>
     </message>
     <message>
@@ -2668,7 +2668,7 @@ deformazione %2</translation>
         <translation>Opacità</translation>
     </message>
     <message>
-        <source>Opacity in percent; below 100 % what lies behind shows through</source>
+        <source>Opacity in percent; below 100 % what lies behind it shows through</source>
         <translation>Opacità in percento; sotto il 100 % traspare ciò che sta dietro</translation>
     </message>
     <message>
@@ -2837,7 +2837,7 @@ deformazione %2</translation>
         <translation>Fermandola ora si può conservare la parte finita come %1, un modello meno accurato.</translation>
     </message>
     <message>
-        <source>Nothing of it can be kept yet.</source>
+        <source>Nothing can be kept yet.</source>
         <translation>Non si può ancora conservarne nulla.</translation>
     </message>
     <message>
@@ -2865,7 +2865,7 @@ deformazione %2</translation>
         <translation>Annulla</translation>
     </message>
     <message>
-        <source>If you stop it, nothing of it is kept.</source>
+        <source>If you stop it, nothing is kept.</source>
         <translation>Fermandolo non ne resta nulla.</translation>
     </message>
     <message>
@@ -2913,7 +2913,7 @@ deformazione %2</translation>
         <translation>È ancora in corso il salvataggio di un file.</translation>
     </message>
     <message>
-        <source>TAn will quit when it is done.</source>
+        <source>TAn will quit when this is done.</source>
         <translation>TAn si chiuderà al termine.</translation>
     </message>
     <message>
@@ -2933,7 +2933,7 @@ deformazione %2</translation>
         <translation>Fatto il %1 %.</translation>
     </message>
     <message>
-        <source>TAn will continue when it is done.</source>
+        <source>TAn will continue when this is done.</source>
         <translation>TAn continuerà al termine.</translation>
     </message>
     <message>
@@ -2957,7 +2957,7 @@ deformazione %2</translation>
         <translation>Fermare la costruzione di %1 e conservare ciò che è pronto?</translation>
     </message>
     <message>
-        <source>If you stop now, you can keep what is finished as a model of its own, named after its error. The finished model %1 stays as it is.</source>
+        <source>If you stop now, you can keep what is finished as a separate model, named after its error. The finished model %1 is not changed.</source>
         <translation>Se si ferma ora, ciò che è pronto si può conservare come modello a sé, con il suo errore nel nome. Il modello finito %1 resta com&apos;è.</translation>
     </message>
 </context>
@@ -2980,7 +2980,7 @@ deformazione %2</translation>
         <translation>Cerchio</translation>
     </message>
     <message>
-        <source>A round lens, with its own error (L). Drag it; the wheel over it changes the magnification.</source>
+        <source>A round lens with its own error (L). Drag it; turn the wheel over it to change the magnification.</source>
         <translation>Una lente rotonda con un proprio errore (L). Trascinarla per spostarla; la rotella su di essa cambia l&apos;ingrandimento.</translation>
     </message>
     <message>
@@ -2996,7 +2996,7 @@ deformazione %2</translation>
         <translation>Ingrandimento</translation>
     </message>
     <message>
-        <source>How much larger the lens shows what lies under its middle</source>
+        <source>How much larger the lens shows what is under its centre</source>
         <translation>Quante volte più grande la lente mostra ciò che si trova sotto il suo centro</translation>
     </message>
     <message>
@@ -3050,7 +3050,7 @@ deformazione %2</translation>
         <translation>&amp;Ripristina</translation>
     </message>
     <message>
-        <source>Open the model with its view restored. The saved view is kept until that has worked.</source>
+        <source>Open the model with its view restored. The saved view is kept until that has succeeded.</source>
         <translation>Apre il modello con la vista ripristinata. La vista salvata resta finché l&apos;operazione non riesce.</translation>
     </message>
     <message>
@@ -3077,7 +3077,7 @@ deformazione %2</translation>
         <translation>Immagine</translation>
     </message>
     <message>
-        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of the files dropped, %1 was opened.</source>
         <translation>Si può aprire un solo file per volta; di quelli trascinati si è aperto %1.</translation>
     </message>
     <message>
@@ -3129,7 +3129,7 @@ deformazione %2</translation>
         <translation>Reimposta la vista</translation>
     </message>
     <message>
-        <source>The model %1 is built.</source>
+        <source>The model %1 has been built.</source>
         <translation>Il modello %1 è costruito.</translation>
     </message>
     <message>
@@ -3149,7 +3149,7 @@ deformazione %2</translation>
         <translation>Creazione dell&apos;esempio</translation>
     </message>
     <message>
-        <source>%1 is not built yet. The picture still shows %2.</source>
+        <source>%1 has not been built yet. The picture still shows %2.</source>
         <translation>%1 non è ancora costruito. L&apos;immagine mostra ancora %2.</translation>
     </message>
     <message>
@@ -3169,11 +3169,11 @@ deformazione %2</translation>
         <translation>Lettura</translation>
     </message>
     <message>
-        <source>Showing %L1 of %L2 vertices, more is coming</source>
+        <source>Showing %L1 of %L2 vertices, more are on the way</source>
         <translation>Mostra %L1 di %L2 vertici, altri stanno arrivando</translation>
     </message>
     <message>
-        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.</source>
+        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were downloaded.</source>
         <translation>%1 è mostrato con %L2 dei suoi %L3 vertici: %4 di %5 sono stati scaricati.</translation>
     </message>
     <message>
@@ -3201,15 +3201,15 @@ deformazione %2</translation>
         <translation>Applica aspetto da un file</translation>
     </message>
     <message>
-        <source>Sessions and pictures with their sessions (*.tansession *.png)</source>
+        <source>Sessions, and pictures saved by TAn (*.tansession *.png)</source>
         <translation>Sessioni e immagini con le loro sessioni (*.tansession *.png)</translation>
     </message>
     <message>
-        <source>What was finished is kept as %1. The model %2 is as it was.</source>
+        <source>What was finished has been kept as %1. The model %2 is unchanged.</source>
         <translation>Ciò che era pronto è conservato come %1. Il modello %2 è com&apos;era.</translation>
     </message>
     <message>
-        <source>%1 % shown, more is coming</source>
+        <source>%1 % shown, more is on the way</source>
         <translation>%1 % mostrato, altro sta arrivando</translation>
     </message>
     <message>
@@ -11932,7 +11932,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Modelli (*.tan)</translation>
     </message>
     <message>
-        <source>All that can be opened (%1)</source>
+        <source>All supported files (%1)</source>
         <translation>Tutto ciò che si può aprire (%1)</translation>
     </message>
     <message>
@@ -11944,11 +11944,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Sessioni (*.tansession)</translation>
     </message>
     <message>
-        <source>Pictures with their sessions (*.png)</source>
+        <source>Pictures saved by TAn (*.png)</source>
         <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
     <message>
-        <source>Datasets packed by gzip (*.gz)</source>
+        <source>Datasets compressed with gzip (*.gz)</source>
         <translation>Dati compressi con gzip (*.gz)</translation>
     </message>
 </context>
@@ -11991,7 +11991,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Dragging turns the model freely, in any direction, instead of around the up axis</source>
+        <source>Dragging turns the model freely in any direction, instead of around the up axis</source>
         <translation>Trascinando, il modello ruota liberamente in ogni direzione anziché intorno all&apos;asse verticale</translation>
     </message>
     <message>
@@ -12025,7 +12025,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Scegli</translation>
     </message>
     <message>
-        <source>Pick the value at the pointer, or in the middle of the picture</source>
+        <source>Pick the value at the pointer, or in the centre of the picture</source>
         <translation>Sceglie il valore sotto il puntatore, o al centro dell&apos;immagine</translation>
     </message>
     <message>
@@ -12057,7 +12057,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Aprire prima un modello</translation>
     </message>
     <message>
-        <source>Click a place in the picture first, or pick one</source>
+        <source>Click or pick a place in the picture first</source>
         <translation>Fare prima clic su un punto dell&apos;immagine o sceglierne uno</translation>
     </message>
 </context>
@@ -12072,7 +12072,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salva immagine</translation>
     </message>
     <message>
-        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it offers its view</source>
         <translation>Programma, modello, accuratezza, camera, funzione di trasferimento e isovalori, così che l&apos;immagine si possa rifare: aprendola viene offerta la sua vista</translation>
     </message>
     <message>
@@ -12088,7 +12088,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Chiudi</translation>
     </message>
     <message>
-        <source>Put it on the clipboard</source>
+        <source>Copy it to the clipboard</source>
         <translation>La mette negli appunti</translation>
     </message>
 </context>
@@ -12155,7 +12155,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>A scelta</translation>
     </message>
     <message>
-        <source>Annotations and lines take as much of the picture as they do of the view</source>
+        <source>Annotations and lines take up the same share of the picture as of the view</source>
         <translation>Annotazioni e linee occupano nell&apos;immagine quanto nella vista</translation>
     </message>
     <message>
@@ -12191,7 +12191,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Mantieni le proporzioni</translation>
     </message>
     <message>
-        <source>Width and height follow each other, so that nothing is added or cut off</source>
+        <source>Width and height change together, so that nothing is added or cut off</source>
         <translation>Larghezza e altezza si seguono, così che nulla venga aggiunto o tagliato</translation>
     </message>
 </context>
@@ -12222,7 +12222,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il plugin %1 non può essere usato. %2</translation>
     </message>
     <message>
-        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space turns a plugin on or off.</source>
         <translation>Che cosa si è trovato, e perché qualcosa non si usa. La barra spaziatrice attiva o disattiva un plugin.</translation>
     </message>
     <message>
@@ -12265,7 +12265,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Opacità</translation>
     </message>
     <message>
-        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <source>Opacity of the selected points: percentage of light absorbed per unit distance</source>
         <translation>Opacità dei punti selezionati: percentuale di luce assorbita per distanza unitaria</translation>
     </message>
     <message>
@@ -12281,7 +12281,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Distanza unitaria</translation>
     </message>
     <message>
-        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <source>The thickness of a layer to which the opacities apply, in data units: a smaller one makes everything denser</source>
         <translation>Lo spessore, nelle unità dei dati, che uno strato deve avere perché valgano le opacità: meno rende tutto più denso</translation>
     </message>
     <message>
@@ -12327,7 +12327,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Gruppo</translation>
     </message>
     <message>
-        <source>In the units of the data</source>
+        <source>In data units</source>
         <translation>Nelle unità dei dati</translation>
     </message>
     <message>
@@ -12378,7 +12378,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Solo le opacità</translation>
     </message>
     <message>
-        <source>Presets</source>
+        <source>Keep the current transfer function for this and other models</source>
         <translation>Preimpostazioni</translation>
     </message>
     <message>
@@ -12386,11 +12386,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Conserva la funzione di trasferimento com&apos;è ora, per questo e per altri modelli</translation>
     </message>
     <message>
-        <source>Delete the chosen preset, if it is one of your own</source>
+        <source>Delete the selected preset, if it is one of your own</source>
         <translation>Elimina la preimpostazione scelta, se è propria</translation>
     </message>
     <message>
-        <source>One of your own</source>
+        <source>Your own preset</source>
         <translation>Propria</translation>
     </message>
     <message>
@@ -12429,7 +12429,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Sposta il focus al punto mirato dalla camera</translation>
     </message>
     <message>
-        <source>&amp;Window</source>
+        <source>Crop Bo&amp;x</source>
         <translation>&amp;Finestra</translation>
     </message>
     <message>
@@ -12437,7 +12437,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra solo la parte del dominio in un parallelepipedo</translation>
     </message>
     <message>
-        <source>Switch on a focus first</source>
+        <source>Turn on a focus first</source>
         <translation>Attivare prima un focus</translation>
     </message>
     <message>
@@ -12456,7 +12456,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
 <context>
     <name>tetra::RegionPanel</name>
     <message>
-        <source>Only a &amp;window</source>
+        <source>&amp;Only a crop box</source>
         <translation>Solo una fin&amp;estra</translation>
     </message>
     <message>
@@ -12464,7 +12464,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra solo la parte del dominio in un parallelepipedo (W)</translation>
     </message>
     <message>
-        <source>Bounds of the window, in data coordinates</source>
+        <source>Corners of the crop box, in data coordinates</source>
         <translation>Limiti della finestra, nelle coordinate dei dati</translation>
     </message>
     <message>
@@ -12492,11 +12492,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Bordo</translation>
     </message>
     <message>
-        <source>Make the window as large as the domain</source>
+        <source>Make the crop box as large as the domain</source>
         <translation>Rende la finestra grande quanto il dominio</translation>
     </message>
     <message>
-        <source>In the units of the data: %1 to %2</source>
+        <source>In data units: %1 to %2</source>
         <translation>Nelle unità dei dati: da %1 a %2</translation>
     </message>
     <message>
@@ -12528,11 +12528,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ma&amp;ssimo</translation>
     </message>
     <message>
-        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <source>Show only tetrahedra that can contain a value in a range. Isosurfaces of other values disappear, or are shown only in part.</source>
         <translation>Mostra solo i tetraedri che possono contenere un valore di un intervallo. Isosuperfici di altri valori non si vedono, o solo in parte.</translation>
     </message>
     <message>
-        <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
+        <source>How tetrahedra at the border of the crop box are treated: cut exactly there, or kept or left out whole</source>
         <translation>Come finisce la finestra: i tetraedri al suo bordo si tagliano esattamente lì, o si tengono o tralasciano interi</translation>
     </message>
     <message>
@@ -12540,11 +12540,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Tutti i tetraedri in un intervallo di &amp;errori</translation>
     </message>
     <message>
-        <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
+        <source>Overlay the tetrahedra of every mesh between two errors, as surfaces. The crop box does not cut them.</source>
         <translation>Al posto di una mesh mostra i tetraedri di tutte le mesh tra due errori, sovrapposti, come superfici. Una finestra li lascia interi.</translation>
     </message>
     <message>
-        <source>in percent of the value range; 100 is no limit</source>
+        <source>in percent of the value range; 100 means no limit</source>
         <translation>in percento dell&apos;intervallo dei valori; 100 non pone limiti</translation>
     </message>
     <message>
@@ -12572,47 +12572,47 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La mesh di questo errore è la più grossolana dell&apos;intervallo, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Bor&amp;n above</source>
+        <source>&amp;Appear above</source>
         <translation>&amp;Nati sopra</translation>
     </message>
     <message>
-        <source>Born above</source>
+        <source>Appear above</source>
         <translation>Nati sopra</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
+        <source>Only tetrahedra that first appear above this error, in percent of the value range</source>
         <translation>Solo i tetraedri presenti nelle mesh a partire da un errore maggiore di questo, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Born &amp;up to</source>
+        <source>Appear &amp;up to</source>
         <translation>Nati fino &amp;a</translation>
     </message>
     <message>
-        <source>Born up to</source>
+        <source>Appear up to</source>
         <translation>Nati fino a</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in no mesh of a larger error than this, %1</source>
+        <source>Only tetrahedra that first appear at or below this error, %1</source>
         <translation>Solo i tetraedri che non sono in mesh di errore maggiore di questo, %1</translation>
     </message>
     <message>
-        <source>Replace&amp;d from</source>
+        <source>&amp;Disappear from</source>
         <translation>Sostituiti &amp;da</translation>
     </message>
     <message>
-        <source>Replaced from</source>
+        <source>Disappear from</source>
         <translation>Sostituiti da</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
+        <source>Only tetrahedra that are replaced at this error or a larger one, in percent of the value range</source>
         <translation>Solo i tetraedri sostituiti a questo errore o prima, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Re&amp;placed up to</source>
+        <source>Disap&amp;pear up to</source>
         <translation>Sostituiti &amp;fino a</translation>
     </message>
     <message>
-        <source>Replaced up to</source>
+        <source>Disappear up to</source>
         <translation>Sostituiti fino a</translation>
     </message>
     <message>
@@ -12635,7 +12635,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation> fotogrammi/s</translation>
     </message>
     <message>
-        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the picture at rest is always complete.</source>
+        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the still picture is always complete.</source>
         <translation>La frequenza da mantenere mentre qualcosa si muove. Se il computer è troppo lento, i fotogrammi sono più piccoli e con meno tetraedri; l&apos;immagine ferma è sempre completa.</translation>
     </message>
     <message>
@@ -12655,7 +12655,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Che cosa disegnare durante il movimento</translation>
     </message>
     <message>
-        <source>What to draw while something moves. The picture at rest is always complete.</source>
+        <source>What to draw while something moves. The still picture is always complete.</source>
         <translation>Che cosa disegnare mentre qualcosa si muove. L&apos;immagine ferma è sempre completa.</translation>
     </message>
     <message>
@@ -12699,7 +12699,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Tempo fino all&apos;immagine completa</translation>
     </message>
     <message>
-        <source>When nothing has moved for this long, in milliseconds, the full picture is drawn.</source>
+        <source>The full picture is drawn when nothing has moved for this long, in milliseconds.</source>
         <translation>Quando nulla si è mosso per questo tempo, in millisecondi, si disegna l&apos;immagine completa.</translation>
     </message>
     <message>
@@ -12730,7 +12730,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Scala</translation>
     </message>
     <message>
-        <source>Linear takes the values as they are. Logarithmic takes their logarithms to base 10, for values over many powers of ten: errors are factors then, the same at large and at small values</source>
+        <source>Linear uses the values as they are. Logarithmic uses their logarithms to base 10, for values spanning many powers of ten: errors are then factors, the same for large and small values</source>
         <translation>Lineare prende i valori come sono. Logaritmica prende i loro logaritmi in base 10, per valori che coprono molte potenze di dieci: gli errori sono allora fattori, gli stessi per valori grandi e piccoli</translation>
     </message>
     <message>
@@ -12750,14 +12750,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>tutti i valori sono positivi</translation>
     </message>
     <message>
-        <source>What smaller values are taken as, zero and negative ones too: they have no logarithm. Empty: all values have to be positive</source>
+        <source>Values smaller than this are replaced by it, including zero and negative ones, which have no logarithm. Leave empty if all values are positive</source>
         <translation>Il valore che prende il posto di quelli minori, anche zero e negativi: questi non hanno logaritmo. Vuoto: tutti i valori devono essere positivi</translation>
     </message>
 </context>
 <context>
     <name>tetra::SceneService</name>
     <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <source>No renderer plugin could be loaded, so models cannot be shown. %1</source>
         <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
     </message>
 </context>
@@ -12768,11 +12768,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Non è stato possibile mantenere tutta la sessione.</translation>
     </message>
     <message>
-        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <source>The session %1 is not changed; saving will ask for another file name.</source>
         <translation>La sessione %1 resta com&apos;è; al salvataggio verrà chiesto un altro nome di file.</translation>
     </message>
     <message>
-        <source>It is shown as the session says.</source>
+        <source>The view saved in the session is applied.</source>
         <translation>Lo si mostra come dice la sessione.</translation>
     </message>
     <message>
@@ -12841,7 +12841,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salva solidi</translation>
     </message>
     <message>
-        <source>The isosurfaces shown are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as a 3D printer needs it.</source>
+        <source>The displayed isosurfaces are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as 3D printing requires.</source>
         <translation>Le isosuperfici mostrate vengono chiuse dove incontrano il contorno della mesh, in modo che ciascuna sia la superficie di un solido, come serve a una stampante 3D.</translation>
     </message>
     <message>
@@ -12861,11 +12861,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Dove si trova il solido: da quale lato dell&apos;isosuperficie</translation>
     </message>
     <message>
-        <source>Save of each surface only the part with the largest area</source>
+        <source>Save only the part of each surface with the largest area</source>
         <translation>Salva di ogni superficie solo la parte con l&apos;area maggiore</translation>
     </message>
     <message>
-        <source>Also measure how far the surfaces are from those of the finest mesh; that takes as long as to show the model at error 0</source>
+        <source>Also measure how far the surfaces are from those of the finest mesh; this takes as long as showing the model at error 0</source>
         <translation>Misura anche quanto le superfici distano da quelle della mesh più fine; richiede quanto mostrare il modello con errore 0</translation>
     </message>
     <message>
@@ -12900,7 +12900,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra le celle &amp;difettose</translation>
     </message>
     <message>
-        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and those of a grid that are folded or have no volume</source>
+        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and the cells of a grid that are folded or have no volume</source>
         <translation>Contorna, sopra l&apos;immagine, le celle tralasciate perché hanno un difetto e quelle di una griglia che sono ripiegate o senza volume</translation>
     </message>
     <message>
@@ -12908,7 +12908,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Questo modello non elenca celle difettose: i suoi dati non ne hanno, oppure l&apos;ha costruito una versione precedente di TAn</translation>
     </message>
     <message>
-        <source>What the mesh of each error costs: its error in percent of the range of values and in their units or as a factor, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <source>What the mesh of each error costs: its error in percent of the value range and in units of the values or as a factor, its size, the time to extract it, measured on this computer, and the memory that it occupies. Choose a row to see that mesh.</source>
         <translation>Quanto costa la mesh di ogni errore: l&apos;errore in percento dell&apos;intervallo dei valori e nelle loro unità o come fattore, la dimensione, il tempo per estrarla, come misurato qui, e la memoria che occupa. Scegliere una riga per vedere quella mesh.</translation>
     </message>
 </context>
@@ -12979,11 +12979,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Valore scelto e la sua posizione, nelle unità dei dati. Un clic altrove ne sceglie un altro, Esc toglie il segno.</translation>
     </message>
     <message>
-        <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
+        <source>Time to draw the last picture; during movement, the frame rate, and the reduced size and number of tetrahedra</source>
         <translation>Tempo per disegnare l&apos;ultima immagine; in movimento la frequenza dei fotogrammi, la dimensione ridotta e il numero ridotto di tetraedri</translation>
     </message>
     <message>
-        <source>The server finds the mesh, or the picture is being drawn</source>
+        <source>The server is extracting the mesh, or the picture is being drawn</source>
         <translation>Il server trova la mesh, o l&apos;immagine viene disegnata</translation>
     </message>
     <message>
@@ -13052,15 +13052,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Lo&amp;garitmico</translation>
     </message>
     <message>
-        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <source>Give the point two sides: one colour and opacity for the values below it, another for those above</source>
         <translation>Dà al punto due lati: ciò che sta sotto il suo valore finisce lì, e ciò che sta sopra vi comincia</translation>
     </message>
     <message>
-        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are visible</source>
         <translation>Mostra in scala logaritmica quanto spesso si presentano i valori, così che si vedano quelli rari</translation>
     </message>
     <message>
-        <source>Presets</source>
+        <source>Keep the current transfer function for this and other models</source>
         <translation>Preset</translation>
     </message>
     <message>
@@ -13076,7 +13076,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Carica…</translation>
     </message>
     <message>
-        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: TAn&apos;s own, or ParaView presets (JSON or XML)</source>
         <translation>Prende una funzione di trasferimento da un file: una di TAn o preimpostazioni di ParaView (JSON o XML)</translation>
     </message>
     <message>
@@ -13104,7 +13104,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salva…</translation>
     </message>
     <message>
-        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <source>Save the transfer function as a JSON file, which “tan render” also accepts</source>
         <translation>Salva la funzione di trasferimento come file JSON, accettato anche da «tan render»</translation>
     </message>
     <message>
@@ -13148,11 +13148,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra &amp;tutto</translation>
     </message>
     <message>
-        <source>Value, opacity, colour and how often it occurs, at the pointer</source>
+        <source>Value, opacity, colour and frequency of occurrence, at the pointer</source>
         <translation>Valore, opacità, colore e frequenza, al puntatore</translation>
     </message>
     <message>
-        <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
+        <source>Add a point after the selected one; or click the curve, or double-click the plot</source>
         <translation>Aggiunge un punto dopo quello selezionato; oppure fare clic sulla curva, o doppio clic nel grafico</translation>
     </message>
     <message>
@@ -13212,12 +13212,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Logaritmico: per &amp;fattori</translation>
     </message>
     <message>
-        <source>Which of the rendering mode&apos;s transfer functions is edited</source>
-        <translation>Quale delle funzioni di trasferimento della modalità di resa si modifica</translation>
-    </message>
-    <message>
         <source>Transfer function to edit</source>
-        <translation>Funzione di trasferimento da modificare</translation>
+        <translation>Quale delle funzioni di trasferimento della modalità di resa si modifica</translation>
     </message>
     <message>
         <source>Fun&amp;ction</source>
@@ -13342,7 +13338,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Carica la camera da un file JSON</translation>
     </message>
     <message>
-        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <source>Save the camera as a JSON file, which “tan render --camera” also accepts</source>
         <translation>Salva la camera come file JSON, accettato anche da «tan render --camera»</translation>
     </message>
     <message>
@@ -13394,7 +13390,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Direzione intorno all&apos;asse verticale, in gradi</translation>
     </message>
     <message>
-        <source>Height above the plane across the up axis, in degrees</source>
+        <source>Height above the plane perpendicular to the up axis, in degrees</source>
         <translation>Altezza sul piano perpendicolare all&apos;asse verticale, in gradi</translation>
     </message>
     <message>
@@ -13442,14 +13438,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Trascina</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain (Home)</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain (Home)</source>
         <translation>Inquadra ciò che si mostra, o il focus; ancora una volta: l&apos;intero dominio (Home)</translation>
     </message>
 </context>
 <context>
     <name>tetra::Viewport</name>
     <message>
-        <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
+        <source>OpenGL cannot be used; the CPU draws the picture instead. %1</source>
         <translation>OpenGL non si può usare, l&apos;immagine è disegnata dal processore. %1</translation>
     </message>
 </context>

@@ -277,7 +277,7 @@ void ServedModelTest::aTokenIsAskedForAndNotKept()
     QTRY_VERIFY(field.isVisible());
     QCOMPARE(field.echoMode(), QLineEdit::Password);
     field.setText("0123456789abcdef-tokex");
-    QTRY_VERIFY2(offer().contains("not the token"), qPrintable(offer()));
+    QTRY_VERIFY2(offer().contains("Wrong token"), qPrintable(offer()));
     field.setText(token);
     QTRY_VERIFY2(offer().contains("vertices"), qPrintable(offer()));
     window_->find<QRadioButton>("addressDialog.leave").click();

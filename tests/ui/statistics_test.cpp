@@ -119,7 +119,7 @@ void StatisticsTest::whichErrorIsSaid()
         if (!tetra::buildModel(*grid, path, Refinement{.inSpace = inSpace}))
             return QString("no model");
         const auto facts = modelFacts(*Model::open(path).value());
-        const auto taken = std::ranges::find(facts, QString("Taken of the file"), &StatisticsFact::name);
+        const auto taken = std::ranges::find(facts, QString("Used from the file"), &StatisticsFact::name);
         if (taken == facts.end() || taken->value != "Time step: 2 of 5 (a guess)")
             return QString("taken of nothing");
         const auto fact = std::ranges::find(facts, QString("Error"), &StatisticsFact::name);

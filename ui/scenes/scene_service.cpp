@@ -45,7 +45,7 @@ bool SceneService::prepare(const FieldExtent& field)
 {
     auto modes = renderingModes(host_);
     if (modes.empty()) {
-        emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
+        emit failed(tr("No renderer plugin could be loaded, so models cannot be shown. %1")
                         .arg(translatedMessage(host_.explainMissing(PluginKind::Renderer))));
         return false;
     }

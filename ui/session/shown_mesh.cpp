@@ -106,7 +106,7 @@ QString piecesText(const ShownMesh& mesh)
 {
     if (mesh.tetrahedra == mesh.keptTetrahedra)
         return {};
-    return MeshText::tr("%1 tetrahedra in %2 pieces, as the window cuts them")
+    return MeshText::tr("%1 tetrahedra in %2 pieces, cut by the crop box")
         .arg(countText(mesh.keptTetrahedra), countText(mesh.tetrahedra));
 }
 
@@ -114,7 +114,7 @@ QString meshText(const ShownMesh& mesh, const Model& model)
 {
     const QString errors = errorText(mesh);
     if (mesh.query.range)
-        return MeshText::tr("Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.")
+        return MeshText::tr("Shown: tetrahedra of the meshes of %1. %2 of %3 are selected.")
             .arg(errors, countText(mesh.keptTetrahedra), countText(mesh.wholeTetrahedra));
     const double warping = mesh.query.warping.bounds().maximum;
     const bool warps = model.description().warpingWeight > 0;
@@ -122,7 +122,7 @@ QString meshText(const ShownMesh& mesh, const Model& model)
         !warps                                   ? MeshText::tr("Shown: %1.").arg(errors)
         : mesh.query.warping == mesh.query.error ? MeshText::tr("Shown: %1, and the same warping.").arg(errors)
         : warping < anyWarping ? MeshText::tr("Shown: %1, warping %2.").arg(errors, keptText(warping, mesh.scale))
-                               : MeshText::tr("Shown: %1, whatever the warping.").arg(errors)};
+                               : MeshText::tr("Shown: %1, with any warping.").arg(errors)};
     sentences << limitText(mesh) << partText(mesh);
     sentences.removeAll(QString());
     return sentences.join(' ');

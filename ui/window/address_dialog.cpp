@@ -33,7 +33,7 @@ QLineEdit* makeTokenField(const QString& name)
     auto* token = new QLineEdit;
     token->setObjectName(name);
     token->setEchoMode(QLineEdit::Password);
-    token->setToolTip(AddressDialog::tr("What whoever runs the server has set; it is kept until the program ends"));
+    token->setToolTip(AddressDialog::tr("Access token issued by the server's operator; forgotten when TAn quits"));
     return token;
 }
 
@@ -77,7 +77,7 @@ AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* pare
     address_->setObjectName(name + ".address");
     address_->setMinimumWidth(address_->fontMetrics().averageCharWidth() * letters);
     address_->setPlaceholderText("https://example.org/model.tan");
-    address_->setToolTip(tr("Where the model lies, packed or not: http:// or https://"));
+    address_->setToolTip(tr("Address of the model, packed or not: http:// or https://"));
     label->setBuddy(address_);
     tokenLabel_->setBuddy(token_);
     tokenLabel_->hide();
@@ -97,11 +97,10 @@ AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* pare
     layout->addWidget(token_);
     layout->addSpacing(gap);
     layout->addWidget(fetch_);
-    layout->addWidget(
-        makeExplanation(tr("It comes to this computer as far as it is needed, and is quick from then on."), *fetch_));
+    layout->addWidget(makeExplanation(tr("Downloads only what is needed; cached afterwards."), *fetch_));
     layout->addWidget(leave_);
-    layout->addWidget(makeExplanation(tr("The server finds each mesh and sends only that: for models that are too "
-                                         "large for this computer. Every change waits for the network."),
+    layout->addWidget(makeExplanation(tr("The server extracts each mesh and sends only that: for models too large for "
+                                         "this computer. Every change waits for the network."),
                                       *leave_));
     layout->addSpacing(gap);
     layout->addWidget(offer_);
@@ -149,7 +148,7 @@ void AddressDialog::askSoon()
     hasChosen_ = false;
     const bool isLeft = isLeftAtServer(place);
     leave_->setEnabled(isLeft);
-    leave_->setToolTip(tr("Where the server is one of TAn: 'tan serve'"));
+    leave_->setToolTip(tr("Requires a TAn server: 'tan serve'"));
     (isLeft ? leave_ : fetch_)->setChecked(true);
     if (isAddress(place) && QUrl(address()).path().endsWith(".tan"))
         soon_.start();
@@ -194,8 +193,7 @@ void AddressDialog::showOffer(const Result<ServerOffer>& offer)
         return say(translatedMessage(offer.error().message));
     if (offer->wantsToken) {
         showTokenField(true);
-        say(token().isEmpty() ? tr("This server answers only those who have its token.")
-                              : tr("This is not the token of the server."));
+        say(token().isEmpty() ? tr("This server requires a token.") : tr("Wrong token."));
         return;
     }
     leave_->setEnabled(offer->findsMeshes);
@@ -224,8 +222,8 @@ void askForToken(QWidget* parent, const QString& name, const QString& place,
     dialog->setObjectName(name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(AddressDialog::tr("Token"));
-    auto* label = new QLabel(AddressDialog::tr("The server of %1 answers only those who have its &token:")
-                                 .arg(shownPlace(filePath(place)).replace('&', "&&")));
+    auto* label = new QLabel(
+        AddressDialog::tr("The server of %1 requires its &token:").arg(shownPlace(filePath(place)).replace('&', "&&")));
     label->setWordWrap(true);
     QLineEdit* token = makeTokenField(name + ".token");
     label->setBuddy(token);

@@ -192,7 +192,7 @@ bool Exporting::saving() const noexcept
 bool Exporting::tellModel()
 {
     if (!session_.model())
-        emit saveFailed(tr("Nothing was saved: the model was closed meanwhile."));
+        emit saveFailed(tr("Nothing was saved: the model was closed in the meantime."));
     return session_.model() != nullptr;
 }
 

@@ -44,13 +44,13 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     part_->setToolTip(part_->accessibleName());
     part_->addItems({tr("Colours and opacities"), tr("Colours alone"), tr("Opacities alone")});
     list_->setObjectName("transfer.presetPopup.list");
-    list_->setAccessibleName(tr("Presets"));
+    list_->setAccessibleName(tr("Keep the current transfer function for this and other models"));
     list_->setIconSize(previewSize);
     list_->setUniformItemSizes(true);
     save_->setObjectName("transfer.presetPopup.save");
     save_->setToolTip(tr("Keep the transfer function as it is now, for this and for other models"));
     delete_->setObjectName("transfer.presetPopup.delete");
-    delete_->setToolTip(tr("Delete the chosen preset, if it is one of your own"));
+    delete_->setToolTip(tr("Delete the selected preset, if it is one of your own"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(save_);
     buttons->addStretch();
@@ -121,7 +121,7 @@ void PresetPopup::fill()
     for (const Preset& preset : presets_) {
         auto* item = new QListWidgetItem(presetIcon(preset, previewSize), preset.name, list_);
         item->setData(Qt::UserRole, preset.id);
-        item->setToolTip(preset.isOwn ? tr("One of your own") : preset.source);
+        item->setToolTip(preset.isOwn ? tr("Your own preset") : preset.source);
     }
     const int widest = list_->sizeHintForColumn(0) + list_->verticalScrollBar()->sizeHint().width();
     list_->setMinimumWidth(std::min(widest, widestList));
