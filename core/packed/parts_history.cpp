@@ -1691,9 +1691,10 @@ Result<std::vector<std::byte>> HistoryEncoder::encode(std::uint32_t end)
     const HistoryTruth truth{&model_, deathOffsets_, deaths_};
     GroupCoder<RangeEncoder> groups(*state_, coder, truth, cost_);
     if (!groups.run(end))
-        return Error{ErrorKind::BadInput,
-                     Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' tells more.",
-                                  model_.path().string())};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' gives details.",
+                         model_.path().string())};
     return coder.finish();
 }
 

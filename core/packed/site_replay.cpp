@@ -46,7 +46,7 @@ private:
     {
         if (arrays_.points.size() + batch.points.size() > facts_.siteCount ||
             arrays_.otherSites.size() + batch.tetrahedra.size() > facts_.tetrahedronCount)
-            return Error{ErrorKind::BadInput, Message::say("The sites make more than they should.")};
+            return Error{ErrorKind::BadInput, Message::say("The sites yield more than they should.")};
         growth_.assign(batch.points.size(), 0);
         for (const Batch::Destruction& destruction : batch.destructions) {
             arrays_.destroyers[destruction.tetrahedron] = destruction.destroyer;

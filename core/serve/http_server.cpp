@@ -369,7 +369,7 @@ Status HttpServer::Server::look(std::span<MHD_Daemon* const> daemons)
     pollfd place{.fd = listening_.number(), .events = POLLIN, .revents = 0};
     const int ready = ::poll(&place, 1, static_cast<int>(lookUpEvery.count()));
     if (ready < 0 && errno != EINTR)
-        return Error{ErrorKind::OutOfResource, Message::say("The system takes no more connections: %1. %2",
+        return Error{ErrorKind::OutOfResource, Message::say("The system accepts no more connections: %1. %2",
                                                             systemErrorText(errno), resourceRemedy)};
     if (ready > 0)
         acceptAll(daemons);

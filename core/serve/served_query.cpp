@@ -66,9 +66,8 @@ Status addRange(const LifeRange& range, bool warps, Writer& words)
     words.add("range", {range.one.error, range.other.error});
     const bool asError = range.one.warping == range.one.error && range.other.warping == range.other.error;
     if (warps && !asError && range.one.warping != range.other.warping)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("A server cannot be asked for a range of accuracies whose two ends have warpings of "
-                                  "their own. Give both the same.")};
+        return Error{ErrorKind::WrongUsage, Message::say("A server cannot extract a range of accuracies whose two ends "
+                                                         "have different warpings. Give both the same.")};
     if (warps && !asError)
         words.add("warping", {std::min(range.one.warping, anyWarping)});
     for (const auto& [name, lives] : {std::pair{"births", range.births}, std::pair{"deaths", range.deaths}})
@@ -467,9 +466,8 @@ Result<QueryWords> QueryWords::of(const MeshQuery& query, bool warps)
     QueryWords written(words.take());
     if (const std::size_t size = written.toUrl().size(); size > longestQuestion)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("What says where which error is allowed is too long for a question to a server: %1 "
-                                  "of at most %2 characters. Use fewer regions, isovalues or points of the transfer "
-                                  "function.",
+                     Message::say("The error field is too long for a server request: %1 of at most %2 characters. Use "
+                                  "fewer regions, isovalues or points of the transfer function.",
                                   size, longestQuestion)};
     return written;
 }

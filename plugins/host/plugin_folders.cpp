@@ -90,8 +90,8 @@ Message whyOthersMayWrite(const std::filesystem::path& place)
                             "folder of your own.",
                             place.string());
     if ((status.st_mode & S_IWOTH) != 0)
-        return Message::say("Every user of this machine can write to '%1', and could put any program there. "
-                            "Remove that right (chmod o-w), and see what is in it.",
+        return Message::say("Every user of this machine can write to '%1', and could put any program there. Remove "
+                            "that permission (chmod o-w), and check its content.",
                             place.string());
     return {};
 }

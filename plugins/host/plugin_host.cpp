@@ -291,7 +291,7 @@ Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::stri
     const auto ids = usableIds(kind);
     return Error{ErrorKind::WrongUsage, Message::say("There is no %1 \"%2\". %3", kindName, id,
                                                      ids.empty() ? Message::say("None is installed.")
-                                                                 : Message::say("There is: %1.", joined(ids)))};
+                                                                 : Message::say("Available: %1.", joined(ids)))};
 }
 
 Status PluginHost::loadRequired(const Entry& entry)
@@ -354,9 +354,9 @@ Status PluginHost::open(Entry& entry)
     } catch (const std::exception& problem) {
         if (const auto lack = lackOfResources(problem))
             return *lack;
-        return bad(Message::say("It failed when it was started: %1. Install it again.", problem.what()));
+        return bad(Message::say("It failed to start: %1. Install it again.", problem.what()));
     } catch (...) {
-        return bad(Message::say("It failed without saying why when it was started. Install it again."));
+        return bad(Message::say("It failed to start, without giving a reason. Install it again."));
     }
     if (object == nullptr)
         return bad(

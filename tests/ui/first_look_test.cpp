@@ -222,7 +222,7 @@ void FirstLookTest::whatMayBeErrorAloneIsTold()
     isovalue.value = 20;
     session().setIsovalue(0, isovalue);
     QTRY_VERIFY(remarks.isVisible());
-    QVERIFY2(remarks.toolTip().contains("The isovalue 20 is within the error that is shown, 40,"),
+    QVERIFY2(remarks.toolTip().contains("The isovalue 20 is within the displayed error, 40,"),
              qPrintable(remarks.toolTip()));
     session().setError(0.1);
     QTRY_VERIFY(!remarks.isVisible());

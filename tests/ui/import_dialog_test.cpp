@@ -319,7 +319,7 @@ void ImportDialogTest::whatIsRefusedIsAskedAgain()
     QTRY_VERIFY(window_->find<QLabel>("import.region.count").text().contains("8 × 8 × 8"));
     choose("import.option.array", "energy"); // the same everywhere
     click("import.read");
-    QTRY_VERIFY(window_->find<QLabel>("import.reason").text().contains("one value everywhere"));
+    QTRY_VERIFY(window_->find<QLabel>("import.reason").text().contains("the same value everywhere"));
     QVERIFY(dialog()->isVisible());
     QCOMPARE(window_->find<QComboBox>("import.option.array").currentText(), QString("energy"));
     choose("import.option.array", "density");

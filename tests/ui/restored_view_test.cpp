@@ -172,7 +172,7 @@ void RestoredViewTest::whatAnotherModelCannotHaveIsNamed()
     QVERIFY(view.background == (Colour{0, 0.5F, 0}));
     QCOMPARE(window_->messages().size(), 1);
     const QString told = window_->messages().first();
-    for (const char* named : {"1 of 2 isovalues", "camera", "window", "clipped", "slices", "other.tansession"})
+    for (const char* named : {"1 of 2 isovalues", "camera", "crop box", "clipped", "slices", "other.tansession"})
         QVERIFY2(told.contains(named), qPrintable(told));
 }
 

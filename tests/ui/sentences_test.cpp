@@ -323,7 +323,7 @@ void SentencesTest::messagesAreTranslatedByTheirPlaces_data()
         Message::say("Cannot open '%1': too many files are open. Close some of them.", "%2"),
         "„%2“ kann nicht geöffnet werden: Zu viele Dateien sind offen. Schließen Sie einige.");
     row("places in another order",
-        Message::say("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other programs.",
+        Message::say("Not enough memory to write '%1' after %2 sites. Choose a larger error, or close other programs.",
                      "a.tan", 7),
         "Der Arbeitsspeicher reicht nach 7 Stützstellen nicht mehr, um „a.tan“ zu schreiben. Verlangen Sie einen "
         "größeren "

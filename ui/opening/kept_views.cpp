@@ -121,10 +121,9 @@ Status KeptViews::writeNow(const std::filesystem::path& what, const std::optiona
         return {};
     }
     if (!folder.mkpath("."))
-        return Error{ErrorKind::CannotWrite,
-                     Message::say("The folder '%1' cannot be written to, so that the view cannot be kept. Make room "
-                                  "there, or save the session.",
-                                  folder_.string())};
+        return Error{ErrorKind::CannotWrite, Message::say("The folder '%1' cannot be written to, so that the view "
+                                                          "cannot be kept. Free some space there, or save the session.",
+                                                          folder_.string())};
     if (place == Place::Aside)
         return setAsideNow(file, *text);
     lock(file);

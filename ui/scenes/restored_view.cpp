@@ -30,9 +30,9 @@ bool liesIn(const MovableRegion& region, const Eigen::AlignedBox3d& bounds)
 
 Message cameraText(bool lacksDirections)
 {
-    return lacksDirections ? Message::say("The model lies as the directions of its data say, and was seen without "
-                                          "them, as TAn up to version 0.1 read such data: its places were other ones. "
-                                          "The camera shows all of it; choose regions anew.")
+    return lacksDirections ? Message::say("The model is placed by the directions of its data, but its view was saved "
+                                          "without them, because TAn up to version 0.1 read such data differently: its "
+                                          "places were other ones. The camera shows all of it; choose regions again.")
                            : Message::say("The domain is different, so the camera keeps its direction and shows all of "
                                           "the model.");
 }
@@ -69,13 +69,14 @@ void fitPlaces(SessionDocument& kept, const ViewValue& start, const Model& model
     }
     if (!fits(view.query.window.window.box)) {
         if (view.query.window.enabled)
-            differences.push_back({"window", Message::say("The window is off: it is not within the domain.")});
+            differences.push_back({"window", Message::say("The crop box is off: it is not within the domain.")});
         view.query.window = start.query.window;
     }
     if (dropPlanes(clipId, view))
         differences.push_back({"clip", Message::say("Nothing is clipped: the clip planes are for another domain.")});
     if (dropPlanes(slicesId, view))
-        differences.push_back({"slices", Message::say("The slices are as at first: theirs are for another domain.")});
+        differences.push_back(
+            {"slices", Message::say("The slices have their default position: the saved ones are for another domain.")});
     if (!view.animation.keys.empty()) {
         differences.push_back(
             {"animation", Message::say("The film has no key frames: their cameras are for another domain.")});
@@ -163,7 +164,8 @@ void fitValues(ViewValue& view, const ViewValue& start, const ValueRange& range,
     fitTransfer(view.appearance, start, range, differences);
     const ValueFilter& values = view.query.values;
     if (values.enabled && (values.least > range.maximum || values.largest < range.minimum))
-        differences.push_back({"values", Message::say("All values are shown: the model has none of the chosen ones.")});
+        differences.push_back(
+            {"values", Message::say("All values are shown: the model has none of the selected ones.")});
     else if (values.enabled)
         return;
     view.query.values = start.query.values;
@@ -247,10 +249,9 @@ std::optional<SessionDifference> differentModel(const SessionDocument& document,
 {
     if (document.identity == 0 || document.identity == modelIdentity(model))
         return std::nullopt;
-    return SessionDifference{"model",
-                             Message::say("The model '%1' has changed since the session was saved: it was built anew, "
-                                          "or replaced.",
-                                          model.path().string())};
+    return SessionDifference{
+        "model", Message::say("The model '%1' has changed since the session was saved: it was rebuilt or replaced.",
+                              model.path().string())};
 }
 
 RestoredView lastView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,

@@ -255,8 +255,8 @@ try {
     if (mesh_->overlaps && hasVolume(**scene))
         return Error{
             ErrorKind::WrongUsage,
-            Message::say("A range of accuracies has tetrahedra that lie over each other, so their volume cannot "
-                         "be drawn. Choose isosurfaces, or births and deaths that leave one mesh.")};
+            Message::say("A range of accuracies has overlapping tetrahedra, so their volume cannot be drawn. Choose "
+                         "isosurfaces, or limits of appearance and disappearance that leave one mesh.")};
     built.scene = *std::move(scene);
     if (request.faultyCells)
         if (const Status outlined = outlineFaultyCells(built); !outlined)

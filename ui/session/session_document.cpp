@@ -67,7 +67,7 @@ Result<QJsonObject> objectOf(std::string_view text)
     if (object.value("format").toString() != formatName)
         return wrong(Message::say("its \"format\" is not \"%1\".", formatName));
     if (object.value("version").toInt() != formatVersion)
-        return wrong(Message::say("this program knows version %1 of sessions only.", formatVersion));
+        return wrong(Message::say("this program reads version %1 of sessions only.", formatVersion));
     return object;
 }
 

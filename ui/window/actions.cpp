@@ -191,7 +191,7 @@ void addViewMenu(QMainWindow& window, Actions& actions)
                                    ActionTexts::tr("Use the whole screen"));
     actions.fullScreen->setCheckable(true);
     menu->addSeparator();
-    actions.reducedMotion = addAction(*menu, "reducedMotion", ActionTexts::tr("Turn off camera animation"), {},
+    actions.reducedMotion = addAction(*menu, "reducedMotion", ActionTexts::tr("Reduced &Motion"), {},
                                       ActionTexts::tr("Disable camera animation"));
     actions.reducedMotion->setCheckable(true);
     actions.languages = menu->addMenu(ActionTexts::tr("Lan&guage"));

@@ -171,13 +171,12 @@ Status checkMeasurable(const SolidOrder& order)
     if (!order.deviation)
         return {};
     if (order.mesh.model->elsewhere() != nullptr)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("The deviation is measured from the finest mesh, which stays at the server. Save "
-                                  "without it, or fetch the model.")};
+        return Error{ErrorKind::WrongUsage, Message::say("The deviation is measured from the finest mesh, which stays "
+                                                         "at the server. Save without it, or download the model.")};
     if (!query.values.empty() || (query.window && query.window->border != WindowBorder::Clipped))
         return Error{ErrorKind::WrongUsage,
                      Message::say("The deviation is that of whole surfaces. Show all values, and cut off what lies "
-                                  "outside of the crop box, or save without it.")};
+                                  "outside the crop box, or save without it.")};
     return {};
 }
 
@@ -192,9 +191,10 @@ Result<Message> makeAndWriteSolids(PluginHost& host, const SolidOrder& order, co
     if (const Status writable = checkWritable(host, WrittenContent::Surface, order.mesh.target); !writable)
         return writable.error();
     if (order.mesh.query.range)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("What lives in a range of errors lies over each other, so it makes no solid. Show "
-                                  "the mesh of one error.")};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "The tetrahedra of a range of errors overlap, so they make no solid. Show the mesh of one error.")};
     if (const Status measurable = checkMeasurable(order); !measurable)
         return measurable.error();
     MeshExtractor extractor(order.mesh.model);

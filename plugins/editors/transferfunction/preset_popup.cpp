@@ -44,11 +44,11 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     part_->setToolTip(part_->accessibleName());
     part_->addItems({tr("Colours and opacities"), tr("Colours alone"), tr("Opacities alone")});
     list_->setObjectName("transfer.presetPopup.list");
-    list_->setAccessibleName(tr("Keep the current transfer function for this and other models"));
+    list_->setAccessibleName(tr("Presets"));
     list_->setIconSize(previewSize);
     list_->setUniformItemSizes(true);
     save_->setObjectName("transfer.presetPopup.save");
-    save_->setToolTip(tr("Keep the transfer function as it is now, for this and for other models"));
+    save_->setToolTip(tr("Keep the current transfer function for this and other models"));
     delete_->setObjectName("transfer.presetPopup.delete");
     delete_->setToolTip(tr("Delete the selected preset, if it is one of your own"));
     auto* buttons = new QHBoxLayout;

@@ -81,8 +81,7 @@ void TransferPanel::nameControls()
     name(remove_, "remove", {}, tr("Remove the selection (Del)"));
     name(logarithmic_, "logarithmic", {},
          tr("Show how often values occur on a logarithmic scale, so that rare ones are visible"));
-    name(presets_, "presets", tr("Keep the current transfer function for this and other models"),
-         tr("Transfer-function presets"));
+    name(presets_, "presets", tr("Presets"), tr("Transfer-function presets"));
     name(edits_, "edits", tr("Change"), tr("Change the selected points, or all"));
     name(view_, "view", tr("View"), tr("How the plot is shown"));
     name(mask_, "mask", tr("Mask"), tr("Show only the values between two draggable lines"));

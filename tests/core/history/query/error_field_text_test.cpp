@@ -95,8 +95,7 @@ private slots:
             QVERIFY(*field == *parseErrorField(means));
             const auto missed = parseErrorField(text);
             QVERIFY(!missed.ok());
-            QVERIFY2(missed.error().text().find(", but there is ';") != std::string::npos,
-                     missed.error().text().c_str());
+            QVERIFY2(missed.error().text().find(", but found ';") != std::string::npos, missed.error().text().c_str());
         }
     }
 
@@ -109,7 +108,7 @@ private slots:
         QTest::newRow("name") << "min(1, ball(1))"
                               << "character 8: expected a number or one of box";
         QTest::newRow("too few") << "box(1,2,3;"
-                                 << "character 10: expected ',', but there is ';'";
+                                 << "character 10: expected ',', but found ';'";
         QTest::newRow("open") << "sum(1, 2"
                               << "character 9: expected ')', but the text ends";
         QTest::newRow("one operand") << "sum(values())"
@@ -123,7 +122,7 @@ private slots:
         QTest::newRow("infinite") << "box(inf"
                                   << "character 5: expected a finite number";
         QTest::newRow("huge") << "1e999"
-                              << "less than 308 digits";
+                              << "fewer than 308 digits";
         QTest::newRow("no normal") << "halfspace(0,0,0,1;1,2)"
                                    << "not all 0";
         QTest::newRow("logarithm of zero") << "values(log10(0):1)"
