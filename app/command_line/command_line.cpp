@@ -243,7 +243,7 @@ int runCommandLine(std::span<const std::string> words, PluginHost& host, const S
     const std::string first = words.empty() ? "--help" : words[0];
     if (first == "help" && words.size() > 2)
         return fail(streams, Error{ErrorKind::WrongUsage, "'tan help' explains one subcommand at a time, so '" +
-                                                              words[2] + "' does not go with it."});
+                                                              words[2] + "' cannot be combined with it."});
     if (first == "help" && words.size() == 2) {
         const Subcommand* const asked = findSubcommand(words[1]);
         if (asked == nullptr)

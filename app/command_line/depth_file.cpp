@@ -40,7 +40,8 @@ std::uint16_t greyOf(double depth, const DepthScale& scale)
 Result<DepthScale> writeDepth(const std::filesystem::path& path, const Picture& picture)
 {
     if (picture.depth.size() != picture.pixels.size())
-        return Error{ErrorKind::OutOfResource, "This back end gives no depths. Leave '--depth' out, or take another."};
+        return Error{ErrorKind::OutOfResource,
+                     "This back end provides no depths. Leave '--depth' out, or choose another."};
     const DepthScale scale = scaleOf(picture.depth);
     QImage image(picture.width, picture.height, QImage::Format_Grayscale16);
     if (image.isNull())

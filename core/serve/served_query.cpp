@@ -215,7 +215,7 @@ private:
     }
     Error doesNotGo(std::string_view reason, std::string_view word) const
     {
-        return wrong(std::string(reason) + ", so " + named(word) + " does not go with it.");
+        return wrong(std::string(reason) + ", so " + named(word) + " cannot be combined with it.");
     }
 
     template <class T> Result<T> bounded(std::string_view word, const std::optional<std::string>& given, T byDefault,
@@ -354,7 +354,7 @@ private:
                 return doesNotGo(named("range") + " asks for tetrahedra of many accuracies", word);
         if (words_.value("border") == "clipped")
             return wrong("'" + std::string(prefix_) + (prefix_.empty() ? "border=" : "border ") +
-                         "clipped' does not go with " + named("range") +
+                         "clipped' cannot be combined with " + named("range") +
                          ": what is cut off is not a tetrahedron of the model. Use intersecting or contained.");
         return {};
     }

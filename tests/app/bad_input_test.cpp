@@ -80,7 +80,7 @@ private slots:
         QTest::newRow("1xNxM lattice") << build("flat.nrrd") << 3 << "1 x 5 x 5";
         QTest::newRow("unknown NRRD type") << build("unknown_type.nrrd") << 3 << "quaternion";
         QTest::newRow("larger than any memory") << build("huge.nrrd") << 3 << "huge.nrrd";
-        QTest::newRow("no known format") << build("letter.txt") << 3 << "unknown format";
+        QTest::newRow("an unknown format") << build("letter.txt") << 3 << "unknown format";
         QTest::newRow("samples missing") << build("detached.nhdr") << 3 << "nowhere.raw";
         QTest::newRow("a folder") << build(".") << 3 << "folder";
         QTest::newRow("a model instead of a dataset") << build("good.tan") << 3 << "is a TAn model";

@@ -71,7 +71,7 @@ private slots:
             warping);
         row("render, warping", {"render", "c60.tan", "--warping", "1", "-o", "refused.png"}, warping);
         row("sample without chance", {"sample", "c60", "--seed", "2", "-o", "refused.nrrd"},
-            "'--seed' is for samples with chance in them");
+            "'--seed' is for samples with random values");
     }
     void whatIsOfNoUseIsRefused()
     {

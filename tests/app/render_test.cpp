@@ -585,7 +585,7 @@ private slots:
         const QMap<QString, QString> plugins{{"TAN_PLUGIN_PATH", TAN_BAND_RENDERER}};
         const Run refused = runTan(words + QStringList{"--colour-bar"}, folder_.path(), plugins);
         QCOMPARE(refused.exitCode, 2);
-        QVERIFY2(refused.messages.contains("'example.band' draws nothing whose colours '--colour-bar' could explain"),
+        QVERIFY2(refused.messages.contains("'example.band' draws nothing that '--colour-bar' could explain"),
                  refused.messages);
         QVERIFY(!QFile::exists(path("band.png")));
         const Run axes = runTan(words + QStringList{"--axes"}, folder_.path(), plugins);

@@ -115,16 +115,16 @@ private slots:
         row("error=4&warping=1&focus=sphere:1,2,3,4&focus-error=2&focus-warping=3",
             "Exchange 'focus-warping' and 'warping'");
         row("error=4&focus=sphere:1,2,3,4&focus-error=2&falloff=-1", "'falloff'");
-        row("field=1&error=1", "so 'error' does not go with it");
+        row("field=1&error=1", "so 'error' cannot be combined with it");
         row("field=cube(1)", "'field': ");
-        row("warping=1&warping-field=2", "so 'warping' does not go with it");
+        row("warping=1&warping-field=2", "so 'warping' cannot be combined with it");
         row("focus=sphere:0,0,0,1&focus-error=1&focus-warping=0&warping-field=2",
-            "so 'focus-warping' does not go with it");
+            "so 'focus-warping' cannot be combined with it");
         row("warping-field=cube(1)", "'warping-field': ");
-        row("range=4,1&error=2", "so 'error' does not go with it");
+        row("range=4,1&error=2", "so 'error' cannot be combined with it");
         row("range=4", "'range'");
         row("range=4,101", "'range'");
-        row("range=4,1&window=0,0,0,1,1,1&border=clipped", "'border=clipped' does not go with 'range'");
+        row("range=4,1&window=0,0,0,1,1,1&border=clipped", "'border=clipped' cannot be combined with 'range'");
         row("births=1,2", "say which with 'range'");
         row("range=4,1&deaths=2,1", "'deaths'");
         row("method=insertion&error=1", "'method' is for meshes whose accuracy varies");
@@ -148,7 +148,7 @@ private slots:
         const auto query = QueryWords({{"field", "1"}, {"error", "1"}}).query("--");
         QVERIFY(!query.ok());
         QVERIFY(query.error().text().find("'--field' says where") != std::string::npos);
-        QVERIFY(query.error().text().find("'--error' does not go with it") != std::string::npos);
+        QVERIFY(query.error().text().find("'--error' cannot be combined with it") != std::string::npos);
     }
 
     /// Where values are logarithms, values of the data can be typed.
