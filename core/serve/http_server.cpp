@@ -534,7 +534,7 @@ MHD_Result HttpServer::Server::answerSoon(MHD_Connection* connection, Request& r
         });
     } catch (const std::exception&) {
         request.answer = withoutMemory(Answer(), [] {
-            ServedAnswer refused = errorAnswer(503, "The server has no thread for this answer now. Ask again.");
+            ServedAnswer refused = errorAnswer(503, "The server has no thread for this answer now. Try again.");
             refused.headers.emplace_back("Retry-After", "1");
             return Answer(std::move(refused));
         });

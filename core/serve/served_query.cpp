@@ -196,9 +196,9 @@ public:
             return method.error();
         query.method = *method;
         if (words_.has("method") && query.error.isConstant() && query.warping == query.error)
-            return wrong(named("method") + " is for meshes whose accuracy varies: say where with " + named("focus") +
-                         " or " + named("field") + ", or give " + named("error") + " and " + named("warping") +
-                         " limits of their own.");
+            return wrong(named("method") + " is for meshes whose accuracy varies: specify where with " +
+                         named("focus") + " or " + named("field") + ", or give " + named("error") + " and " +
+                         named("warping") + " limits of their own.");
         return query;
     }
 
@@ -265,7 +265,7 @@ private:
     {
         for (const char* word : {"error", "focus", "focus-error", "focus-warping", "falloff"})
             if (words_.has(word))
-                return doesNotGo(named("field") + " says where which error is allowed", word);
+                return doesNotGo(named("field") + " sets the error allowed at each place", word);
         const auto error = parseErrorField(*words_.value("field"), present_);
         if (!error)
             return wrong(named("field") + ": " + error.error().text());
@@ -280,7 +280,7 @@ private:
         if (!words_.has("focus")) {
             for (const char* word : {"focus-error", "focus-warping", "falloff"})
                 if (words_.has(word))
-                    return wrong(named(word) + " needs a focus: say where with " + named("focus") + ".");
+                    return wrong(named(word) + " needs a focus: specify it with " + named("focus") + ".");
             return Fields{error, warping};
         }
         if (!words_.has("focus-error"))
@@ -338,7 +338,7 @@ private:
             return fields;
         for (const char* word : {"warping", "focus-warping"})
             if (words_.has(word))
-                return doesNotGo(named("warping-field") + " says where which warping is allowed", word);
+                return doesNotGo(named("warping-field") + " sets the warping allowed at each place", word);
         const auto warping = parseErrorField(*given, present_);
         if (!warping)
             return wrong(named("warping-field") + ": " + warping.error().text());
@@ -351,11 +351,11 @@ private:
         for (const char* word : {"error", "focus", "focus-error", "focus-warping", "falloff", "field", "warping-field",
                                  "budget", "method"})
             if (words_.has(word))
-                return doesNotGo(named("range") + " asks for tetrahedra of many accuracies", word);
+                return doesNotGo(named("range") + " requests tetrahedra of many accuracies", word);
         if (words_.value("border") == "clipped")
             return wrong("'" + std::string(prefix_) + (prefix_.empty() ? "border=" : "border ") +
                          "clipped' cannot be combined with " + named("range") +
-                         ": what is cut off is not a tetrahedron of the model. Use intersecting or contained.");
+                         ": a cut piece is not a tetrahedron of the model. Use intersecting or contained.");
         return {};
     }
 
@@ -364,7 +364,7 @@ private:
     {
         for (const char* word : {"births", "deaths"})
             if (words_.has(word) && !words_.has("range"))
-                return wrong(named(word) + " chooses from a range of accuracies: say which with " + named("range") +
+                return wrong(named(word) + " selects from a range of accuracies: specify it with " + named("range") +
                              ".");
         const auto given = words_.value("range");
         if (!given)
@@ -395,7 +395,7 @@ private:
     {
         const auto given = words_.value("window");
         if (!given && words_.has("border"))
-            return wrong(named("border") + " needs a window: say which with " + named("window") + ".");
+            return wrong(named("border") + " needs a crop box: specify it with " + named("window") + ".");
         if (!given)
             return std::optional<Window>();
         const auto box = boxOfText(*given);
@@ -480,7 +480,7 @@ Result<QueryWords> QueryWords::fromUrl(std::string_view text)
         const auto word = percentDecoded(text.substr(0, end));
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (!word)
-            return Error{ErrorKind::WrongUsage, "The query is not encoded as it should be: '%' and two digits."};
+            return Error{ErrorKind::WrongUsage, "The query is not encoded correctly: '%' and two hexadecimal digits."};
         if (word->empty())
             continue;
         const std::size_t sign = word->find('=');
@@ -491,12 +491,12 @@ Result<QueryWords> QueryWords::fromUrl(std::string_view text)
             for (const KnownWord& one : knownWords)
                 names += (names.empty() ? "" : ", ") + std::string(one.name);
             return Error{ErrorKind::WrongUsage,
-                         "'" + printable(name) + "' is not a word of a query. These are: " + names + "."};
+                         "'" + printable(name) + "' is not a query parameter. Available: " + names + "."};
         }
         if (sign == std::string::npos)
             return Error{ErrorKind::WrongUsage, "'" + name + "' needs a value: " + name + "=..."};
         if (!known->isRepeatable && read.has(name))
-            return Error{ErrorKind::WrongUsage, "'" + name + "' is given twice. Say which one is meant."};
+            return Error{ErrorKind::WrongUsage, "'" + name + "' is given twice. Leave one of them out."};
         if (name == "empty" && word->substr(sign + 1) != "yes" && word->substr(sign + 1) != "no")
             return Error{ErrorKind::WrongUsage, "'empty' is 'yes' or 'no': whether a mesh without tetrahedra is an "
                                                 "answer, or a refusal."};

@@ -83,7 +83,8 @@ private slots:
             false);
         row("births without a range", {"--births", "1,2"}, "'--range'", false);
         row("deaths turned round", {"--range", "1,2", "--deaths", "2,1"}, "'--deaths'", false);
-        row("nothing so short-lived", {"--range", "1,2", "--births", "0,0"}, "has such a life", false);
+        row("nothing so short-lived", {"--range", "1,2", "--births", "0,0"}, "appears and disappears at such errors",
+            false);
         row("range cut off", {"--range", "1,2", "--window", "0,0,0,5,5,5", "--border", "clipped"},
             "'--border clipped' cannot be combined", false);
     }

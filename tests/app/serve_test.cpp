@@ -625,7 +625,7 @@ private slots:
         const Run empty =
             runTan({"extract", address, "--at-server", "--window", "90,90,90,91,91,91", "-o", "no.vtu"}, place_.path());
         QCOMPARE(empty.exitCode, 2);
-        QVERIFY2(empty.messages.contains("No tetrahedron is in that window"), empty.messages);
+        QVERIFY2(empty.messages.contains("No tetrahedron is in that crop box"), empty.messages);
         QCOMPARE(runTan({"extract", address + "x", "--at-server", "-o", "no.vtu"}, place_.path()).exitCode, 3);
         QCOMPARE(runTan({"extract", "models/lattice.tan", "--at-server", "-o", "no.vtu"}, place_.path()).exitCode, 2);
         QVERIFY(!QFile::exists(place_.filePath("no.vtu")));

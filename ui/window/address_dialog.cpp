@@ -199,7 +199,7 @@ void AddressDialog::showOffer(const Result<ServerOffer>& offer)
     leave_->setEnabled(offer->findsMeshes);
     if (!offer->findsMeshes) {
         fetch_->setChecked(true);
-        return say(tr("This server only gives files, so the model has to be fetched."));
+        return say(tr("This server only delivers files, so the model must be downloaded."));
     }
     leave_->setToolTip({});
     const QString size =

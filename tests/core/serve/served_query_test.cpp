@@ -88,9 +88,9 @@ private slots:
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("said");
         const auto row = [](const char* text, const char* said) { QTest::newRow(text) << text << said; };
-        row("eror=1", "'eror' is not a word of a query");
+        row("eror=1", "'eror' is not a query parameter");
         row("error", "'error' needs a value");
-        row("=1", "'' is not a word of a query");
+        row("=1", "'' is not a query parameter");
         row("error=%", "encoded");
         row("error=1&error=2", "'error' is given twice");
         row("error=x", "'x' does not fit 'error'");
@@ -99,7 +99,7 @@ private slots:
         row("budget=0", "'budget'");
         row("budget=1.5", "'budget'");
         row("border=round&window=0,0,0,1,1,1", "intersecting, contained, clipped");
-        row("border=clipped", "say which with 'window'");
+        row("border=clipped", "specify it with 'window'");
         row("window=1,2", "two opposite corners");
         row("window=0,0,0,1,1,inf", "two opposite corners");
         row("values=2,1", "'values'");
@@ -125,7 +125,7 @@ private slots:
         row("range=4", "'range'");
         row("range=4,101", "'range'");
         row("range=4,1&window=0,0,0,1,1,1&border=clipped", "'border=clipped' cannot be combined with 'range'");
-        row("births=1,2", "say which with 'range'");
+        row("births=1,2", "specify it with 'range'");
         row("range=4,1&deaths=2,1", "'deaths'");
         row("method=insertion&error=1", "'method' is for meshes whose accuracy varies");
         row("method=magic&field=values(1:1,2:3)", "automatic, closed-set, insertion");
