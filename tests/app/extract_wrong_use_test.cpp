@@ -69,7 +69,7 @@ private slots:
             false);
         row("window of five numbers", {"--window", "0,0,0,5,5"}, "'--window'", false);
         row("window outside", {"--window", "100,100,100,105,105,105"},
-            "in that window, so nothing was written. The data lie between (0, 0, 0) and (15, 15, 15)", false);
+            "in that crop box, so nothing was written. The data lie between (0, 0, 0) and (15, 15, 15)", false);
         row("values of one number", {"--values", "100"}, "'--values'", false);
         row("values turned round", {"--values", "100,90"}, "'--values'", false);
         row("values outside", {"--values", "900,901"}, "No tetrahedron has such values, so nothing was written", false);

@@ -283,10 +283,10 @@ void ExtractionTest::aDamagedFileIsAnError_data()
         "first offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[0] = 1; }, "do not match");
     row(
         "offset beyond", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[30] = ~0ull; },
-        "the star offsets of site 29 make no sense");
+        "the star offsets of site 29 are invalid");
     row(
         "offset back", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[30] = 0; },
-        "the star offsets of site 29 make no sense");
+        "the star offsets of site 29 are invalid");
     row(
         "last offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets).back() += 1; },
         "do not match its tetrahedra");

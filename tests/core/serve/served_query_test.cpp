@@ -147,7 +147,7 @@ private slots:
     {
         const auto query = QueryWords({{"field", "1"}, {"error", "1"}}).query("--");
         QVERIFY(!query.ok());
-        QVERIFY(query.error().text().find("'--field' says where") != std::string::npos);
+        QVERIFY(query.error().text().find("'--field' sets the error") != std::string::npos);
         QVERIFY(query.error().text().find("'--error' cannot be combined with it") != std::string::npos);
     }
 

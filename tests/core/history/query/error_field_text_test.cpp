@@ -126,7 +126,7 @@ private slots:
         QTest::newRow("no normal") << "halfspace(0,0,0,1;1,2)"
                                    << "not all 0";
         QTest::newRow("logarithm of zero") << "values(log10(0):1)"
-                                           << "character 14: expected a number above 0, but there is '0):1)'";
+                                           << "character 14: expected a number above 0, but found '0):1)'";
         QTest::newRow("open logarithm") << "isovalues(log10(1; 1, 2)"
                                         << "character 18: expected ')'";
         QTest::newRow("logarithm of nothing") << "isovalues(log10; 1, 2)"

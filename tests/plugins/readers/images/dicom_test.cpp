@@ -146,7 +146,7 @@ private slots:
         QVERIFY(dataset->domain == DomainClass::Curvilinear);
         QVERIFY(distance(*dataset) < 1e-3);
         QVERIFY2(allText(dataset->remarks).find("1 slice is missing between the others.") != std::string::npos &&
-                     allText(dataset->remarks).find("behind slice 3") != std::string::npos,
+                     allText(dataset->remarks).find("after slice 3") != std::string::npos,
                  allText(dataset->remarks).c_str());
     }
 

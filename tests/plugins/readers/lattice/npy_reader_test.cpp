@@ -245,7 +245,7 @@ private slots:
             read(npy(dictionaryOf("|u1", "(3, 4, 5)", true), counting<std::uint8_t>(std::endian::little) + "second"));
         QVERIFY2(dataset, text_);
         QVERIFY(holdsTestSamples(dataset->values));
-        QVERIFY(sentences(dataset->source.leftOut).contains("6 bytes behind"));
+        QVERIFY(sentences(dataset->source.leftOut).contains("6 bytes after"));
     }
 
     void refuses_data()

@@ -146,7 +146,7 @@ private slots:
         row("cut within a number", grid.left(grid.lastIndexOf('.')), solution, "directly after its last number");
         row("cut solution", grid, solution.left(solution.indexOf('\n', 400) + 1), "takes 307 numbers");
         row("a number too many", grid + "1\n", solution, "fits no kind of PLOT3D file");
-        row("a word", with(grid, " 0.125", " 0.1Z5"), solution, "'0.1Z5' in line 3 is no number");
+        row("a word", with(grid, " 0.125", " 0.1Z5"), solution, "'0.1Z5' in line 3 is not a number");
         row("two numbers in one", with(grid, " 0.125", " 0.12-5.5"), solution, "'0.12-5.5'");
         row("too large a number", with(grid, " 0.125", " 1e999"), solution, "'1e999'");
         row("no count", with(grid, " 0.125", " 0*0.125"), solution, "'0*0.125'");

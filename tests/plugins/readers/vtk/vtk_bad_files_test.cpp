@@ -263,11 +263,11 @@ private slots:
             return read ? std::string() : read.error().text();
         };
         const std::string often = errorOf(listed("often.vtm", "again.vti", 300));
-        QVERIFY2(often.find("it names 1 files 300 times") != std::string::npos, often.c_str());
+        QVERIFY2(often.find("it lists 1 files 300 times") != std::string::npos, often.c_str());
         const std::string inner = errorOf(listed("inner.vtm", "again.vti", 60));
         QVERIFY2(inner.find("times") == std::string::npos, inner.c_str());
         const std::string outer = errorOf(listed("outer.vtm", "inner.vtm", 60));
-        QVERIFY2(outer.find("it names 2 files 3660 times") != std::string::npos, outer.c_str());
+        QVERIFY2(outer.find("it lists 2 files 3660 times") != std::string::npos, outer.c_str());
     }
 
     /// VTK leaves out the last letter of a section of values: a digit, if the bracket stands right behind it.
