@@ -544,7 +544,8 @@ std::span<const std::byte> sectionBytes(std::span<const std::byte> file, const S
     return file.subspan(section.offset, section.bytes);
 }
 
-/// No file has more that one from its parts has so many bytes: what else it holds is in memory for a while.
+/// The most bytes that a file can have whose parts make one of `ofMade` bytes. What it holds besides is in memory for a
+/// while, so a larger file is refused.
 std::uint64_t mostBytes(std::uint64_t ofMade)
 {
     return 2 * ofMade + (std::uint64_t(1) << 26);

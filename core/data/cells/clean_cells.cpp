@@ -121,7 +121,7 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
 
 namespace {
 
-/// Of points, by their places.
+/// Hashes points by their positions.
 struct PlaceHash {
     std::span<const Eigen::Vector3d> positions;
     std::uint64_t operator()(std::uint32_t point) const

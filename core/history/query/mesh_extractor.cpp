@@ -326,8 +326,9 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
     return {};
 }
 
-/// Two limits of which a prefix keeps one better than asked (C1). Closed sets hold what was done before for the other
-/// one's sake: of BluntFin, for the warping alone, 2.8 times the sites of a build for that; insertion takes 1.01 times.
+/// Two limits, one of which a prefix of the history keeps better than requested (C1). A closed set also contains the
+/// sites that were inserted earlier for the other limit: for BluntFin, with a limit on the warping alone, 2.8 times the
+/// sites of a model built for that limit; insertion needs 1.01 times as many.
 Status MeshExtractor::Work::extractPair(const MeshQuery& query, const Accuracy& asked, const Progress& progress)
 {
     constexpr double unlimited = std::numeric_limits<double>::infinity();

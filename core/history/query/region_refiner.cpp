@@ -129,8 +129,8 @@ public:
             return fieldAt(point);
         return inside_[0][point[0]] && inside_[1][point[1]] && inside_[2][point[2]] ? least : most;
     }
-    /// Whether a site should be a vertex before anything is looked at: the mesh before it was not good enough here or,
-    /// of a box, one step away. Without what lies next to a border more would have to be repaired, which takes longer.
+    /// Whether a site should be a vertex before any sample is examined: the mesh before it was not accurate enough here
+    /// or, for a box, one step away. Leaving out the sites next to a border would mean more repairs, which take longer.
     bool askFor(const std::array<std::uint32_t, 3>& point, double runningError) const
     {
         if (!quick_) {
