@@ -12931,7 +12931,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Speicher, den das Programm belegt, eingeblendete Dateien eingeschlossen</translation>
     </message>
     <message>
-        <source>Rendering back end: OpenGL or the processor</source>
+        <source>Rendering back end: OpenGL or the CPU</source>
         <translation>Gezeichnet von: OpenGL oder dem Prozessor</translation>
     </message>
     <message>

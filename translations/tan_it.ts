@@ -12931,7 +12931,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Memoria occupata dal programma, compresi i file mappati</translation>
     </message>
     <message>
-        <source>Rendering back end: OpenGL or the processor</source>
+        <source>Rendering back end: OpenGL or the CPU</source>
         <translation>Disegno con OpenGL o con il processore</translation>
     </message>
     <message>

@@ -157,7 +157,7 @@ QString StatusLine::movingText(const FrameReport& report)
 void StatusLine::setBackend(const QString& name)
 {
     backend_->setText(name);
-    backend_->setToolTip(tr("Rendering back end: OpenGL or the processor"));
+    backend_->setToolTip(tr("Rendering back end: OpenGL or the CPU"));
     backend_->show();
 }
 
