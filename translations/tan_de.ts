@@ -5631,7 +5631,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Available: %1.</source>
-        <translation>Es gibt: %1.</translation>
+        <translation>Verfügbar: %1.</translation>
     </message>
     <message>
         <source>The parameter &apos;%1&apos; of the %2 takes %3.</source>

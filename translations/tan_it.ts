@@ -5631,7 +5631,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Available: %1.</source>
-        <translation>Ci sono: %1.</translation>
+        <translation>Disponibili: %1.</translation>
     </message>
     <message>
         <source>The parameter &apos;%1&apos; of the %2 takes %3.</source>
