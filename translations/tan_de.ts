@@ -379,18 +379,6 @@
 <context>
     <name>Annotations</name>
     <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>%1 units at the target</source>
-        <translation>%1 Einheiten am Blickziel</translation>
-    </message>
-    <message>
-        <source>%1 units</source>
-        <translation>%1 Einheiten</translation>
-    </message>
-    <message>
         <source>Colour &amp;bar</source>
         <translation>Far&amp;bskala</translation>
     </message>
@@ -429,18 +417,6 @@
     <message>
         <source>The error that what is shown keeps, in % of the value range</source>
         <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
-    </message>
-    <message>
-        <source>1 unit at the target</source>
-        <translation>1 Einheit am Blickziel</translation>
-    </message>
-    <message>
-        <source>1 unit</source>
-        <translation>1 Einheit</translation>
-    </message>
-    <message>
-        <source>%1 %2 at the target</source>
-        <translation>%1 %2 am Blickziel</translation>
     </message>
 </context>
 <context>
@@ -11878,6 +11854,34 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>The slices are as at first: theirs are for another domain.</source>
         <translation>Die Schnitte sind wie am Anfang: ihre Ebenen gehören zu einem anderen Gebiet.</translation>
+    </message>
+    <message>
+        <source>%1 %2 at the target</source>
+        <translation>%1 %2 am Blickziel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>1 unit at the target</source>
+        <translation>1 Einheit am Blickziel</translation>
+    </message>
+    <message>
+        <source>1 unit</source>
+        <translation>1 Einheit</translation>
+    </message>
+    <message>
+        <source>%1 units at the target</source>
+        <translation>%1 Einheiten am Blickziel</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 Einheiten</translation>
+    </message>
+    <message>
+        <source>This system has no font to write into pictures. Install one, such as the package fonts-dejavu-core of Debian, or take the picture without annotations.</source>
+        <translation>Dieses System hat keine Schriftart, mit der in Bilder geschrieben werden kann. Installieren Sie eine, etwa das Paket fonts-dejavu-core von Debian, oder machen Sie das Bild ohne Beschriftung.</translation>
     </message>
 </context>
 <context>

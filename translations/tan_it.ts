@@ -379,18 +379,6 @@
 <context>
     <name>Annotations</name>
     <message>
-        <source>Value</source>
-        <translation>Valore</translation>
-    </message>
-    <message>
-        <source>%1 units at the target</source>
-        <translation>%1 unità alla distanza del punto mirato</translation>
-    </message>
-    <message>
-        <source>%1 units</source>
-        <translation>%1 unità</translation>
-    </message>
-    <message>
         <source>Colour &amp;bar</source>
         <translation>&amp;Barra dei colori</translation>
     </message>
@@ -429,18 +417,6 @@
     <message>
         <source>The error that what is shown keeps, in % of the value range</source>
         <translation>L&apos;errore che ciò che si vede non supera, in % dell&apos;intervallo dei valori</translation>
-    </message>
-    <message>
-        <source>1 unit at the target</source>
-        <translation>1 unità alla distanza del punto mirato</translation>
-    </message>
-    <message>
-        <source>1 unit</source>
-        <translation>1 unità</translation>
-    </message>
-    <message>
-        <source>%1 %2 at the target</source>
-        <translation>%1 %2 alla distanza del punto mirato</translation>
     </message>
 </context>
 <context>
@@ -11878,6 +11854,34 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>The slices are as at first: theirs are for another domain.</source>
         <translation>Le sezioni sono come all&apos;inizio: i loro piani sono di un altro dominio.</translation>
+    </message>
+    <message>
+        <source>%1 %2 at the target</source>
+        <translation>%1 %2 alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>1 unit at the target</source>
+        <translation>1 unità alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>1 unit</source>
+        <translation>1 unità</translation>
+    </message>
+    <message>
+        <source>%1 units at the target</source>
+        <translation>%1 unità alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 unità</translation>
+    </message>
+    <message>
+        <source>This system has no font to write into pictures. Install one, such as the package fonts-dejavu-core of Debian, or take the picture without annotations.</source>
+        <translation>Questo sistema non ha nessun tipo di carattere per scrivere nelle immagini. Installarne uno, come il pacchetto fonts-dejavu-core di Debian, o fare l&apos;immagine senza annotazioni.</translation>
     </message>
 </context>
 <context>

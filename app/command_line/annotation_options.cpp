@@ -97,7 +97,7 @@ Result<AnnotationContent> annotationsOf(const Arguments& arguments)
     content.state.barEnds = *ends;
     for (const auto& [kind, option] : kindOptions())
         content.state[kind].shown = arguments.has(option.name);
-    content.title = QString::fromStdString(arguments.value("title").value_or(""));
+    content.title = arguments.value("title").value_or("");
     return content;
 }
 

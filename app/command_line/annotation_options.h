@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "ui/annotations/annotation_content.h"
+#include "core/picture/annotations/annotation_content.h"
 
 namespace tetra {
 

@@ -155,7 +155,7 @@ PresentView presentView(const Camera& camera, const ParameterValues& values)
 AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& parameters, const ParameterValues& values,
                             const ShownMesh& mesh)
 {
-    return annotationContent(model, matteringParameters(parameters, values), viewOf(values), &mesh);
+    return annotationContent(model, matteringParameters(parameters, values), viewOf(values), accuracyText(mesh), {});
 }
 
 /// Options that this mode would not look at, as the others are.
@@ -467,7 +467,8 @@ Status writeFiles(const RenderRequest& request, const PictureOrder& order, const
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
-    return writePicture(finishedPicture(order, picture, lens), request.output);
+    const auto finished = finishedPicture(order, picture, lens);
+    return finished ? writePicture(*finished, request.output) : Status(finished.error());
 }
 
 /// Before the picture is drawn, which may take long.

@@ -248,6 +248,9 @@ void IncludeDirectionTest::findsTheBreach_data()
     row("CGAL in a core header", data, "#include <CGAL/Object.h>",
         "core's headers are free of CGAL, yet it includes CGAL/Object.h");
 
+    row("fonts outside of drawing", data, "#include <hb.h>",
+        "texts of pictures are the matter of core/picture/drawing, yet it includes hb.h");
+
     const char* noFile = "includes \"lattice.h\", which is no file of this repository by its path from the root";
     row("relative include", data, "#include \"lattice.h\"", noFile);
     row("missing header", data, "#include \"core/base/gone.h\"",

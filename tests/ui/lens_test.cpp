@@ -2,11 +2,11 @@
 // The lens over the picture (C5): where it lies and what it shows, by mouse and by keys, and what is kept of it.
 #include "core/view/lens.h"
 #include "tests/ui/sample_window.h"
-#include "ui/annotations/picture_projection.h"
 #include "ui/scenes/view_picture.h"
 #include "ui/session/session_document.h"
 #include "ui/viewport/lens_tool.h"
 #include "ui/viewport/value_pick.h"
+#include "ui/viewport/view_projection.h"
 #include "ui/window/picture_orders.h"
 
 #include <QToolButton>
@@ -132,7 +132,7 @@ void LensTest::theFrustumHoldsWhatIsSeen()
                 picture.part.top + picture.part.height <= picture.height);
         QVERIFY(std::abs(static_cast<double>(picture.width) / width - state.magnification) < 0.01);
         const auto planes = seenInLens(picture, camera);
-        const PictureProjection enlarged(camera, QSize(picture.width, picture.height)),
+        const ViewProjection enlarged(camera, QSize(picture.width, picture.height)),
             small(camera, QSize(width, height));
         for (int place = 0; place < 20; ++place) {
             const Eigen::Vector3d point(unit(random), unit(random), unit(random));
@@ -196,8 +196,9 @@ void LensTest::itIsTheLargerPicture()
     QVERIFY(picture.ok());
     const PixelRectangle& part = drawn.place.part;
     const QImage crop = imageOf(*picture).copy(part.left, part.top, part.width, part.height);
-    QCOMPARE(crop.size(), drawn.content.size());
-    QVERIFY(crop.convertToFormat(QImage::Format_RGB32) == drawn.content.convertToFormat(QImage::Format_RGB32));
+    const QImage content = imageOf(drawn.content);
+    QCOMPARE(crop.size(), content.size());
+    QVERIFY(crop.convertToFormat(QImage::Format_RGB32) == content.convertToFormat(QImage::Format_RGB32));
     // With the mesh of the picture it would be another one.
     whole.scene = window_->viewport().scene();
     const auto coarse = pipeline.draw(whole, false, {});
@@ -207,10 +208,9 @@ void LensTest::itIsTheLargerPicture()
     const QPoint middle(drawn.place.square.left + drawn.place.square.width / 2,
                         drawn.place.square.top + drawn.place.square.height / 2);
     QCOMPARE(QColor(screen.pixel(middle)),
-             QColor(drawn.content.pixel(middle - QPoint(drawn.place.square.left + drawn.place.left,
-                                                        drawn.place.square.top + drawn.place.top))));
+             QColor(content.pixel(middle - QPoint(drawn.place.square.left + drawn.place.left,
+                                                  drawn.place.square.top + drawn.place.top))));
     // Another mode, camera or error is another picture.
-    const QImage before = drawn.content;
     session().setLens([&] {
         LensState moved = lens();
         moved.x += 0.05;
@@ -218,7 +218,7 @@ void LensTest::itIsTheLargerPicture()
     }());
     QVERIFY(!tool().settled());
     QTRY_VERIFY(upToDate());
-    QVERIFY(tool().drawn()->content != before);
+    QVERIFY(tool().drawn()->content.pixels != drawn.content.pixels);
 }
 
 void LensTest::keysAndActions()

@@ -4,7 +4,6 @@
 #include "core/base/file_writer.h"
 
 #include <QBuffer>
-#include <QPainter>
 
 #include <cmath>
 #include <cstring>
@@ -28,20 +27,17 @@ QImage imageOf(const Picture& picture)
     return image;
 }
 
-QImage finishedPicture(const PictureOrder& order, const Picture& picture, const std::optional<DrawnLens>& lens)
+Result<QImage> finishedPicture(const PictureOrder& order, Picture picture, const std::optional<DrawnLens>& lens)
 {
-    QImage image = imageOf(picture);
-    if (lens) {
-        const QImage::Format format = image.format();
-        image = image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
-        {
-            QPainter painter(&image);
-            paintLens(painter, *lens, order.background, order.lineScale);
-        }
-        image = image.convertToFormat(format);
-    }
+    if (lens)
+        if (const Status painted =
+                paintLens(pixelsOf(picture), *lens, order.background, order.lineScale, order.lensWriting);
+            !painted)
+            return painted.error();
     if (order.finish)
-        order.finish(image);
+        if (const Status painted = order.finish(picture); !painted)
+            return painted.error();
+    QImage image = imageOf(picture);
     if (!order.transparent)
         image = image.convertToFormat(QImage::Format_RGB32);
     if (order.dotsPerInch > 0) {

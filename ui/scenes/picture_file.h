@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/annotations/annotation_painter.h"
+#include "core/picture/annotations/lens_painter.h"
 
 #include <tan/base.h>
 #include <tan/render.h>
@@ -29,21 +29,23 @@ struct PictureOrder {
     Colour background;
     int width = 0;
     int height = 0;
-    std::optional<PixelRectangle> part{};          ///< only this part of it is drawn
-    std::shared_ptr<const LensOrder> lens{};       ///< drawn over it (scene_pipeline.h)
-    std::filesystem::path target{};                ///< empty: the picture goes to the clipboard
-    bool transparent = false;                      ///< without the background
-    int samplesPerAxis = 4;                        ///< of a pixel: as many as the viewport takes at rest
-    int threads = 0;                               ///< the most to use; 0: all
-    double lineScale = 1;                          ///< of the widths of lines
-    int dotsPerInch = 0;                           ///< for printing; 0 says nothing
-    std::map<QString, QString> texts{};            ///< what the file says of itself, by PNG keywords
-    std::function<void(QImage& picture)> finish{}; ///< paints over it; called in the worker
+    std::optional<PixelRectangle> part{};             ///< only this part of it is drawn
+    std::shared_ptr<const LensOrder> lens{};          ///< drawn over it (scene_pipeline.h)
+    std::filesystem::path target{};                   ///< empty: the picture goes to the clipboard
+    bool transparent = false;                         ///< without the background
+    int samplesPerAxis = 4;                           ///< of a pixel: as many as the viewport takes at rest
+    int threads = 0;                                  ///< the most to use; 0: all
+    double lineScale = 1;                             ///< of the widths of lines
+    LensWriting lensWriting{};                        ///< of what is said in the lens
+    int dotsPerInch = 0;                              ///< for printing; 0 says nothing
+    std::map<QString, QString> texts{};               ///< what the file says of itself, by PNG keywords
+    std::function<Status(Picture& picture)> finish{}; ///< paints over it; called in the worker
 };
 
-/// A drawn picture with all else that was ordered; the lens, if there is one, is drawn already.
-QImage finishedPicture(const PictureOrder& order, const Picture& picture,
-                       const std::optional<DrawnLens>& lens = std::nullopt);
+/// A drawn picture with all else that was ordered; the lens, if there is one, is drawn already. Errors: texts are to be
+/// written, and this system has no font.
+Result<QImage> finishedPicture(const PictureOrder& order, Picture picture,
+                               const std::optional<DrawnLens>& lens = std::nullopt);
 
 /// Writes a PNG file, whole or not at all.
 Status writePicture(const QImage& picture, const std::filesystem::path& target);

@@ -301,22 +301,22 @@ Result<DrawnLens> ScenePipeline::drawLens(const PictureOrder& order, const Progr
     enlarged.width = drawn.place.width;
     enlarged.height = drawn.place.height;
     enlarged.part = drawn.place.part;
-    const auto picture = draw(enlarged, false, progress.part(0.5, 1));
+    auto picture = draw(enlarged, false, progress.part(0.5, 1));
     if (!picture)
         return picture.error();
-    drawn.content = imageOf(*picture);
+    drawn.content = *std::move(picture);
     drawn.tetrahedra = built->mesh.tetrahedra;
     return drawn;
 }
 
-Result<QImage> ScenePipeline::finish(const PictureOrder& order, const Picture& picture, const Progress& progress)
+Result<QImage> ScenePipeline::finish(const PictureOrder& order, Picture picture, const Progress& progress)
 {
     if (!order.lens || !order.lens->lens.isOn() || !order.lens->scene.model || order.lens->scene.renderer == nullptr)
-        return finishedPicture(order, picture);
+        return finishedPicture(order, std::move(picture));
     const auto lens = drawLens(order, progress);
     if (!lens)
         return lens.error();
-    return finishedPicture(order, picture, *lens);
+    return finishedPicture(order, std::move(picture), *lens);
 }
 
 std::shared_ptr<const ExtractedMesh> ScenePipeline::mesh() const
@@ -342,10 +342,10 @@ void ScenePipeline::clear()
 Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
 {
     ScenePipeline pipeline;
-    const auto picture = pipeline.draw(order, false, progress.part(0, order.lens ? 0.5 : 1));
+    auto picture = pipeline.draw(order, false, progress.part(0, order.lens ? 0.5 : 1));
     if (!picture)
         return picture.error();
-    return pipeline.finish(order, *picture, progress.part(0.5, 1));
+    return pipeline.finish(order, *std::move(picture), progress.part(0.5, 1));
 }
 
 Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
@@ -355,10 +355,10 @@ Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const 
     if (!built)
         return built.error();
     order.scene = built->scene;
-    const auto picture = pipeline.draw(order, false, progress.part(0.5, order.lens ? 0.7 : 1));
+    auto picture = pipeline.draw(order, false, progress.part(0.5, order.lens ? 0.7 : 1));
     if (!picture)
         return picture.error();
-    return pipeline.finish(order, *picture, progress.part(0.7, 1));
+    return pipeline.finish(order, *std::move(picture), progress.part(0.7, 1));
 }
 
 } // namespace tetra

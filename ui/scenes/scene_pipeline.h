@@ -82,7 +82,7 @@ public:
     /// of cells of one picture helps with the next.
     Result<Picture> draw(const PictureOrder& order, bool withDepth, const Progress& progress);
     /// A picture that was drawn with all else that was ordered, the lens included.
-    Result<QImage> finish(const PictureOrder& order, const Picture& picture, const Progress& progress);
+    Result<QImage> finish(const PictureOrder& order, Picture picture, const Progress& progress);
     /// What is seen in the lens of an order.
     Result<DrawnLens> drawLens(const PictureOrder& order, const Progress& progress);
     /// Of the last picture.

@@ -3,6 +3,7 @@
 
 #include "core/view/appearance.h"
 #include "ui/scenes/view_picture.h"
+#include "ui/session/annotation_language.h"
 #include "ui/session/message_text.h"
 #include "ui/session/rendering_modes.h"
 #include "ui/session/shown_error.h"
@@ -17,7 +18,7 @@ constexpr std::chrono::milliseconds settlingTime(300);
 } // namespace
 
 SceneService::SceneService(PluginHost& host, Session& session)
-    : host_(host), session_(session), errors_(sceneBuilder_, session)
+    : host_(host), session_(session), errors_(sceneBuilder_, session), fonts_(windowFonts())
 {
     session_.setUsualTransfer(
         [this](const QueryState& query) { return usualTransfer(modes_, *session_.model(), field_, query); });
@@ -108,8 +109,12 @@ AnnotationContent SceneService::annotations(const Camera& camera, const Colour& 
     view.background = background;
     const auto& model = session_.model();
     const auto& shown = session_.shown();
-    return model ? annotationContent(*model, matteringParameters(), view, shown ? &*shown : nullptr)
-                 : AnnotationContent{.state = view.annotations, .camera = camera, .background = background};
+    if (!model)
+        return {.state = view.annotations, .camera = camera, .background = background, .fonts = fonts_};
+    AnnotationContent content = annotationContent(*model, matteringParameters(), view,
+                                                  shown ? accuracyText(*shown) : std::string(), annotationLanguage());
+    content.fonts = fonts_;
+    return content;
 }
 
 void SceneService::previewView(const std::optional<ViewValue>& view)

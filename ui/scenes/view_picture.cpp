@@ -4,9 +4,9 @@
 #include "core/base/guarded.h"
 #include "core/base/text.h"
 #include "core/history/whole_elsewhere.h"
+#include "core/picture/annotations/annotation_painter.h"
 #include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
-#include "ui/annotations/annotation_painter.h"
 #include "ui/session/rendering_modes.h"
 #include "ui/session/shown_error.h"
 
@@ -131,7 +131,8 @@ Colour usualBackground(bool isDark)
 
 PictureOrder pictureOrder(const ViewPicture& picture)
 {
-    const double scale = annotationScale(picture.size, picture.viewSize);
+    const double scale = annotationScale({picture.size.width(), picture.size.height()},
+                                         {picture.viewSize.width(), picture.viewSize.height()});
     PictureOrder order;
     order.scene = picture.scene;
     order.camera = picture.annotations.camera;
@@ -141,9 +142,10 @@ PictureOrder pictureOrder(const ViewPicture& picture)
     order.transparent = picture.transparent;
     order.dotsPerInch = picture.dotsPerInch;
     order.lineScale = std::max(1.0, scale);
+    order.lensWriting = {picture.annotations.language.numbers, picture.annotations.fonts};
     if (std::ranges::any_of(picture.annotations.state.places, &AnnotationPlace::shown))
-        order.finish = [content = picture.annotations, scale](QImage& image) {
-            paintAnnotations(image, content, scale);
+        order.finish = [content = picture.annotations, scale](Picture& drawn) {
+            return paintAnnotations(pixelsOf(drawn), content, scale);
         };
     return order;
 }

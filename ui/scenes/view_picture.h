@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/annotations/annotation_content.h"
 #include "plugins/api/renderer.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/annotations/annotation_content.h"
 #include "ui/scenes/picture_file.h"
 #include "ui/scenes/scene_pipeline.h"
 

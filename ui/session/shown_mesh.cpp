@@ -88,6 +88,12 @@ QString errorText(const ShownMesh& mesh)
                            : MeshText::tr("%1 (in space up to %2)").arg(kept, inSpace);
 }
 
+std::string accuracyText(const ShownMesh& mesh)
+{
+    QString text = errorText(mesh);
+    return text.replace(0, 1, text.left(1).toUpper()).toStdString();
+}
+
 QString errorPlaceText(ErrorMeaning meaning, const std::optional<double>& errorInSpace)
 {
     if (meaning == ErrorMeaning::InGrid && errorInSpace)

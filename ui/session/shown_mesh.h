@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace tetra {
 
@@ -40,6 +41,8 @@ struct ShownMesh {
 /// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside", in the words for which error it is, with
 /// the one in space beside that in the grid where it was measured, and of logarithms with the factor that each is.
 QString errorText(const ShownMesh& mesh);
+/// The same as the beginning of a line, as it is written over pictures: UTF-8.
+std::string accuracyText(const ShownMesh& mesh);
 
 /// What is beside the name "Error": "in the grid; in space up to 7.3 %". Empty where there is one error only.
 QString errorPlaceText(ErrorMeaning meaning, const std::optional<double>& errorInSpace);

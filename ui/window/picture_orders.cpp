@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/picture_orders.h"
 
-#include "ui/annotations/annotation_painter.h"
+#include "core/picture/annotations/annotation_painter.h"
 #include "ui/scenes/view_picture.h"
 #include "ui/viewport/viewport.h"
 
@@ -38,9 +38,11 @@ FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const 
     const ViewPicture picture = pictureOf(workbench, viewport, settings);
     FilmOrder order = workbench.exporting().filmOrder();
     order.picture = pictureOrder(picture);
-    order.finish = [content = picture.annotations, scale = annotationScale(picture.size, picture.viewSize)](
-                       QImage& image, const ViewValue& view, const ShownMesh& mesh) {
-        paintAnnotations(image, inView(content, view, mesh), scale);
+    const double scale = annotationScale({picture.size.width(), picture.size.height()},
+                                         {picture.viewSize.width(), picture.viewSize.height()});
+    order.finish = [content = picture.annotations, scale](Picture& drawn, const ViewValue& view,
+                                                          const ShownMesh& mesh) {
+        return paintAnnotations(pixelsOf(drawn), inView(content, view, accuracyText(mesh)), scale);
     };
     return order;
 }

@@ -42,13 +42,13 @@ Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, FramePipelines&
     picture.scene = built->scene;
     picture.camera = view.camera;
     if (order.finish)
-        picture.finish = [&](QImage& image) { order.finish(image, view, built->mesh); };
+        picture.finish = [&](Picture& drawn) { return order.finish(drawn, view, built->mesh); };
     if (view.lens.isOn())
         picture.lens = std::make_shared<const LensOrder>(LensOrder{view.lens, request});
-    const auto drawn = pipelines.picture.draw(picture, false, progress);
+    auto drawn = pipelines.picture.draw(picture, false, progress);
     if (!drawn)
         return drawn.error();
-    return pipelines.lens.finish(picture, *drawn, progress);
+    return pipelines.lens.finish(picture, *std::move(drawn), progress);
 }
 
 std::filesystem::path numbered(const std::filesystem::path& folder, int frame)

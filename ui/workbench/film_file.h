@@ -22,7 +22,7 @@ struct FilmOrder {
     ViewValue view{};
     PictureOrder picture{}; ///< size and background of each frame; the rest is the frame's
     /// Paints over a frame; called in the worker.
-    std::function<void(QImage& picture, const ViewValue& view, const ShownMesh& mesh)> finish{};
+    std::function<Status(Picture& picture, const ViewValue& view, const ShownMesh& mesh)> finish{};
     std::filesystem::path target{}; ///< a video, or name.png for name_0001.png and so on
     QString encoder{};              ///< of videos
 };

@@ -5,6 +5,15 @@
 
 namespace tetra {
 
+/// Width and height; empty unless both are positive.
+struct Size {
+    double width = 0;
+    double height = 0;
+
+    bool isEmpty() const noexcept { return !(width > 0 && height > 0); }
+    bool operator==(const Size&) const = default;
+};
+
 /// A rectangle of a picture, x to the right and y down; empty without a positive width and height.
 struct Rectangle {
     double left = 0;
@@ -14,6 +23,7 @@ struct Rectangle {
 
     double right() const noexcept { return left + width; }
     double bottom() const noexcept { return top + height; }
+    Size size() const noexcept { return {width, height}; }
     Eigen::Vector2d centre() const { return {left + width / 2, top + height / 2}; }
     bool isEmpty() const noexcept { return !(width > 0 && height > 0); }
 

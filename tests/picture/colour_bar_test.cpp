@@ -2,18 +2,17 @@
 // The colour bar as a measure: values stand where they belong, on linear and logarithmic axes, neighbouring ticks have
 // different texts, and a value can be read back from its colour within a tick. Places are worked out here, by closed
 // forms; colours by the map's own straight pieces.
-#include "ui/annotations/annotation_layout.h"
-#include "ui/annotations/annotation_painter.h"
-#include "ui/annotations/axis_ticks.h"
-#include "ui/annotations/bar_axis.h"
+#include "core/picture/annotations/annotation_layout.h"
+#include "core/picture/annotations/annotation_painter.h"
+#include "core/picture/annotations/axis_ticks.h"
+#include "core/picture/annotations/bar_axis.h"
+#include "core/picture/annotations/placed_text.h"
 
-#include <QFontMetricsF>
-#include <QImage>
-#include <QLocale>
 #include <QTest>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -22,8 +21,15 @@ using namespace tetra;
 
 namespace {
 
-const TextMeasure measure{[](const QString& text) { return 7.0 * static_cast<double>(text.size()); },
-                          [](const QString& text) { return 8.0 * static_cast<double>(text.size()); }, 15};
+const TextMeasure measure{[](const std::string& text) { return 7.0 * static_cast<double>(text.size()); },
+                          [](const std::string& text) { return 8.0 * static_cast<double>(text.size()); }, 15};
+
+double numberOf(const std::string& text)
+{
+    double number = std::numeric_limits<double>::quiet_NaN();
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
 
 AnnotationContent contentOver(double least, double largest, const TransferFunction& function)
 {
@@ -74,7 +80,7 @@ std::array<double, 3> colourOf(const ColourMap& map, double share)
     return colour;
 }
 
-ColourBarLayout barOf(const AnnotationContent& content, QSizeF picture = {800, 600})
+ColourBarLayout barOf(const AnnotationContent& content, const Size& picture = {800, 600})
 {
     return layOutAnnotations(content, picture, measure).colourBar.value();
 }
@@ -84,8 +90,6 @@ ColourBarLayout barOf(const AnnotationContent& content, QSizeF picture = {800, 6
 class ColourBarTest : public QObject {
     Q_OBJECT
 private slots:
-    void initTestCase() { QLocale::setDefault(QLocale::c()); }
-
     void endsCanBeFixed()
     {
         const TransferFunction function = linearMap(colourMaps()[0], 0, 10);
@@ -93,10 +97,10 @@ private slots:
         content.isovalues = std::vector<Isovalue>{{.value = 5}, {.value = -1}, {.value = 25}};
         content.state.barEnds = BarEnds{-20, 20};
         const ColourBarLayout bar = barOf(content);
-        QCOMPARE(bar.ticks.front().label.text, QString("-20"));
-        QCOMPARE(bar.ticks.back().label.text, QString("20"));
+        QCOMPARE(bar.ticks.front().label.text, std::string("-20"));
+        QCOMPARE(bar.ticks.back().label.text, std::string("20"));
         QVERIFY(std::abs(bar.ticks.front().position - bar.bar.bottom()) < 1e-9);
-        QVERIFY(std::abs(bar.isovalues[0].position - (bar.bar.bottom() - bar.bar.height() * 25 / 40)) < 1e-9);
+        QVERIFY(std::abs(bar.isovalues[0].position - (bar.bar.bottom() - bar.bar.height * 25 / 40)) < 1e-9);
         QVERIFY(!bar.isovalues[0].beyond && !bar.isovalues[1].beyond && bar.isovalues[2].beyond);
         content.state.barEnds.reset();
         QVERIFY(barOf(content).isovalues[1].beyond && !barOf(content).isovalues[0].beyond);
@@ -119,12 +123,12 @@ private slots:
                     const ColourBarLayout bar = barOf(contentOver(least, largest, logarithmicMap(map, least, largest)));
                     QVERIFY2(bar.ticks.size() > 1, name);
                     for (const AxisMark& tick : bar.ticks) {
-                        if (tick.label.text.isEmpty())
+                        if (tick.label.text.empty())
                             continue;
-                        const double value = QLocale::c().toDouble(tick.label.text);
+                        const double value = numberOf(tick.label.text);
                         const double share = std::log10(value / least) / decades;
-                        const double position = bar.bar.bottom() - share * bar.bar.height();
-                        QVERIFY2(std::abs(tick.position - position) < 1e-6 * bar.bar.height(), name);
+                        const double position = bar.bar.bottom() - share * bar.bar.height;
+                        QVERIFY2(std::abs(tick.position - position) < 1e-6 * bar.bar.height, name);
                     }
                 }
     }
@@ -162,17 +166,18 @@ private slots:
             QVERIFY(std::ranges::is_sorted(ticks) &&
                     std::ranges::all_of(ticks, [&](double tick) { return axis.contains(tick); }));
             for (std::size_t i = 0; i < ticks.size(); ++i) {
-                QVERIFY2(i == 0 || texts[i] != texts[i - 1], qPrintable(texts[i]));
-                const double read = QLocale::c().toDouble(texts[i]);
+                QVERIFY2(i == 0 || texts[i] != texts[i - 1], texts[i].c_str());
+                const double read = numberOf(texts[i]);
                 const double apart = i > 0              ? ticks[i] - ticks[i - 1]
                                      : ticks.size() > 1 ? ticks[1] - ticks[0]
                                                         : ticks[i];
-                QVERIFY2(std::abs(read - ticks[i]) <= 0.01 * apart, qPrintable(texts[i]));
+                QVERIFY2(std::abs(read - ticks[i]) <= 0.01 * apart, texts[i].c_str());
             }
         }
         QCOMPARE(barTicks({{1, 1000}, true}, 4), (std::vector<double>{1, 10, 100, 1000}));
         QCOMPARE(barTicks({{0.5, 20}, true}, 9), (std::vector<double>{0.5, 1, 2, 5, 10, 20}));
-        QCOMPARE(barTickTexts({{1e-5, 1}, true}, {1e-5, 0.001, 0.1}), (std::vector<QString>{"1e-05", "0.001", "0.1"}));
+        QCOMPARE(barTickTexts({{1e-5, 1}, true}, {1e-5, 0.001, 0.1}),
+                 (std::vector<std::string>{"1e-05", "0.001", "0.1"}));
     }
 
     /// Of a model of logarithms the axis tells the values: where the bar has -3 it says 0.001.
@@ -185,13 +190,13 @@ private slots:
         const auto texts = barTickTexts(axis, ticks);
         for (std::size_t i = 0; i < ticks.size(); ++i) {
             QVERIFY(std::abs(ticks[i] - (-8.0 + static_cast<double>(i))) < 1e-12);
-            QVERIFY2(std::abs(std::log10(QLocale().toDouble(texts[i])) - ticks[i]) < 1e-12, qPrintable(texts[i]));
+            QVERIFY2(std::abs(std::log10(numberOf(texts[i])) - ticks[i]) < 1e-12, texts[i].c_str());
         }
-        QVERIFY(std::abs(QLocale().toDouble(barValueText(axis, std::log10(3e-5), ticks)) / 3e-5 - 1) < 1e-3);
+        QVERIFY(std::abs(numberOf(barValueText(axis, std::log10(3e-5), ticks)) / 3e-5 - 1) < 1e-3);
         // Of less than a decade round values, too.
         const BarAxis narrow{.ends = {std::log10(2.0), std::log10(4.0)}, .ofLogarithms = true};
-        for (const QString& text : barTickTexts(narrow, barTicks(narrow, 5)))
-            QVERIFY2(text.size() <= 4, qPrintable(text));
+        for (const std::string& text : barTickTexts(narrow, barTicks(narrow, 5)))
+            QVERIFY2(text.size() <= 4, text.c_str());
         AnnotationContent content;
         content.range = {-8, 2};
         content.logarithms = true;
@@ -224,24 +229,21 @@ private slots:
         QFETCH(bool, logarithmic);
         const double least = 2, largest = 20000;
         const ColourMap& map = colourMaps()[0]; // of which no two places look alike
-        const AnnotationContent content = contentOver(
+        const auto fonts = openFonts();
+        QVERIFY(fonts.ok());
+        AnnotationContent content = contentOver(
             least, largest, logarithmic ? logarithmicMap(map, least, largest) : linearMap(map, least, largest));
-        QImage picture(500, 400, QImage::Format_ARGB32);
-        picture.fill(Qt::white);
-        paintAnnotations(picture, content, 1);
-        QFont font = content.font;
-        font.setPixelSize(12);
-        const QFontMetricsF metrics(font);
-        const auto width = [&](const QString& text) { return metrics.horizontalAdvance(text); };
-        const ColourBarLayout bar =
-            layOutAnnotations(content, {500, 400}, {width, width, metrics.height()}).colourBar.value();
+        content.fonts = *fonts;
+        Picture picture{500, 400, std::vector<std::array<std::uint8_t, 4>>(200'000, {255, 255, 255, 255})};
+        QVERIFY(paintAnnotations(pixelsOf(picture), content, 1).ok());
+        const ColourBarLayout bar = layOutAnnotations(content, {500, 400}, textMeasure(**fonts)).colourBar.value();
         struct Tick {
             double position, place; ///< the value, or its logarithm
         };
         std::vector<Tick> ticks;
         for (const AxisMark& mark : bar.ticks)
-            if (!mark.label.text.isEmpty()) {
-                const double value = QLocale::c().toDouble(mark.label.text);
+            if (!mark.label.text.empty()) {
+                const double value = numberOf(mark.label.text);
                 ticks.push_back({mark.position, logarithmic ? std::log(value) : value});
             }
         QVERIFY(ticks.size() > 2);
@@ -255,10 +257,10 @@ private slots:
             const auto [red, green, blue] = colourOf(map, share);
             int nearest = 0;
             double smallest = std::numeric_limits<double>::infinity();
-            for (int row = static_cast<int>(bar.bar.top()) + 2; row < static_cast<int>(bar.bar.bottom()) - 1; ++row) {
-                const QColor there = picture.pixelColor(static_cast<int>(bar.bar.left()) + 5, row);
-                const double apart =
-                    std::abs(there.redF() - red) + std::abs(there.greenF() - green) + std::abs(there.blueF() - blue);
+            for (int row = static_cast<int>(bar.bar.top) + 2; row < static_cast<int>(bar.bar.bottom()) - 1; ++row) {
+                const auto& there = pixelsOf(picture).row(row)[static_cast<int>(bar.bar.left) + 5];
+                const double apart = std::abs(there[0] / 255.0 - red) + std::abs(there[1] / 255.0 - green) +
+                                     std::abs(there[2] / 255.0 - blue);
                 if (apart < smallest) {
                     smallest = apart;
                     nearest = row;
@@ -274,5 +276,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ColourBarTest)
+QTEST_GUILESS_MAIN(ColourBarTest)
 #include "colour_bar_test.moc"

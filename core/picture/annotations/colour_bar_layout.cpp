@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/annotations/annotation_parts.h"
-#include "ui/annotations/bar_axis.h"
+#include "core/picture/annotations/annotation_parts.h"
+#include "core/picture/annotations/bar_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,31 +24,32 @@ std::vector<double> ticksFor(const BarAxis& axis, double height, const TextMeasu
 /// Of all labels: the ticks' and the isovalues'.
 double labelWidth(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
 {
+    const NumberSigns& signs = content.language.numbers;
     double widest = 0;
     const auto ticks = ticksFor(axis, height, measure);
-    for (const QString& text : barTickTexts(axis, ticks))
+    for (const std::string& text : barTickTexts(axis, ticks, signs))
         widest = std::max(widest, measure.width(text));
     if (content.isovalues && !content.transfer)
         for (const Isovalue& isovalue : *content.isovalues)
             if (axis.contains(isovalue.value))
-                widest = std::max(widest, measure.width(barValueText(axis, isovalue.value, ticks)));
+                widest = std::max(widest, measure.width(barValueText(axis, isovalue.value, ticks, signs)));
     return std::ceil(widest);
 }
 
-double positionOf(double value, const BarAxis& axis, const QRectF& bar)
+double positionOf(double value, const BarAxis& axis, const Rectangle& bar)
 {
-    return bar.bottom() - std::clamp(axis.shareOf(value), 0.0, 1.0) * bar.height();
+    return bar.bottom() - std::clamp(axis.shareOf(value), 0.0, 1.0) * bar.height;
 }
 
 /// Gives marks their labels, in their order, but for those that would touch one that is there already.
 class LabelColumn {
 public:
-    LabelColumn(const QRectF& bar, const TextMeasure& measure) : left_(bar.right() + labelGap), measure_(measure) {}
+    LabelColumn(const Rectangle& bar, const TextMeasure& measure) : left_(bar.right() + labelGap), measure_(measure) {}
 
-    void label(AxisMark& mark, const QString& text)
+    void label(AxisMark& mark, const std::string& text)
     {
-        const QRectF place(left_, mark.position - measure_.height / 2, measure_.width(text), measure_.height);
-        if (std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(place); }))
+        const Rectangle place{left_, mark.position - measure_.height / 2, measure_.width(text), measure_.height};
+        if (std::ranges::any_of(taken_, [&](const Rectangle& other) { return other.intersects(place); }))
             return;
         taken_.push_back(place);
         mark.label = {text, place};
@@ -57,41 +58,42 @@ public:
 private:
     double left_;
     const TextMeasure& measure_;
-    std::vector<QRectF> taken_;
+    std::vector<Rectangle> taken_;
 };
 
 } // namespace
 
-QSizeF colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
+Size colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
 {
     const bool hasMarks = content.isovalues && !content.isovalues->empty();
     if (!(axis.ends.largest > axis.ends.least) || (!content.transfer && !hasMarks))
         return {};
     const double width = markWidth + barWidth + labelGap + labelWidth(content, axis, height, measure);
-    const double name = fittedText(content.field, widestField, measure).place.width();
+    const double name = fittedText(content.field, widestField, measure).place.width;
     return {std::max(width, name), height};
 }
 
-ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis& axis, const QRectF& place,
+ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis& axis, const Rectangle& place,
                                 const TextMeasure& measure)
 {
     ColourBarLayout layout;
     layout.axis = axis;
-    layout.field = fittedText(content.field, std::min(widestField, place.width() + 0.5), measure);
-    layout.field.place.moveTopLeft(place.topLeft());
+    layout.field = fittedText(content.field, std::min(widestField, place.width + 0.5), measure);
+    layout.field.place.left = place.left;
+    layout.field.place.top = place.top;
     // Half a line at both ends is for the labels there.
-    const double above = layout.field.text.isEmpty() ? measure.height / 2 : 1.8 * measure.height;
-    layout.bar =
-        QRectF(place.left() + markWidth, place.top() + above, barWidth, place.height() - above - measure.height / 2);
+    const double half = std::ceil(measure.height / 2);
+    const double above = layout.field.text.empty() ? half : std::round(1.8 * measure.height);
+    layout.bar = {place.left + markWidth, place.top + above, barWidth, place.height - above - half};
     LabelColumn labels(layout.bar, measure);
-    const auto ticks = ticksFor(axis, place.height(), measure);
+    const auto ticks = ticksFor(axis, place.height, measure);
     for (const Isovalue& isovalue : content.isovalues.value_or(std::vector<Isovalue>{})) {
         AxisMark mark{positionOf(isovalue.value, axis, layout.bar), {}, !axis.contains(isovalue.value)};
         if (!content.transfer && !mark.beyond) // else the axis is there to tell
-            labels.label(mark, barValueText(axis, isovalue.value, ticks));
+            labels.label(mark, barValueText(axis, isovalue.value, ticks, content.language.numbers));
         layout.isovalues.push_back(mark);
     }
-    const auto texts = barTickTexts(axis, ticks);
+    const auto texts = barTickTexts(axis, ticks, content.language.numbers);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         AxisMark mark{positionOf(ticks[i], axis, layout.bar), {}};
         labels.label(mark, texts[i]);

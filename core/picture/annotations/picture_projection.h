@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/drawing/rectangle.h"
 #include "core/render/picking/picking.h"
 
 #include <tan/render.h>
 
-#include <QPointF>
-#include <QSizeF>
+#include <Eigen/Core>
 
 #include <optional>
 
@@ -16,19 +16,19 @@ namespace tetra {
 /// to movements in the plane of the view: what projectionMatrix() does to the picture, for those who draw over it.
 class PictureProjection {
 public:
-    PictureProjection(const Camera& camera, QSizeF size);
+    PictureProjection(const Camera& camera, const Size& size);
 
     /// Nothing for a place that is not before the eye.
-    std::optional<QPointF> pixelOf(const Eigen::Vector3d& place) const;
+    std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& place) const;
     /// The length that a pixel spans in the plane of the view through a place; at least as much as beside the eye.
     double unitsPerPixel(const Eigen::Vector3d& place) const;
     /// How far a step along a unit vector goes in the picture, in pixels for a unit of length.
-    QPointF pixelsPerUnit(const Eigen::Vector3d& place, const Eigen::Vector3d& direction) const;
+    Eigen::Vector2d pixelsPerUnit(const Eigen::Vector3d& place, const Eigen::Vector3d& direction) const;
     /// The movement in the plane of the view through a place that is seen as one by these pixels.
-    Eigen::Vector3d movement(const Eigen::Vector3d& place, QPointF pixels) const;
+    Eigen::Vector3d movement(const Eigen::Vector3d& place, const Eigen::Vector2d& pixels) const;
 
     /// What is seen at a pixel lies on this line.
-    PickingRay pickingRay(QPointF pixel) const;
+    PickingRay pickingRay(const Eigen::Vector2d& pixel) const;
 
     Eigen::Vector3d right() const { return axes_.col(0); }
     Eigen::Vector3d up() const { return axes_.col(1); }
@@ -39,7 +39,7 @@ private:
 
     Eigen::Matrix3d axes_;
     Eigen::Vector3d eye_;
-    QPointF middle_;
+    Eigen::Vector2d middle_;
     double distance_;
     double scale_; ///< pixels for a unit of length, one unit before the eye
     bool perspective_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/annotations/bar_axis.h"
+#include "core/picture/annotations/bar_axis.h"
 
-#include "ui/annotations/annotation_content.h"
-#include "ui/annotations/axis_ticks.h"
+#include "core/picture/annotations/annotation_content.h"
+#include "core/picture/annotations/axis_ticks.h"
 
 #include <algorithm>
 #include <array>
@@ -195,29 +195,29 @@ std::vector<double> barTicks(const BarAxis& axis, int most)
     return niceTicks(axis.ends.least, axis.ends.largest, most);
 }
 
-std::vector<QString> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks)
+std::vector<std::string> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks, const NumberSigns& signs)
 {
     if (const auto ofData = axisOfData(axis))
-        return barTickTexts(*ofData, valuesOf(ticks));
+        return barTickTexts(*ofData, valuesOf(ticks), signs);
     if (!axis.logarithmic)
-        return tickTexts(ticks);
-    std::vector<QString> texts;
+        return tickTexts(ticks, signs);
+    std::vector<std::string> texts;
     for (const double tick : ticks)
-        texts.push_back(ownText(tick));
+        texts.push_back(ownText(tick, signs));
     return texts;
 }
 
-QString barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks)
+std::string barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks, const NumberSigns& signs)
 {
     if (const auto ofData = axisOfData(axis))
-        return barValueText(*ofData, std::pow(10, value), valuesOf(ticks));
+        return barValueText(*ofData, std::pow(10, value), valuesOf(ticks), signs);
     if (!axis.logarithmic)
-        return numberAmong(value, ticks);
+        return numberAmong(value, ticks, signs);
     const auto above = std::ranges::upper_bound(ticks, value);
     if (ticks.size() < 2)
-        return shortNumber(value);
+        return shortNumber(value, signs);
     const auto second = std::clamp(above, ticks.begin() + 1, ticks.end() - 1);
-    return numberAmong(value, {*(second - 1), *second});
+    return numberAmong(value, {*(second - 1), *second}, signs);
 }
 
 } // namespace tetra

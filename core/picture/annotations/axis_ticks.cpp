@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/annotations/axis_ticks.h"
-
-#include <QLocale>
+#include "core/picture/annotations/axis_ticks.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace tetra {
 namespace {
@@ -39,19 +39,32 @@ int decimalsOf(double step)
     return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
 }
 
-QString plain(double value, int decimals)
+/// As the C locale writes it: `general` with as many significant digits as it needs, at most `digits`.
+std::string plain(double value, std::chars_format format, int digits)
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'f', decimals);
+    std::array<char, 400> text{}; // 1.8e308 with decimals
+    const auto [end, problem] = std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
+    return problem == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-/// Significant ones, as many as the number needs.
-QString withDigits(double value, int digits)
+double numberOf(const std::string& plain)
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'g', digits);
+    double number = 0;
+    std::from_chars(plain.data(), plain.data() + plain.size(), number);
+    return number;
+}
+
+std::string digitOf(char digit, char32_t zero)
+{
+    const char32_t code = zero + static_cast<char32_t>(digit - '0');
+    std::string text;
+    if (code < 0x80)
+        return {static_cast<char>(code)};
+    const int following = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    text += static_cast<char>((0xff00U >> (following + 1) & 0xffU) | code >> (6 * following));
+    for (int left = following - 1; left >= 0; --left)
+        text += static_cast<char>(0x80U | (code >> (6 * left) & 0x3fU));
+    return text;
 }
 
 double largestMagnitude(const std::vector<double>& values)
@@ -71,6 +84,20 @@ double smallestDistance(const std::vector<double>& values)
 }
 
 } // namespace
+
+std::string withSigns(std::string_view plain, const NumberSigns& signs)
+{
+    std::string text;
+    for (const char sign : plain)
+        switch (sign) {
+        case '.': text += signs.decimalPoint; break;
+        case '-': text += signs.minus; break;
+        case '+': text += signs.plus; break;
+        case 'e': text += signs.exponent; break;
+        default: text += sign >= '0' && sign <= '9' ? digitOf(sign, signs.zero) : std::string(1, sign); break;
+        }
+    return text;
+}
 
 std::vector<double> niceTicks(double least, double largest, int most)
 {
@@ -100,12 +127,12 @@ double niceLength(double length)
     return power <= length ? power : power / 2;
 }
 
-std::vector<QString> tickTexts(const std::vector<double>& values)
+std::vector<std::string> tickTexts(const std::vector<double>& values, const NumberSigns& signs)
 {
     if (values.empty())
         return {};
     if (values.size() == 1)
-        return {ownText(values.front())};
+        return {ownText(values.front(), signs)};
     const double largest = largestMagnitude(values);
     const double distance = smallestDistance(values);
     const double apart = distance > 0 ? distance : 1;
@@ -114,42 +141,42 @@ std::vector<QString> tickTexts(const std::vector<double>& values)
     const int digits =
         isPlain ? 0
                 : std::clamp(static_cast<int>(std::floor(std::log10(largest)) - std::floor(std::log10(apart))), 0, 12);
-    std::vector<QString> texts;
+    std::vector<std::string> texts;
     for (const double value : values)
-        texts.push_back(value == 0 ? plain(0, isPlain ? decimalsOf(apart) : 0)
-                        : isPlain  ? plain(value, decimalsOf(apart))
-                                   : QLocale().toString(value, 'e', digits));
+        texts.push_back(withSigns(isPlain || value == 0 ? plain(value == 0 ? 0 : value, std::chars_format::fixed,
+                                                                isPlain ? decimalsOf(apart) : 0)
+                                                        : plain(value, std::chars_format::scientific, digits),
+                                  signs));
     return texts;
 }
 
-QString ownText(double value)
+std::string ownText(double value, const NumberSigns& signs)
 {
     constexpr int mostDigits = 12;
     const double magnitude = std::abs(value);
     if (magnitude == 0 || (magnitude >= smallestPlain && magnitude < largestPlain))
-        return withDigits(value, mostDigits);
-    const QLocale locale;
+        return shortNumber(value, signs, mostDigits);
     for (int digits = 0; digits < mostDigits; ++digits)
-        if (const QString text = locale.toString(value, 'e', digits);
-            std::abs(locale.toDouble(text) - value) <= 1e-12 * magnitude)
-            return text;
-    return locale.toString(value, 'e', mostDigits);
+        if (const std::string text = plain(value, std::chars_format::scientific, digits);
+            std::abs(numberOf(text) - value) <= 1e-12 * magnitude)
+            return withSigns(text, signs);
+    return withSigns(plain(value, std::chars_format::scientific, mostDigits), signs);
 }
 
-QString shortNumber(double value)
+std::string shortNumber(double value, const NumberSigns& signs, int digits)
 {
-    return withDigits(value, fewestDigits);
+    return withSigns(plain(value == 0 ? 0 : value, std::chars_format::general, digits), signs);
 }
 
-QString numberAmong(double value, const std::vector<double>& ticks)
+std::string numberAmong(double value, const std::vector<double>& ticks, const NumberSigns& signs)
 {
     const double apart = ticks.empty() ? 0 : smallestDistance(ticks);
     if (!(apart > 0) || value == 0 || !std::isfinite(value))
-        return shortNumber(value);
+        return shortNumber(value, signs, fewestDigits);
     constexpr int mostDigits = 15;
     // From the first of the number down to the one below the first of the distance.
     const double digits = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(apart)) + 2;
-    return withDigits(value, static_cast<int>(std::clamp<double>(digits, fewestDigits, mostDigits)));
+    return shortNumber(value, signs, static_cast<int>(std::clamp<double>(digits, fewestDigits, mostDigits)));
 }
 
 } // namespace tetra

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/annotations/annotation_layout.h"
+#include "core/picture/annotations/annotation_layout.h"
 
-#include "ui/annotations/annotation_parts.h"
+#include "core/picture/annotations/annotation_parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -21,8 +22,8 @@ constexpr std::array stackingOrder{AnnotationKind::Title, AnnotationKind::Accura
 constexpr std::array leastFirst{AnnotationKind::Accuracy, AnnotationKind::Title, AnnotationKind::Axes,
                                 AnnotationKind::ScaleBar, AnnotationKind::ColourBar};
 
-using Sizes = std::array<QSizeF, annotationCount>;
-using Places = std::array<QRectF, annotationCount>;
+using Sizes = std::array<Size, annotationCount>;
+using Places = std::array<Rectangle, annotationCount>;
 
 std::size_t indexOf(AnnotationKind kind)
 {
@@ -40,42 +41,42 @@ bool isLeft(Corner corner)
 }
 
 /// Of a place `offset` from the corner.
-QRectF placeIn(Corner corner, double offset, const QSizeF& size, const QSizeF& picture)
+Rectangle placeIn(Corner corner, double offset, const Size& size, const Size& picture)
 {
-    const double left = isLeft(corner) ? margin : picture.width() - margin - size.width();
-    const double top = isTop(corner) ? margin + offset : picture.height() - margin - offset - size.height();
-    return {QPointF(left, top), size};
+    const double left = isLeft(corner) ? margin : picture.width - margin - size.width;
+    const double top = isTop(corner) ? margin + offset : picture.height - margin - offset - size.height;
+    return {left, top, size.width, size.height};
 }
 
 /// Places for all that have a size; nothing if they do not fit.
-std::optional<Places> placed(const AnnotationState& state, const Sizes& sizes, const QSizeF& picture)
+std::optional<Places> placed(const AnnotationState& state, const Sizes& sizes, const Size& picture)
 {
-    const QRectF room(margin, margin, picture.width() - 2 * margin, picture.height() - 2 * margin);
+    const Rectangle room = Rectangle{0, 0, picture.width, picture.height}.grown(-margin);
     const double touch = gap / 2;
-    Places places;
+    Places places{};
     std::array<double, 4> offsets{};
     for (const AnnotationKind kind : stackingOrder) {
-        const QSizeF& size = sizes[indexOf(kind)];
+        const Size& size = sizes[indexOf(kind)];
         if (size.isEmpty())
             continue;
         double& offset = offsets[static_cast<std::size_t>(state[kind].corner)];
-        const QRectF place = placeIn(state[kind].corner, offset, size, picture);
-        const QRectF wide = place.adjusted(-touch, -touch, touch, touch);
-        const auto touches = [&](const QRectF& other) { return !other.isNull() && wide.intersects(other); };
+        const Rectangle place = placeIn(state[kind].corner, offset, size, picture);
+        const Rectangle wide = place.grown(touch);
+        const auto touches = [&](const Rectangle& other) { return wide.intersects(other); };
         // Lines of text in one corner may stand close.
         const bool isText = kind == AnnotationKind::Title || kind == AnnotationKind::Accuracy;
         if (!room.contains(place) || (!isText && std::ranges::any_of(places, touches)) ||
-            std::ranges::any_of(places, [&](const QRectF& other) { return place.intersects(other); }))
+            std::ranges::any_of(places, [&](const Rectangle& other) { return place.intersects(other); }))
             return std::nullopt;
         places[indexOf(kind)] = place;
-        offset += size.height() + (kind == AnnotationKind::Title ? 0 : gap);
+        offset += size.height + (kind == AnnotationKind::Title ? 0 : gap);
     }
     return places;
 }
 
-QSizeF textSize(const QString& text, double most, const TextMeasure& measure)
+Size textSize(const std::string& text, double most, const TextMeasure& measure)
 {
-    return text.isEmpty() ? QSizeF() : fittedText(text, most, measure).place.size();
+    return text.empty() ? Size() : fittedText(text, most, measure).place.size();
 }
 
 TextMeasure inBold(const TextMeasure& measure)
@@ -84,10 +85,10 @@ TextMeasure inBold(const TextMeasure& measure)
 }
 
 /// Without the colour bar, whose height is to be found.
-Sizes sizesOf(const AnnotationContent& content, const QSizeF& picture, const TextMeasure& measure)
+Sizes sizesOf(const AnnotationContent& content, const Size& picture, const TextMeasure& measure)
 {
-    const double widest = picture.width() * 0.6;
-    Sizes sizes;
+    const double widest = picture.width * 0.6;
+    Sizes sizes{};
     sizes[indexOf(AnnotationKind::Axes)] = axesSize(measure);
     sizes[indexOf(AnnotationKind::ScaleBar)] = scaleBarSize(content, picture, measure);
     sizes[indexOf(AnnotationKind::Title)] = textSize(content.title, widest, inBold(measure));
@@ -100,12 +101,12 @@ Sizes sizesOf(const AnnotationContent& content, const QSizeF& picture, const Tex
 
 /// The places with the highest colour bar that fits.
 std::optional<Places> withHighestBar(const AnnotationContent& content, const BarAxis& axis, Sizes sizes, bool bar,
-                                     const QSizeF& picture, const TextMeasure& measure)
+                                     const Size& picture, const TextMeasure& measure)
 {
-    QSizeF& size = sizes[indexOf(AnnotationKind::ColourBar)];
+    Size& size = sizes[indexOf(AnnotationKind::ColourBar)];
     if (!bar || colourBarSize(content, axis, shortestBar, measure).isEmpty())
         return placed(content.state, sizes, picture);
-    const double highest = std::clamp(picture.height() * tallestShare, shortestBar, tallestBar);
+    const double highest = std::clamp(std::floor(picture.height * tallestShare), shortestBar, tallestBar);
     for (double height = highest; height >= shortestBar; height -= barStep) {
         size = colourBarSize(content, axis, height, measure);
         if (auto places = placed(content.state, sizes, picture))
@@ -115,8 +116,7 @@ std::optional<Places> withHighestBar(const AnnotationContent& content, const Bar
 }
 
 /// The places of as many as fit: `dropped` has a bit for each that is left out, the least important first.
-Places placesOf(const AnnotationContent& content, const BarAxis& axis, const QSizeF& picture,
-                const TextMeasure& measure)
+Places placesOf(const AnnotationContent& content, const BarAxis& axis, const Size& picture, const TextMeasure& measure)
 {
     const Sizes sizes = sizesOf(content, picture, measure);
     for (unsigned dropped = 0; dropped < (1U << annotationCount); ++dropped) {
@@ -135,21 +135,21 @@ Places placesOf(const AnnotationContent& content, const BarAxis& axis, const QSi
 
 } // namespace
 
-AnnotationLayout layOutAnnotations(const AnnotationContent& content, QSizeF picture, const TextMeasure& measure)
+AnnotationLayout layOutAnnotations(const AnnotationContent& content, const Size& picture, const TextMeasure& measure)
 {
     AnnotationLayout layout;
     const BarAxis axis = barAxisOf(content);
     layout.places = placesOf(content, axis, picture, measure);
     const auto place = [&](AnnotationKind kind) { return layout.places[indexOf(kind)]; };
-    const auto has = [&](AnnotationKind kind) { return !place(kind).isNull(); };
+    const auto has = [&](AnnotationKind kind) { return !place(kind).isEmpty(); };
     if (has(AnnotationKind::ColourBar))
         layout.colourBar = layOutColourBar(content, axis, place(AnnotationKind::ColourBar), measure);
     if (has(AnnotationKind::Axes))
         layout.axes = layOutAxes(content, place(AnnotationKind::Axes), measure);
     if (has(AnnotationKind::ScaleBar))
         layout.scaleBar = layOutScaleBar(content, picture, place(AnnotationKind::ScaleBar), measure);
-    const auto textAt = [&](AnnotationKind kind, const QString& text, const TextMeasure& widths) {
-        PlacedText placed = fittedText(text, place(kind).width() + 0.5, widths);
+    const auto textAt = [&](AnnotationKind kind, const std::string& text, const TextMeasure& widths) {
+        PlacedText placed = fittedText(text, place(kind).width + 0.5, widths);
         placed.place = place(kind);
         return placed;
     };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/annotations/annotation_language.h"
+
 #include <tan/transfer.h>
 
-#include <QString>
-
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -41,9 +42,11 @@ bool followsLogarithm(const TransferFunction& function, const TransferLimits& en
 std::vector<double> barTicks(const BarAxis& axis, int most);
 
 /// Their texts, which differ. On a logarithmic axis each has the digits that it needs itself.
-std::vector<QString> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks);
+std::vector<std::string> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks,
+                                      const NumberSigns& signs = {});
 
 /// A value's text beside ticks: more precise than the two that it lies between.
-QString barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks);
+std::string barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks,
+                         const NumberSigns& signs = {});
 
 } // namespace tetra
