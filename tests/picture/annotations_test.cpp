@@ -151,6 +151,7 @@ void AnnotationsTest::numbersHaveTheSignsOfALanguage()
     QCOMPARE(withSigns("19", {.zero = U'\U0001e950'}), std::string("\U0001e951\U0001e959"));
     QCOMPARE(withSigns("19", {.zero = U'\u0966'}), std::string("१९"));
     AnnotationContent content = fullContent();
+    content.state.barEnds = BarEnds{0, 1};
     content.language = {german, [](const Message& message) { return "<" + message.sentence() + ">"; }};
     const AnnotationLayout layout = layOutAnnotations(content, {1000, 700}, measure);
     QCOMPARE(layout.scaleBar->label.text, std::string("<%1 units at the target>"));
@@ -253,7 +254,7 @@ void AnnotationsTest::everythingFitsInALargePicture()
     const AnnotationLayout layout = layOutAnnotations(fullContent(), {1000, 700}, measure);
     QCOMPARE(count(layout), 5);
     QCOMPARE(layout.title->text, std::string("bluntfin"));
-    QVERIFY(layout.title->place.bottom() <= layout.accuracy->place.top());
+    QVERIFY(layout.title->place.bottom() <= layout.accuracy->place.top);
     QVERIFY(layout.colourBar->ticks.size() >= 4);
     QCOMPARE(layout.colourBar->isovalues.size(), std::size_t(3));
 }

@@ -39,13 +39,14 @@ using Path = std::vector<PathPoint>;
 
 Path polygonPath(std::span<const Eigen::Vector2d> corners);
 Path rectanglePath(const Rectangle& rectangle);
-/// The ellipse that touches the rectangle's sides, less than 1/3000 of its radius off.
+/// The ellipse that touches the rectangle's sides.
 Path ellipsePath(const Rectangle& rectangle);
 
 enum class LineEnd { Flat, Square };
 
 /// Pixels to paint on, in units that are `scale` pixels long. A pixel of which a part is covered takes that part of
-/// the ink, in 255 steps. What lies outside is left away. For one thread at a time; the pixels outlive it.
+/// the ink, in 255 steps; curves are painted as straight pieces that leave them by a tenth of a pixel at most. What
+/// lies outside is left away. For one thread at a time; the pixels outlive it.
 class Canvas {
 public:
     Canvas(const PixelView& pixels, double scale);
