@@ -155,8 +155,8 @@ void AnnotationsTest::numbersHaveTheSignsOfALanguage()
     content.language = {german, [](const Message& message) { return "<" + message.sentence() + ">"; }};
     const AnnotationLayout layout = layOutAnnotations(content, {1000, 700}, measure);
     QCOMPARE(layout.scaleBar->label.text, std::string("<%1 units at the target>"));
-    QVERIFY(
-        std::ranges::any_of(layout.colourBar->ticks, [](const AxisMark& mark) { return mark.label.text == "0,5"; }));
+    QVERIFY(std::ranges::any_of(layout.colourBar->ticks,
+                                [](const AxisMark& mark) { return mark.label.text.starts_with("0,"); }));
 }
 
 void AnnotationsTest::ticksOfBadRangesAreNone()

@@ -41,10 +41,11 @@ template <class Paint> double areaOf(double scale, Paint paint)
     return coveredArea(picture);
 }
 
-/// A 64th of a pixel along the edges, in which outlines and widths are counted, and what 255 steps leave.
+/// Ends, widths and corners are counted in 64ths of a pixel, which is two of them along the edges at most; and what 255
+/// steps leave.
 bool isNear(double area, double expected, double edges)
 {
-    return std::abs(area - expected) < edges / 64 + 0.05;
+    return std::abs(area - expected) < edges / 32 + 0.05;
 }
 
 /// Curves are drawn as straight pieces that leave them by a tenth of a pixel at most.
