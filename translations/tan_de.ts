@@ -810,36 +810,8 @@
         <translation>Gezeigt: %1, bei beliebiger Verwerfung.</translation>
     </message>
     <message>
-        <source>%1 from %2 to %3</source>
-        <translation>%1 von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 %2 in the focus, %3 outside</source>
-        <translation>%1 %2 im Fokus, %3 außerhalb</translation>
-    </message>
-    <message>
-        <source>%1 %2 to %3</source>
-        <translation>%1 %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 (in space up to %2)</source>
-        <translation>%1 (im Raum bis %2)</translation>
-    </message>
-    <message>
         <source>in the grid; in space up to %1</source>
         <translation>im Gitter; im Raum bis %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1, in space up to %2</source>
-        <translation>%1, im Raum bis %2</translation>
     </message>
 </context>
 <context>
@@ -7280,10 +7252,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Arbeitsspeicher reicht nicht für das Netz dieser Genauigkeit. Wählen Sie eine gröbere, oder schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>it is not valid JSON, at byte %1.</source>
-        <translation>sie ist kein gültiges JSON, bei Byte %1.</translation>
-    </message>
-    <message>
         <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
         <translation>„format“ ist nicht „%1“.</translation>
     </message>
@@ -11882,6 +11850,34 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>This system has no font to write into pictures. Install one, such as the package fonts-dejavu-core of Debian, or take the picture without annotations.</source>
         <translation>Dieses System hat keine Schriftart, mit der in Bilder geschrieben werden kann. Installieren Sie eine, etwa das Paket fonts-dejavu-core von Debian, oder machen Sie das Bild ohne Beschriftung.</translation>
+    </message>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+    <message>
+        <source>There is no frame %1 in this film, which has %2 of them.</source>
+        <translation>Dieser Film hat kein Bild %1; es sind %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 in the focus, %3 outside</source>
+        <translation>%1 %2 im Fokus, %3 außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1, in space up to %2</source>
+        <translation>%1, im Raum bis %2</translation>
+    </message>
+    <message>
+        <source>%1 (in space up to %2)</source>
+        <translation>%1 (im Raum bis %2)</translation>
     </message>
 </context>
 <context>

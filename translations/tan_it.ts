@@ -810,36 +810,8 @@
         <translation>Mostrato: %1, qualunque sia la deformazione.</translation>
     </message>
     <message>
-        <source>%1 from %2 to %3</source>
-        <translation>%1 da %2 a %3</translation>
-    </message>
-    <message>
-        <source>%1 %2 in the focus, %3 outside</source>
-        <translation>%1 %2 nel focus, %3 all&apos;esterno</translation>
-    </message>
-    <message>
-        <source>%1 %2 to %3</source>
-        <translation>%1 da %2 a %3</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 (in space up to %2)</source>
-        <translation>%1 (nello spazio fino a %2)</translation>
-    </message>
-    <message>
         <source>in the grid; in space up to %1</source>
         <translation>nella griglia; nello spazio fino a %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1, in space up to %2</source>
-        <translation>%1, nello spazio fino a %2</translation>
     </message>
 </context>
 <context>
@@ -7280,10 +7252,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La memoria non basta per la mesh a questa accuratezza. Sceglierne una minore, o chiudere altri programmi.</translation>
     </message>
     <message>
-        <source>it is not valid JSON, at byte %1.</source>
-        <translation>non è JSON valido, al byte %1.</translation>
-    </message>
-    <message>
         <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
         <translation>«format» non è «%1».</translation>
     </message>
@@ -11882,6 +11850,34 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>This system has no font to write into pictures. Install one, such as the package fonts-dejavu-core of Debian, or take the picture without annotations.</source>
         <translation>Questo sistema non ha nessun tipo di carattere per scrivere nelle immagini. Installarne uno, come il pacchetto fonts-dejavu-core di Debian, o fare l&apos;immagine senza annotazioni.</translation>
+    </message>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
+    </message>
+    <message>
+        <source>There is no frame %1 in this film, which has %2 of them.</source>
+        <translation>Questo filmato non ha il fotogramma %1: ne ha %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 in the focus, %3 outside</source>
+        <translation>%1 %2 nel focus, %3 all&apos;esterno</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 da %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1, in space up to %2</source>
+        <translation>%1, nello spazio fino a %2</translation>
+    </message>
+    <message>
+        <source>%1 (in space up to %2)</source>
+        <translation>%1 (nello spazio fino a %2)</translation>
     </message>
 </context>
 <context>

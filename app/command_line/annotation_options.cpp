@@ -72,22 +72,6 @@ std::vector<Option> annotationOptions()
     return options;
 }
 
-bool askForAnnotations(std::span<const std::string> words)
-{
-    const auto isPicture = [&](std::size_t at) {
-        return words[at].ends_with(".png") && (at == 0 || !words[at - 1].starts_with('-'));
-    };
-    for (std::size_t at = 0; at < words.size(); ++at)
-        if (words[at].ends_with(".tansession") || isPicture(at))
-            return true;
-    return std::ranges::any_of(words, [](const std::string& word) {
-        const std::string given = word.substr(0, word.find('='));
-        return given == "--lens" || std::ranges::any_of(kindOptions(), [&](const KindOption& entry) {
-                   return given == "--" + entry.option.name;
-               });
-    });
-}
-
 Result<AnnotationContent> annotationsOf(const Arguments& arguments)
 {
     const auto ends = barEndsOf(arguments);

@@ -10,9 +10,6 @@ namespace tetra {
 /// the colour bar, --bar-range.
 std::vector<Option> annotationOptions();
 
-/// Whether words of a command line ask for any, or name a session, which may, so that fonts are needed.
-bool askForAnnotations(std::span<const std::string> words);
-
 /// Which of them, each in its usual corner; the content says nothing more than the title yet. Errors (WrongUsage): ends
 /// that are no range, or of a bar that is not asked for.
 Result<AnnotationContent> annotationsOf(const Arguments& arguments);

@@ -229,14 +229,6 @@ bool isForWindow(std::span<const std::string> words)
            (isAddress(words[0]) || std::filesystem::exists(words[0], problem));
 }
 
-bool needsFonts(std::span<const std::string> words)
-{
-    if (asksForHelp(words))
-        return false;
-    const Subcommand* subcommand = words.empty() ? nullptr : findSubcommand(words[0]);
-    return subcommand != nullptr && subcommand->needsFonts != nullptr && subcommand->needsFonts(words.subspan(1));
-}
-
 int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,
                    const std::stop_token& stop)
 {

@@ -13,10 +13,10 @@
 #include "core/base/text.h"
 #include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
+#include "core/picture/surface_making.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
-#include "ui/workbench/surface_making.h"
 
 #include <tan/query.h>
 #include <tan/render.h>

@@ -11,19 +11,19 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/text.h"
+#include "core/picture/mesh_saving.h"
+#include "core/picture/rendering_modes.h"
+#include "core/picture/restored_view.h"
+#include "core/picture/session_document.h"
+#include "core/picture/session_model.h"
+#include "core/picture/shown_error.h"
+#include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_values.h"
-#include "ui/scenes/restored_view.h"
-#include "ui/scenes/view_picture.h"
-#include "ui/session/rendering_modes.h"
-#include "ui/session/session_document.h"
-#include "ui/session/session_model.h"
-#include "ui/session/shown_error.h"
-#include "ui/workbench/mesh_saving.h"
 
 #include <tan/query.h>
 
@@ -456,7 +456,7 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
     return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
 
-Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture,
+Status writeFiles(const RenderRequest& request, const PictureOrder& order, Picture picture,
                   const std::optional<DrawnLens>& lens, JsonObject& figures)
 {
     if (request.depth) {
@@ -467,8 +467,8 @@ Status writeFiles(const RenderRequest& request, const PictureOrder& order, const
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
-    const auto finished = finishedPicture(order, picture, lens);
-    return finished ? writePicture(*finished, request.output) : Status(finished.error());
+    const auto finished = finishedPicture(order, std::move(picture), lens);
+    return finished ? writePicture(*finished, request.output, pngFacts(order)) : Status(finished.error());
 }
 
 /// Before the picture is drawn, which may take long.
@@ -608,7 +608,7 @@ Result<Outcome> runRender(const Invocation& invocation)
     const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
     const double pictureEnd = order.lens ? (sceneEnd + 1) / 2 : 1;
-    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, pictureEnd));
+    auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, pictureEnd));
     if (!picture)
         return picture.error();
     JsonObject figures = prepared->figures;
@@ -625,20 +625,20 @@ Result<Outcome> runRender(const Invocation& invocation)
     const auto surfaces = writeSurfaceFile(invocation, *request, *prepared, figures);
     if (!surfaces)
         return surfaces.error();
-    if (const Status written = writeFiles(*request, order, *picture, lens, figures); !written)
+    if (const Status written = writeFiles(*request, order, *std::move(picture), lens, figures); !written)
         return written.error();
 
     const double seconds = secondsSince(start);
     figures["file"] = request->output.string();
     figures["mode"] = mode;
-    figures["width"] = picture->width;
-    figures["height"] = picture->height;
+    figures["width"] = order.width;
+    figures["height"] = order.height;
     figures["triangles"] = triangleCount(*order.scene);
     figures["backend"] = request->backend;
     figures["seconds"] = seconds;
     Outcome outcome{.figures = figures,
-                    .text = visibleText(request->output.string()) + ": " + std::to_string(picture->width) + " x " +
-                            std::to_string(picture->height) + " pixels, " +
+                    .text = visibleText(request->output.string()) + ": " + std::to_string(order.width) + " x " +
+                            std::to_string(order.height) + " pixels, " +
                             contentText(*order.scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) + " s\n"};
     const std::uint64_t faulty = faultyCellCount(*prepared->built.model);
     if (const auto outlined = prepared->built.faultyCells; outlined && *outlined < faulty)

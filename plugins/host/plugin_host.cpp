@@ -127,13 +127,27 @@ PluginHost::PluginHost(PluginHostOptions options) : options_(std::move(options))
 
 PluginHost::~PluginHost() = default;
 
-std::unique_ptr<PluginHost> PluginHost::standard()
+namespace {
+
+std::unique_ptr<PluginHost> hostOf(std::vector<fs::path> folders)
 {
     std::error_code problem;
     const fs::path own = fs::weakly_canonical(userPluginFolder(), problem); // as it stands among the folders
-    const fs::path program = fs::read_symlink("/proc/self/exe", problem);
-    return std::make_unique<PluginHost>(PluginHostOptions{
-        .folders = pluginFolders(program.parent_path()), .disabled = disabledPlugins(), .ownFolder = own});
+    return std::make_unique<PluginHost>(
+        PluginHostOptions{.folders = std::move(folders), .disabled = disabledPlugins(), .ownFolder = own});
+}
+
+} // namespace
+
+std::unique_ptr<PluginHost> PluginHost::standard()
+{
+    std::error_code problem;
+    return hostOf(pluginFolders(fs::read_symlink("/proc/self/exe", problem).parent_path()));
+}
+
+std::unique_ptr<PluginHost> PluginHost::ofLibrary()
+{
+    return hostOf(pluginFoldersOfLibrary());
 }
 
 std::vector<PluginStatus> PluginHost::plugins() const

@@ -5,6 +5,7 @@
 #include <tan/open.h>
 #include <tan/packed.h>
 #include <tan/parameter.h>
+#include <tan/picture.h>
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/verify.h>
@@ -33,5 +34,8 @@ bool hasThickLines(const tetra::ParameterValues& chosen);
 std::string viewOfBall(const tetra::Model& model, const tetra::Sphere& ball, double isovalue);
 tetra::Result<std::shared_ptr<const tetra::ExtractedMesh>> meshInView(std::string_view text,
                                                                       std::shared_ptr<const tetra::Model> model);
+tetra::Status pictureFromAbove(const std::filesystem::path& file, const std::string& mode,
+                               const std::filesystem::path& target);
+tetra::Status framesOf(tetra::PictureMaker& maker, const tetra::ViewValue& film, const std::filesystem::path& folder);
 tetra::Result<tetra::Picture> look(std::shared_ptr<const tetra::TetrahedralMesh> mesh, double isovalue,
                                    const tetra::TransferFunction& function);

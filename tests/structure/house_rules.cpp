@@ -35,7 +35,7 @@ constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/
                            tanOpen = "core/include/tan/open.h", tanRender = "core/include/tan/render.h",
                            tanPacked = "core/include/tan/packed.h", tanVersion = "core/include/tan/version.h",
                            tanZones = "core/include/tan/zones.h", tanParameter = "core/include/tan/parameter.h",
-                           tanView = "core/include/tan/view.h";
+                           tanView = "core/include/tan/view.h", tanPicture = "core/include/tan/picture.h";
 
 const std::vector<Room>& rooms()
 {
@@ -55,6 +55,7 @@ const std::vector<Room>& rooms()
         {tanZones, {tanBase, tanData}},
         {tanParameter, {tanBase, tanTransfer, tanRender}},
         {tanView, {tanBase, tanMesh, tanData, tanModel, tanQuery, tanTransfer, tanRender, tanParameter}},
+        {tanPicture, {tanBase, tanModel, tanParameter, tanRender, tanView}},
         {"core/base", {tanBase}},
         {"core/version", {tanBase, tanVersion}},
         {"core/remote", {tanBase, tanVersion, "core/base"}},
@@ -113,8 +114,13 @@ const std::vector<Room>& rooms()
          {tanBase, tanData, tanModel, tanTransfer, tanRender, tanParameter, tanView, "core/base", "core/data",
           "core/render/picking", "core/view", "core/picture/drawing"}},
         {"plugins/api", {"core/include"}},
-        {"plugins/samples", {"core"}},
-        {"plugins/host", {"core", "plugins/api"}},
+        {"plugins/samples", {"core/include", "core/base"}},
+        {"plugins/host",
+         {"core/include", "core/base", "core/mesh", "core/data", "core/history", "core/build", "plugins/api"}},
+        {"core/picture",
+         {"core/include", "core/base", "core/mesh", "core/data", "core/history", "core/verify",
+          "core/render/isosurface", "core/view", "plugins/api", "plugins/host", "core/picture/drawing",
+          "core/picture/annotations"}},
         {"plugins/builders", {"core/include", "plugins/api"}},
         {"plugins/renderers", {"core/include", "plugins/api"}},
         {"plugins/widgets", {"core/include"}},
@@ -258,9 +264,8 @@ std::optional<std::string> includeBreach(const std::string& path, const Include&
     if (!mayUseQt(path) && isQt(name))
         return (liesIn(path, "core") ? "core is" : "plugins but editors are") +
                (" free of Qt, yet it includes " + name);
-    const bool drawsByQt = path == "app/command_line/main.cpp" || path == "app/command_line/depth_file.cpp";
-    if ((liesIn(path, "app/command_line") || liesIn(path, "app/documents")) && !drawsByQt && isQt(name))
-        return "the command line is free of Qt but for what draws, yet it includes " + name;
+    if (liesIn(path, "app") && isQt(name))
+        return "the programs are free of Qt, yet it includes " + name;
     if (liesIn(path, "core") && isHeader && isAnyOf(name, {"GL/", "GLES", "EGL/", "KHR/"}))
         return "core's headers are free of OpenGL, yet it includes " + name;
     if (liesIn(path, "core") && isHeader && name.starts_with("CGAL/"))

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/annotations/annotation_content.h"
+#include "core/picture/session_document.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
-#include "core/picture/annotations/annotation_content.h"
 #include "ui/opening/import_texts.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/files.h"
-#include "ui/session/session_document.h"
 #include "ui/viewport/value_pick.h"
 
 #include <QCheckBox>

@@ -2,7 +2,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "tests/lacks.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/scenes/picture_file.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/widgets/motion.h"
 
 #include <tan/data.h>

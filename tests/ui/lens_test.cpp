@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lens over the picture (C5): where it lies and what it shows, by mouse and by keys, and what is kept of it.
+#include "core/picture/session_document.h"
+#include "core/picture/view_picture.h"
 #include "core/view/lens.h"
 #include "tests/ui/sample_window.h"
-#include "ui/scenes/view_picture.h"
-#include "ui/session/session_document.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/viewport/lens_tool.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/viewport/view_projection.h"
@@ -346,15 +347,16 @@ void LensTest::itIsInSavedPictures()
     const QSize size(300, 260);
     PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), {size, 0, false, none});
     QVERIFY(order.lens);
-    const auto with = drawPicture(order, {});
+    const auto drawnWith = drawPicture(order, {});
     order.lens.reset();
-    const auto without = drawPicture(order, {});
-    QVERIFY(with.ok() && without.ok());
+    const auto drawnWithout = drawPicture(order, {});
+    QVERIFY(drawnWith.ok() && drawnWithout.ok());
+    const QImage with = imageOf(*drawnWith), without = imageOf(*drawnWithout);
     const LensPicture place = lensPicture(lens(), size.width(), size.height());
     int changed = 0;
     for (int y = 0; y < size.height(); ++y)
         for (int x = 0; x < size.width(); ++x) {
-            const bool differs = with->pixel(x, y) != without->pixel(x, y);
+            const bool differs = with.pixel(x, y) != without.pixel(x, y);
             const Eigen::Vector2d beside(x + (x < size.width() / 2 ? 3 : -3), y + (y < size.height() / 2 ? 3 : -3));
             if (!holds(lens(), place, {x + 0.5, y + 0.5}) && !holds(lens(), place, beside))
                 QVERIFY(!differs);

@@ -3,7 +3,7 @@
 #include "plugins/samples/samples.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/session.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <tan/view.h>
 

@@ -2,11 +2,12 @@
 // A look goes to another model: in the window that opens a session whose model was built anew or that takes over the
 // look of another session, and in `tan render`. Values and colours stay, the camera, too, where the domain is the same,
 // and what does not is named.
+#include "core/picture/text_file.h"
 #include "tests/app/program.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
-#include "ui/session/session_model.h"
+#include "core/picture/session_model.h"
 
 #include <QFileDialog>
 #include <QJsonArray>

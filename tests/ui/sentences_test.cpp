@@ -2,6 +2,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/system_error.h"
 #include "core/data/cells/clean_cells.h"
+#include "core/picture/session_document.h"
 #include "plugins/host/colour_text.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
@@ -13,7 +14,6 @@
 #include "tests/ui/sample_files.h"
 #include "ui/session/language.h"
 #include "ui/session/message_text.h"
-#include "ui/session/session_document.h"
 
 #include <tan/data.h>
 #include <tan/model.h>

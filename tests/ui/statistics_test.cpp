@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/session_document.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/verify/verify_mesh.h"
 #include "core/view/accuracy_scale.h"
@@ -8,7 +9,6 @@
 #include "tests/ui/folded_model.h"
 #include "tests/ui/sample_window.h"
 #include "ui/panels/model_statistics.h"
-#include "ui/session/session_document.h"
 
 #include <tan/build.h>
 #include <tan/model.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/opening/kept_views.h"
 
+#include "core/picture/text_file.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 

@@ -2,16 +2,17 @@
 #include "ui/opening/sample_models.h"
 
 #include "core/base/system_error.h"
+#include "core/picture/png_file.h"
+#include "core/picture/rendering_modes.h"
+#include "core/picture/view_picture.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
-#include "ui/scenes/picture_file.h"
-#include "ui/scenes/view_picture.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/session/files.h"
-#include "ui/session/rendering_modes.h"
 
 #include <tan/model.h>
 #include <tan/version.h>
@@ -79,7 +80,7 @@ ThumbnailStyle thumbnailStyle(const SampleKind& kind)
     return {kind.name == "c60" || kind.name == "marschner-lobb" ? "isosurface" : "volume", false};
 }
 
-Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Progress& progress)
+Result<Picture> drawThumbnail(PluginHost& host, const SampleKind& kind, const Progress& progress)
 {
     constexpr std::uint32_t smallSize = 24;
     SampleRequest request{.name = kind.name, .size = smallSize, .type = {}, .seed = 1};
@@ -222,11 +223,13 @@ Result<QImage> sampleThumbnail(PluginHost& host, const std::string& name, const 
     const std::filesystem::path file = folder / "thumbnails" / TAN_VERSION / (name + ".png");
     if (QImage kept(pathText(file)); kept.width() == thumbnailWidth && kept.height() == thumbnailHeight)
         return kept;
-    auto drawn = drawThumbnail(host, *kind, progress);
+    const auto drawn = drawThumbnail(host, *kind, progress);
+    if (!drawn)
+        return drawn.error();
     // Where it cannot be kept it is drawn again the next time.
-    if (drawn && makeFolder(file.parent_path()))
-        static_cast<void>(writePicture(*drawn, file));
-    return drawn;
+    if (makeFolder(file.parent_path()))
+        static_cast<void>(writePicture(*drawn, file, {.transparent = true}));
+    return imageOf(*drawn);
 }
 
 } // namespace tetra

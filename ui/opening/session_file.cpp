@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/opening/session_file.h"
 
+#include "core/picture/text_file.h"
 #include "ui/opening/recent_files.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"

@@ -10,7 +10,7 @@
 #include "ui/panels/accuracy_inputs.h"
 #include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 #include "ui/widgets/checked_button.h"
 
 #include <QComboBox>

@@ -7,7 +7,7 @@
 #include "ui/session/files.h"
 #include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <tan/query.h>
 #include <tan/view.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scenes/scene_service.h"
 
+#include "core/picture/rendering_modes.h"
+#include "core/picture/shown_error.h"
+#include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
-#include "ui/scenes/view_picture.h"
 #include "ui/session/annotation_language.h"
 #include "ui/session/message_text.h"
-#include "ui/session/rendering_modes.h"
-#include "ui/session/shown_error.h"
 
 #include <chrono>
 
@@ -111,8 +111,9 @@ AnnotationContent SceneService::annotations(const Camera& camera, const Colour& 
     const auto& shown = session_.shown();
     if (!model)
         return {.state = view.annotations, .camera = camera, .background = background, .fonts = fonts_};
+    const AnnotationLanguage language = annotationLanguage();
     AnnotationContent content = annotationContent(*model, matteringParameters(), view,
-                                                  shown ? accuracyText(*shown) : std::string(), annotationLanguage());
+                                                  shown ? accuracyText(*shown, language) : std::string(), language);
     content.fonts = fonts_;
     return content;
 }

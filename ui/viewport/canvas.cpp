@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/canvas.h"
 
+#include "core/picture/scene_pipeline.h"
 #include "plugins/widgets/colour_button.h"
-#include "ui/scenes/picture_file.h"
-#include "ui/scenes/scene_pipeline.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/motion.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/view/lens.h"
 #include "core/picture/annotations/lens_painter.h"
+#include "core/view/lens.h"
 #include "ui/scenes/scene_builder.h"
 #include "ui/session/session.h"
 #include "ui/work/latest_job.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/viewport.h"
 
+#include "core/picture/view_picture.h"
 #include "core/view/lens.h"
-#include "ui/scenes/view_picture.h"
 #include "ui/widgets/motion.h"
 
 #include <QEvent>

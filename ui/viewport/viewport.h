@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/viewport/view_projection.h"
 #include "ui/session/session.h"
 #include "ui/viewport/camera_controls.h"
 #include "ui/viewport/canvas.h"
+#include "ui/viewport/view_projection.h"
 
 #include <QTimer>
 #include <QVariantAnimation>

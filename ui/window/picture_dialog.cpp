@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/picture_dialog.h"
 
+#include "core/picture/session_document.h"
 #include "ui/panels/picture_form.h"
 #include "ui/session/files.h"
-#include "ui/session/session_document.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/keep_session.h"
@@ -79,7 +79,7 @@ PictureOrder PictureDialog::order(const std::filesystem::path& target) const
     }
     if (metadata_->isChecked() && document && !target.empty()) {
         const auto& shown = workbench_.session().shown();
-        order.texts = pictureTexts(*document, shown ? errorText(*shown) : QString(),
+        order.texts = pictureTexts(*document, shown ? errorText(*shown).toStdString() : std::string(),
                                    std::filesystem::absolute(target).parent_path());
     }
     return order;

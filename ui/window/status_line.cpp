@@ -6,7 +6,7 @@
 #include "core/transfer/remark_texts.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/message_text.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -3,7 +3,7 @@
 // the model has stayed, and where both keep their places to each other. For all else the model is looked for by the end
 // of its path, "m.tan", "data/m.tan" and so on, in the session's folder and in each one above that: a project that was
 // moved as a whole has it there. What is found there by its name alone may be any model, so it has to be the same one.
-#include "ui/session/session_model.h"
+#include "core/picture/session_model.h"
 
 #include <tan/open.h>
 #include <tan/packed.h>

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/picture/annotations/annotation_content.h"
+#include "core/picture/picture_order.h"
+#include "core/picture/scene_pipeline.h"
 #include "plugins/api/renderer.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/scenes/picture_file.h"
-#include "ui/scenes/scene_pipeline.h"
 
 #include <tan/model.h>
 #include <tan/view.h>
 
-#include <QSize>
+#include <Eigen/Core>
 
 namespace tetra {
 
@@ -50,15 +50,15 @@ std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMes
 Colour usualBackground(bool isDark);
 /// The view that `tan render` takes pictures of, unless a session says how large its own was: its texts and lines are
 /// as large as in the pictures. In pixels.
-inline constexpr QSize usualViewSize(1024, 768);
+inline const Eigen::Vector2i usualViewSize(1024, 768);
 
 /// What a picture shows, and how large.
 struct ViewPicture {
     std::shared_ptr<const Scene> scene{};
     AnnotationContent annotations{}; ///< with the camera and the background
-    QSize size{};                    ///< in pixels
+    Eigen::Vector2i size{0, 0};      ///< in pixels
     /// Of the view that it is a picture of: lines and annotations take as much of the picture as they do of that.
-    QSize viewSize = usualViewSize;
+    Eigen::Vector2i viewSize = usualViewSize;
     bool transparent = false;
     int dotsPerInch = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/shown_error.h"
+#include "core/picture/shown_error.h"
 
 #include <algorithm>
 

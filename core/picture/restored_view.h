@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/session_document.h"
 #include "plugins/api/renderer.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/session/session_document.h"
 
 #include <tan/model.h>
 

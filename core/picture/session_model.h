@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/session_document.h"
+#include "core/picture/session_document.h"
 
 namespace tetra {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/surface_making.h"
+#include "core/picture/surface_making.h"
 
 #include "core/base/guarded.h"
 #include "core/base/text.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/scenes/scene_pipeline.h"
+#include "core/picture/scene_pipeline.h"
 
 #include "core/view/lens.h"
 #include "plugins/api/boundary_parameters.h"
-#include "ui/session/logarithm_text.h"
 
 #include <chrono>
 #include <new>
+#include <utility>
 #include <variant>
 
 namespace tetra {
@@ -309,7 +309,7 @@ Result<DrawnLens> ScenePipeline::drawLens(const PictureOrder& order, const Progr
     return drawn;
 }
 
-Result<QImage> ScenePipeline::finish(const PictureOrder& order, Picture picture, const Progress& progress)
+Result<Picture> ScenePipeline::finish(const PictureOrder& order, Picture picture, const Progress& progress)
 {
     if (!order.lens || !order.lens->lens.isOn() || !order.lens->scene.model || order.lens->scene.renderer == nullptr)
         return finishedPicture(order, std::move(picture));
@@ -339,7 +339,7 @@ void ScenePipeline::clear()
     last_ = {};
 }
 
-Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
+Result<Picture> drawPicture(const PictureOrder& order, const Progress& progress)
 {
     ScenePipeline pipeline;
     auto picture = pipeline.draw(order, false, progress.part(0, order.lens ? 0.5 : 1));
@@ -348,7 +348,7 @@ Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
     return pipeline.finish(order, *std::move(picture), progress.part(0.5, 1));
 }
 
-Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
+Result<Picture> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
 {
     ScenePipeline pipeline;
     const auto built = pipeline.make(scene, progress.part(0, 0.5));

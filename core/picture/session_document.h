@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/json.h"
+
 #include <tan/data.h>
+#include <tan/model.h>
 #include <tan/render.h>
 #include <tan/view.h>
 
 #include <Eigen/Geometry>
-
-#include <QJsonObject>
-#include <QString>
 
 #include <array>
 #include <filesystem>
@@ -37,7 +37,7 @@ struct SessionDocument {
     /// the file does not say.
     std::array<int, 2> viewSize{};
     std::filesystem::path file{}; ///< of a session that was kept before it was saved: where it belongs; else empty
-    QJsonObject found{};          ///< the whole text that was read: what is not known here stays in it
+    JsonObject found{};           ///< the whole text that was read: what is not known here stays in it
 };
 
 inline constexpr const char* sessionSuffix = "tansession";
@@ -47,6 +47,9 @@ inline constexpr std::size_t headerChecksumOffset = 248;
 
 /// Differs for models of different content: the checksum of the header and the section table (FORMAT.md).
 std::uint64_t modelIdentity(const Model& model);
+
+/// Of a view of this model, which is as it was chosen to be.
+SessionDocument documentOf(const Model& model, const ViewValue& view);
 
 /// Whether the document seems to be of the same lattice without its directions, as TAn read such data up to version
 /// 0.1: of a box that is as long along x, y and z as the lattice is along its own axes.
@@ -67,8 +70,8 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
 
 /// What a PNG file says of how it was made, by keywords: "Software", "Title", "Description" with the accuracy, and in
 /// "TAn-session" the session in our JSON, by which the picture can be made again.
-std::map<QString, QString> pictureTexts(const SessionDocument& document, const QString& accuracy,
-                                        const std::filesystem::path& folder);
+std::map<std::string, std::string> pictureTexts(const SessionDocument& document, const std::string& accuracy,
+                                                const std::filesystem::path& folder);
 
 /// The session that a PNG file holds; empty if it holds none or is not a PNG file. Reads no pixels. Errors: a file that
 /// cannot be opened, and what is not a regular file.

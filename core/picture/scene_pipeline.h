@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/picture_order.h"
+#include "core/picture/shown_mesh.h"
 #include "core/view/lens.h"
 #include "plugins/api/renderer.h"
-#include "ui/scenes/picture_file.h"
-#include "ui/session/shown_mesh.h"
 
 #include <tan/base.h>
 #include <tan/model.h>
@@ -82,7 +82,7 @@ public:
     /// of cells of one picture helps with the next.
     Result<Picture> draw(const PictureOrder& order, bool withDepth, const Progress& progress);
     /// A picture that was drawn with all else that was ordered, the lens included.
-    Result<QImage> finish(const PictureOrder& order, Picture picture, const Progress& progress);
+    Result<Picture> finish(const PictureOrder& order, Picture picture, const Progress& progress);
     /// What is seen in the lens of an order.
     Result<DrawnLens> drawLens(const PictureOrder& order, const Progress& progress);
     /// Of the last picture.
@@ -123,8 +123,8 @@ private:
 };
 
 /// A picture with all that was ordered, drawn by the CPU.
-Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress);
+Result<Picture> drawPicture(const PictureOrder& order, const Progress& progress);
 /// The same of the scene of a request, in place of that of the order.
-Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress);
+Result<Picture> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress);
 
 } // namespace tetra

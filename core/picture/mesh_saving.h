@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/scene_pipeline.h"
+#include "core/picture/surface_making.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/scenes/scene_pipeline.h"
-#include "ui/workbench/surface_making.h"
 
 #include <tan/base.h>
 #include <tan/model.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include "plugins/widgets/number_text.h"
-#include "ui/session/logarithm_text.h"
+#include "ui/session/annotation_language.h"
 #include "ui/session/message_text.h"
 
 #include <QCoreApplication>
@@ -25,19 +25,6 @@ QString keptText(double percent, double scale)
     return percentText(std::min(keptPercent(percent, scale), mostShownNumber));
 }
 
-/// "0.5 %", or of logarithms "0.5 % (a factor of 1.12)".
-QString errorNumber(double percent, const ShownMesh& mesh)
-{
-    const QString text = percentText(percent);
-    return mesh.logarithms && percent > 0 ? MeshText::tr("%1 (%2)").arg(text, factorWords(percent, *mesh.logarithms))
-                                          : text;
-}
-
-QString keptErrorText(double percent, const ShownMesh& mesh)
-{
-    return errorNumber(std::min(keptPercent(percent, mesh.scale), mostShownNumber), mesh);
-}
-
 QString limitText(const ShownMesh& mesh)
 {
     // A little more is rounding.
@@ -57,35 +44,11 @@ QString partText(const ShownMesh& mesh)
         .arg(countText(mesh.keptTetrahedra), countText(mesh.wholeTetrahedra));
 }
 
-/// By the words of the kind of error, without the one in space.
-QString keptErrors(const ShownMesh& mesh)
-{
-    if (mesh.query.range)
-        return MeshText::tr("%1 from %2 to %3")
-            .arg(translatedText(textFor(errorsNames, mesh.errorMeaning)),
-                 errorNumber(std::min(mesh.query.range->one.error, mesh.query.range->other.error), mesh),
-                 errorNumber(std::max(mesh.query.range->one.error, mesh.query.range->other.error), mesh));
-    const QString name = translatedText(textFor(errorNames, mesh.errorMeaning));
-    if (const SpaceRamp* ramp = mesh.query.error.asSpaceRamp())
-        return MeshText::tr("%1 %2 in the focus, %3 outside")
-            .arg(name, keptErrorText(ramp->inner, mesh), keptErrorText(ramp->outer, mesh));
-    if (!mesh.query.error.isConstant())
-        return MeshText::tr("%1 %2 to %3")
-            .arg(name, keptErrorText(mesh.query.error.bounds().minimum, mesh),
-                 keptErrorText(mesh.query.error.bounds().maximum, mesh));
-    return MeshText::tr("%1 %2").arg(name, keptErrorText(mesh.query.error.bounds().maximum, mesh));
-}
-
 } // namespace
 
 QString errorText(const ShownMesh& mesh)
 {
-    const QString kept = keptErrors(mesh);
-    if (!mesh.errorInSpace)
-        return kept;
-    const QString inSpace = errorNumber(*mesh.errorInSpace, mesh);
-    return mesh.logarithms ? MeshText::tr("%1, in space up to %2").arg(kept, inSpace)
-                           : MeshText::tr("%1 (in space up to %2)").arg(kept, inSpace);
+    return translatedMessage(errorMessage(mesh, numberSigns(QLocale())));
 }
 
 std::string accuracyText(const ShownMesh& mesh)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/rendering_modes.h"
+#include "core/picture/rendering_modes.h"
 
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"

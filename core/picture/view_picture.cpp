@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/scenes/view_picture.h"
+#include "core/picture/view_picture.h"
 
 #include "core/base/guarded.h"
 #include "core/base/text.h"
 #include "core/history/whole_elsewhere.h"
 #include "core/picture/annotations/annotation_painter.h"
+#include "core/picture/rendering_modes.h"
+#include "core/picture/shown_error.h"
 #include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
-#include "ui/session/rendering_modes.h"
-#include "ui/session/shown_error.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -131,14 +131,13 @@ Colour usualBackground(bool isDark)
 
 PictureOrder pictureOrder(const ViewPicture& picture)
 {
-    const double scale = annotationScale({picture.size.width(), picture.size.height()},
-                                         {picture.viewSize.width(), picture.viewSize.height()});
+    const double scale = annotationScale(picture.size, picture.viewSize);
     PictureOrder order;
     order.scene = picture.scene;
     order.camera = picture.annotations.camera;
     order.background = picture.annotations.background;
-    order.width = picture.size.width();
-    order.height = picture.size.height();
+    order.width = picture.size.x();
+    order.height = picture.size.y();
     order.transparent = picture.transparent;
     order.dotsPerInch = picture.dotsPerInch;
     order.lineScale = std::max(1.0, scale);

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "core/history/error_meaning.h"
+#include "core/picture/annotations/annotation_language.h"
 
+#include <tan/base.h>
 #include <tan/model.h>
 #include <tan/query.h>
 #include <tan/transfer.h>
 
 #include <Eigen/Geometry>
-
-#include <QString>
 
 #include <cstdint>
 #include <memory>
@@ -38,24 +38,21 @@ struct ShownMesh {
     std::shared_ptr<const ValueHistogram> logarithmicHistogram{};
 };
 
+/// The range of a model's values if these are logarithms to base 10 (core/data/value_scale.h); else nothing.
+std::optional<ValueRange> logarithmsOf(const ModelDescription& model);
+
+/// The factor that an error of so many percent of the range of logarithms is: "1.26", and with two digits of the
+/// difference if it is hardly more than 1.
+std::string factorNumber(double percent, const ValueRange& logarithms, const NumberSigns& signs);
+
+/// "0.5 %", or of logarithms "0.5 % (a factor of 1.12)".
+Message errorNumber(double percent, const std::optional<ValueRange>& logarithms, const NumberSigns& signs = {});
+
 /// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside", in the words for which error it is, with
 /// the one in space beside that in the grid where it was measured, and of logarithms with the factor that each is.
-QString errorText(const ShownMesh& mesh);
-/// The same as the beginning of a line, as it is written over pictures: UTF-8.
-std::string accuracyText(const ShownMesh& mesh);
+Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs = {});
 
-/// What is beside the name "Error": "in the grid; in space up to 7.3 %". Empty where there is one error only.
-QString errorPlaceText(ErrorMeaning meaning, const std::optional<double>& errorInSpace);
-
-/// What that promises, in a sentence or two, and how the error in space becomes known where it is not. Empty where
-/// there is one error only.
-QString errorPromiseText(ErrorMeaning meaning, bool isMeasured);
-
-/// How many pieces the window cuts its tetrahedra into; empty if it cuts none.
-QString piecesText(const ShownMesh& mesh);
-
-/// What holds of the mesh that is shown, in a sentence or two: the errors, what limits them, and which part of it is
-/// seen.
-QString meshText(const ShownMesh& mesh, const Model& model);
+/// The same as a text that stands alone, in a language: as annotations tell it.
+std::string accuracyText(const ShownMesh& mesh, const AnnotationLanguage& language = {});
 
 } // namespace tetra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/mesh_saving.h"
+#include "core/picture/mesh_saving.h"
 
 #include "core/base/guarded.h"
 #include "core/history/error_meaning.h"

@@ -3,12 +3,12 @@
 // a share or a percentage fits any model. Places fit a model of the same domain, and elsewhere as far as they lie in
 // the domain; a camera keeps its direction. Values stay what they are, as comparing models needs, and only what no
 // value of the model can be is left out. Whatever is left out is told.
-#include "ui/scenes/restored_view.h"
+#include "core/picture/restored_view.h"
 
+#include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/api/slice_parameters.h"
-#include "ui/scenes/view_picture.h"
 
 #include <algorithm>
 #include <variant>
