@@ -38,14 +38,17 @@ set(CPACK_DEBIAN_CORE_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/tri
 set(CPACK_COMPONENT_CORE_DESCRIPTION "the library of TAn, without its programs
 Builds multiresolution models of volume data, takes meshes of a known error
 from them, and draws these. Needs no Qt.")
-# The command line, for machines without a screen, too.
+# The command line, for machines without a screen, too; and libtan-picture, which lies where the system looks and draws with its plugins.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tan)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/program/shlibs "libtan-picture ${TAN_SOVERSION} tan (= ${PROJECT_VERSION})\n")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers ${CMAKE_CURRENT_BINARY_DIR}/program/shlibs)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${core_of_same_version}")
 # Until 0.1 the window was in this package: who has it keeps the window. meshio reads Gmsh, MED, XDMF ... by a script.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "tan-desktop, python3-meshio")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "tan-vtk-readers")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}
-This is the command line, which needs no screen.")
+This is the command line, which needs no screen and no Qt, and the library that
+draws pictures as it does.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME tan-desktop)
 # Qt's own words, as in the dialogs for files and colours, are in a package of their own.
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "${same_version}, libegl1, libgl1-mesa-dri, libopengl0, qt6-translations-l10n")

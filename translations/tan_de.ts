@@ -164,11 +164,11 @@
         <translation>&amp;Netz speichern …</translation>
     </message>
     <message>
-        <source>Save the mesh shown, for VTK, ParaView and others</source>
+        <source>Save the displayed mesh for VTK, ParaView and other programs</source>
         <translation>Speichert das gezeigte Netz, für VTK, ParaView und andere</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown, for 3D printers, Blender, ParaView and others</source>
+        <source>Save the displayed isosurfaces for 3D printing, Blender, ParaView and other programs</source>
         <translation>Speichert die gezeigten Isoflächen, für 3D-Drucker, Blender, ParaView und andere</translation>
     </message>
     <message>
@@ -188,7 +188,7 @@
         <translation>&amp;Sitzung speichern</translation>
     </message>
     <message>
-        <source>Save what is open and its view, to continue later</source>
+        <source>Save the open model and its view, to continue later</source>
         <translation>Speichert, was offen ist, mit seiner Ansicht, um später weiterzuarbeiten</translation>
     </message>
     <message>
@@ -196,7 +196,7 @@
         <translation>Sitzung speichern &amp;unter …</translation>
     </message>
     <message>
-        <source>Save the session in another file</source>
+        <source>Save the session under another name</source>
         <translation>Die Sitzung in einer anderen Datei speichern</translation>
     </message>
     <message>
@@ -248,7 +248,7 @@
         <translation>&amp;Hilfe zu diesem Bedienelement</translation>
     </message>
     <message>
-        <source>Explain the focused control</source>
+        <source>Explain the control that has the focus</source>
         <translation>Erklärt das Bedienelement, das den Fokus hat</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>&amp;Was ist das?</translation>
     </message>
     <message>
-        <source>Click on a control to read what it does</source>
+        <source>Click a control to read what it does</source>
         <translation>Auf ein Bedienelement klicken, um zu lesen, was es tut</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>A&amp;nsicht zurücksetzen</translation>
     </message>
     <message>
-        <source>Go back to the default accuracy, colours, isovalues and camera</source>
+        <source>Restore the default accuracy, colours, isovalues and camera</source>
         <translation>Stellt die anfängliche Genauigkeit, Farben, Isowerte und Kamera wieder her</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>U&amp;RL öffnen …</translation>
     </message>
     <message>
-        <source>Open a model that lies on a server</source>
+        <source>Open a model on a server</source>
         <translation>Ein Modell öffnen, das auf einem Server liegt</translation>
     </message>
     <message>
@@ -332,7 +332,7 @@
         <translation>Modell-Z&amp;wischenspeicher …</translation>
     </message>
     <message>
-        <source>Where models go that are unpacked or fetched</source>
+        <source>Manage the cache of downloaded and unpacked models</source>
         <translation>Wohin Modelle kommen, die entpackt oder geholt werden</translation>
     </message>
     <message>
@@ -340,7 +340,7 @@
         <translation>Gepac&amp;ktes Modell speichern …</translation>
     </message>
     <message>
-        <source>Save the model in a small part of the size, for archives and for servers</source>
+        <source>Save the model at a fraction of its size, for archiving or for a server</source>
         <translation>Das Modell in einem kleinen Teil der Größe speichern, für Archive und Server</translation>
     </message>
     <message>
@@ -352,11 +352,11 @@
         <translation>&amp;Aussehen übernehmen von …</translation>
     </message>
     <message>
-        <source>Show the open model as another session or picture shows its own: with its colours, isovalues, camera and settings</source>
+        <source>Apply the colours, isovalues, camera and settings of another session or picture to the open model</source>
         <translation>Zeigt das offene Modell so, wie eine andere Sitzung oder ein Bild das eigene zeigt: mit deren Farben, Isowerten, Kamera und Einstellungen</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain</source>
         <translation>Passt ein, was gezeigt wird, oder den Fokus; noch einmal: das ganze Gebiet</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Passt das ganze Gebiet ein</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
+        <source>Save the displayed isosurfaces as closed surfaces of solids, for 3D printing</source>
         <translation>Die gezeigten Isoflächen als geschlossene Flächen von Körpern speichern, für 3D-Drucker</translation>
     </message>
     <message>
@@ -378,18 +378,6 @@
 </context>
 <context>
     <name>Annotations</name>
-    <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>%1 units at the target</source>
-        <translation>%1 Einheiten am Blickziel</translation>
-    </message>
-    <message>
-        <source>%1 units</source>
-        <translation>%1 Einheiten</translation>
-    </message>
     <message>
         <source>Colour &amp;bar</source>
         <translation>Far&amp;bskala</translation>
@@ -411,7 +399,7 @@
         <translation>Gena&amp;uigkeit</translation>
     </message>
     <message>
-        <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
+        <source>Values and their colours, in data units; on the right their opacity, with marks at the isovalues</source>
         <translation>Werte und ihre Farben, in den Einheiten der Daten; rechts ihre Deckkraft, mit Marken an den Isowerten</translation>
     </message>
     <message>
@@ -419,7 +407,7 @@
         <translation>Die Richtungen von x, y und z</translation>
     </message>
     <message>
-        <source>A length in the units of the data; in perspective that of things as far away as the target</source>
+        <source>A length in data units; in perspective it applies at the distance of the target</source>
         <translation>Eine Länge in den Einheiten der Daten; in der Perspektive die von Dingen in der Entfernung des Blickziels</translation>
     </message>
     <message>
@@ -427,20 +415,8 @@
         <translation>Der Name des Modells</translation>
     </message>
     <message>
-        <source>The error that what is shown keeps, in % of the value range</source>
+        <source>The error bound of the displayed mesh, in % of the value range</source>
         <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
-    </message>
-    <message>
-        <source>1 unit at the target</source>
-        <translation>1 Einheit am Blickziel</translation>
-    </message>
-    <message>
-        <source>1 unit</source>
-        <translation>1 Einheit</translation>
-    </message>
-    <message>
-        <source>%1 %2 at the target</source>
-        <translation>%1 %2 am Blickziel</translation>
     </message>
 </context>
 <context>
@@ -489,7 +465,7 @@
         <translation>Fokus ändern</translation>
     </message>
     <message>
-        <source>Change Window</source>
+        <source>Change Crop Box</source>
         <translation>Fenster ändern</translation>
     </message>
     <message>
@@ -532,7 +508,7 @@
 <context>
     <name>Desktop</name>
     <message>
-        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” says what else works without a window.</source>
+        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” lists what else works without a window.</source>
         <translation>Es gibt keinen Bildschirm für das Fenster: Weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt. „tan render“ zeichnet Bilder stattdessen in Dateien; „tan --help“ sagt, was sonst ohne Fenster geht.</translation>
     </message>
     <message>
@@ -544,7 +520,7 @@
         <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
     </message>
     <message>
-        <source>A dataset, a .tan model or a session to open; each in a window of its own.</source>
+        <source>A dataset, a .tan model or a session to open; each opens in its own window.</source>
         <translation>Datensätze, .tan-Modelle oder Sitzungen, die geöffnet werden; jede Datei in einem eigenen Fenster.</translation>
     </message>
 </context>
@@ -579,7 +555,7 @@
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+        <source>How far the mesh may deviate from the data, in percent of the value range; or how many tetrahedra it may have. The curve shows what each error costs.</source>
         <translation>Wie weit das Netz von den Daten abweichen darf, in Prozent des Wertebereichs, oder wie viele Tetraeder es haben darf. Die Kurve zeigt, was jeder Fehler kostet.</translation>
     </message>
     <message>
@@ -591,11 +567,11 @@
         <translation>Statistik</translation>
     </message>
     <message>
-        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers.</source>
+        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the figures of the displayed mesh.</source>
         <translation>Was jede Genauigkeit an Knoten, Tetraedern, Zeit und Speicher kostet, und das gezeigte Netz in Zahlen.</translation>
     </message>
     <message>
-        <source>Surfaces on which the field has one value each, in the units of the data.</source>
+        <source>Surfaces on which the field has a given value, in data units.</source>
         <translation>Flächen, auf denen das Feld je einen Wert hat, in den Einheiten der Daten.</translation>
     </message>
     <message>
@@ -603,7 +579,7 @@
         <translation>Eine Kugel oder ein Quader, in dem das Netz genauer ist als außerhalb.</translation>
     </message>
     <message>
-        <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+        <source>Which part of the domain is shown: a crop box, and a range of values.</source>
         <translation>Welcher Teil des Gebiets überhaupt gezeigt wird: ein Quader und ein Bereich von Werten.</translation>
     </message>
     <message>
@@ -611,7 +587,7 @@
         <translation>Animation</translation>
     </message>
     <message>
-        <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
+        <source>Films of the model: a turntable, or a path through key frames of your choice.</source>
         <translation>Filme vom Modell: eine Runde um es herum oder ein Weg durch Schlüsselbilder, die Sie wählen.</translation>
     </message>
     <message>
@@ -619,11 +595,11 @@
         <translation>Transfer</translation>
     </message>
     <message>
-        <source>Build a model from a dataset once; its mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
+        <source>Build a model from a dataset once; a mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
         <translation>Ein Modell wird einmal aus einem Datensatz gebaut; danach gibt es sein Netz in jeder Genauigkeit. Wählen Sie ein Verfahren und eine Datei und drücken Sie „Bauen“.</translation>
     </message>
     <message>
-        <source>The camera in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <source>The camera settings as numbers. In the picture: drag to turn, Shift+drag to move, use the wheel to zoom.</source>
         <translation>Die Kamera in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
     </message>
 </context>
@@ -634,11 +610,11 @@
         <translation>Der Editor kann nicht verwendet werden. %1</translation>
     </message>
     <message>
-        <source>Help › Plugins lists all plugins and where they are looked for.</source>
+        <source>Help › Plugins lists all plugins and the folders that are searched for them.</source>
         <translation>Hilfe › Plugins zeigt alle Plugins und wo nach ihnen gesucht wird.</translation>
     </message>
     <message>
-        <source>The mode %1 shows no transfer function. Changes are seen in other modes.</source>
+        <source>The mode %1 does not use a transfer function. Changes appear in other modes.</source>
         <translation>Der Modus %1 zeigt keine Transferfunktion. Änderungen sind in anderen Modi zu sehen.</translation>
     </message>
     <message>
@@ -703,7 +679,7 @@
         <translation>%1: t = %2</translation>
     </message>
     <message>
-        <source>All that fit together</source>
+        <source>All that go together</source>
         <translation>Alle, die zusammenpassen</translation>
     </message>
     <message>
@@ -718,7 +694,7 @@
 <context>
     <name>ImportTexts</name>
     <message>
-        <source>%1 = %2 bytes: the file has exactly that.</source>
+        <source>%1 = %2 bytes: exactly the size of the file.</source>
         <translation>%1 = %2 Bytes: genau so viele hat die Datei.</translation>
     </message>
     <message>
@@ -742,7 +718,7 @@
         <translation>Dieser Rechner hat %1 Arbeitsspeicher.</translation>
     </message>
     <message>
-        <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
+        <source>A volume needs at least two points along each axis. Choose a larger region or a smaller stride.</source>
         <translation>Ein Volumen braucht mindestens zwei Punkte entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
     </message>
     <message>
@@ -783,11 +759,11 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>No program opens web pages here. Install a web browser, or read %1.</source>
+        <source>No web browser was found on this computer. Install one, or read %1.</source>
         <translation>Hier öffnet kein Programm Webseiten. Installieren Sie einen Webbrowser, oder lesen Sie %1.</translation>
     </message>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <source>The manual is not installed. Reinstall the package tan with its documentation, or build TAn on a system that has Sphinx (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of the source code.</source>
         <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn dort, wo Sphinx installiert ist (python3-sphinx, python3-myst-parser, furo); dieselben Texte liegen im Ordner docs der Quellen.</translation>
     </message>
 </context>
@@ -818,11 +794,11 @@
         <translation>Gezeigt: %1.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <source>%1 tetrahedra in %2 pieces, cut by the crop box</source>
         <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
     </message>
     <message>
-        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
+        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are selected.</source>
         <translation>Gezeigt: Tetraeder der Netze (%1). %2 von %3 sind ausgewählt.</translation>
     </message>
     <message>
@@ -830,40 +806,12 @@
         <translation>Gezeigt: %1, Verwerfung %2.</translation>
     </message>
     <message>
-        <source>Shown: %1, whatever the warping.</source>
+        <source>Shown: %1, with any warping.</source>
         <translation>Gezeigt: %1, bei beliebiger Verwerfung.</translation>
-    </message>
-    <message>
-        <source>%1 from %2 to %3</source>
-        <translation>%1 von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 %2 in the focus, %3 outside</source>
-        <translation>%1 %2 im Fokus, %3 außerhalb</translation>
-    </message>
-    <message>
-        <source>%1 %2 to %3</source>
-        <translation>%1 %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 (in space up to %2)</source>
-        <translation>%1 (im Raum bis %2)</translation>
     </message>
     <message>
         <source>in the grid; in space up to %1</source>
         <translation>im Gitter; im Raum bis %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1, in space up to %2</source>
-        <translation>%1, im Raum bis %2</translation>
     </message>
 </context>
 <context>
@@ -995,7 +943,7 @@
         <translation>Fußballmolekül</translation>
     </message>
     <message>
-        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.</source>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. See the cage of atoms as an isosurface, and how few tetrahedra are enough for an error of 1 %.</source>
         <translation>Elektronendichte eines C60-Moleküls; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: der Käfig der Atome als Isofläche, und wie wenige Tetraeder für einen Fehler von 1 % genügen.</translation>
     </message>
     <message>
@@ -1003,7 +951,7 @@
         <translation>Wasserstoffatom</translation>
     </message>
     <message>
-        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two lobes and the ring, as a volume or as isosurfaces.</source>
+        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. See the two lobes and the ring, as a volume or as isosurfaces.</source>
         <translation>Aufenthaltswahrscheinlichkeit des 3d-Elektrons; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die beiden Keulen und der Ring, als Volumen oder als Isoflächen.</translation>
     </message>
     <message>
@@ -1011,7 +959,7 @@
         <translation>Überschallströmung</translation>
     </message>
     <message>
-        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. See the bow shock, and how the grid follows the body.</source>
         <translation>Dichte vor einer Halbkugel; krummliniges Gitter, %1, von TAn berechnet. Sehenswert: die Bugstoßwelle, und das Gitter, das dem Körper folgt.</translation>
     </message>
     <message>
@@ -1019,7 +967,7 @@
         <translation>Zylinderumströmung</translation>
     </message>
     <message>
-        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look at the front, where the flow is stopped, and at the sides, where it is fastest.</source>
+        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. See the front, where the flow is stopped, and the sides, where it is fastest.</source>
         <translation>Druck der Strömung; in sich geschlossenes krummliniges Gitter, %1, von TAn berechnet. Sehenswert: die Vorderseite, wo die Strömung gestaut wird, und die Seiten, wo sie am schnellsten ist.</translation>
     </message>
     <message>
@@ -1027,7 +975,7 @@
         <translation>Kanalströmung</translation>
     </message>
     <message>
-        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. Look at how the flow keeps to the outer wall of the bend.</source>
+        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. See how the flow keeps to the outer wall of the bend.</source>
         <translation>Geschwindigkeit in einem gebogenen Kanal; krummliniges Gitter, %1, von TAn berechnet. Sehenswert: wie sich die Strömung an die Außenwand der Biegung hält.</translation>
     </message>
     <message>
@@ -1035,7 +983,7 @@
         <translation>Platte mit Löchern</translation>
     </message>
     <message>
-        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
+        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. See how the boundary keeps its holes at every accuracy.</source>
         <translation>Spannung in einer Platte mit fünf Löchern und einem Hohlraum; unregelmäßiges Netz, von TAn berechnet. Sehenswert: die Berandung, die ihre Löcher in jeder Genauigkeit behält.</translation>
     </message>
     <message>
@@ -1043,7 +991,7 @@
         <translation>Verstreute Punkte</translation>
     </message>
     <message>
-        <source>Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. Look at the volume: it needs no grid.</source>
+        <source>Waves that become finer outwards, sampled at random points in a ball; %1, computed by TAn. See the volume: it needs no grid.</source>
         <translation>Wellen, die nach außen feiner werden, an zufälligen Punkten einer Kugel abgetastet; %1, von TAn berechnet. Sehenswert: das Volumen, das kein Gitter braucht.</translation>
     </message>
     <message>
@@ -1051,7 +999,7 @@
         <translation>Wellen</translation>
     </message>
     <message>
-        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine ripples, which vanish first when the error grows.</source>
+        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. See the fine ripples, which vanish first as the error grows.</source>
         <translation>Das Testsignal von Marschner und Lobb; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die feinen Wellen, die bei wachsendem Fehler zuerst verschwinden.</translation>
     </message>
     <message>
@@ -1059,7 +1007,7 @@
         <translation>Grenzschicht</translation>
     </message>
     <message>
-        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. Look at how the tetrahedra crowd at the wall.</source>
+        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. See how the tetrahedra crowd at the wall.</source>
         <translation>Eine Schicht an einer Wand; rechtwinkliges Gitter mit wachsenden Abständen, %1, von TAn berechnet. Sehenswert: wie sich die Tetraeder an der Wand drängen.</translation>
     </message>
     <message>
@@ -1067,7 +1015,7 @@
         <translation>Weißes Rauschen</translation>
     </message>
     <message>
-        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. See the statistics: even at a large error nearly all points are needed.</source>
         <translation>Zufallswerte, der schlimmste Fall für jedes Verfahren; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die Statistik, denn auch bei einem großen Fehler werden fast alle Punkte gebraucht.</translation>
     </message>
 </context>
@@ -1162,7 +1110,7 @@
         <translation>zerschnittene Tetraeder: %1</translation>
     </message>
     <message>
-        <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
+        <source>tetrahedra cut: %1; overlapping groups, drawn by distance: %2</source>
         <translation>zerschnittene Tetraeder: %1; überlappende Gruppen, nach Entfernung gezeichnet: %2</translation>
     </message>
     <message>
@@ -1174,11 +1122,11 @@
         <translation>Davon umrissen</translation>
     </message>
     <message>
-        <source>Taken of the file</source>
+        <source>Used from the file</source>
         <translation>Aus der Datei genommen</translation>
     </message>
     <message>
-        <source>Not used of it</source>
+        <source>Not used from the file</source>
         <translation>Nicht daraus benutzt</translation>
     </message>
     <message>
@@ -1286,7 +1234,7 @@
         <translation>Das kleinste Netz mit diesem Fehler</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh with at most this number of tetrahedra. A focus keeps its ratio to the rest.</source>
         <translation>Das beste Netz mit so vielen Tetraedern. Ein Fokus behält sein Verhältnis zum Rest.</translation>
     </message>
     <message>
@@ -1306,7 +1254,7 @@
         <translation>Wie der Fehler</translation>
     </message>
     <message>
-        <source>Its own</source>
+        <source>Custom</source>
         <translation>Eigene</translation>
     </message>
     <message>
@@ -1318,7 +1266,7 @@
         <translation>Grenze der Verwerfung</translation>
     </message>
     <message>
-        <source>Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal then; one of its own; or none, for the smallest mesh whose values are within the error</source>
+        <source>Limit on the warping, the distance of the mesh from the data: the same percentage as the error, but of the diagonal; a percentage of its own; or none, for the smallest mesh whose values are within the error</source>
         <translation>Grenze der Verwerfung, des Abstands des Netzes von den Daten: der Prozentsatz des Fehlers, dann von der Diagonale; ein eigener; oder keine, für das kleinste Netz, dessen Werte innerhalb des Fehlers liegen</translation>
     </message>
     <message>
@@ -1326,11 +1274,11 @@
         <translation>Verwerfung in Prozent der Diagonale</translation>
     </message>
     <message>
-        <source>Warping in percent of the diagonal of the box around the data</source>
+        <source>Warping in percent of the diagonal of the data&apos;s bounding box</source>
         <translation>Verwerfung in Prozent der Diagonale des Quaders um die Daten</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
+        <source>The percentages in data units. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the data&apos;s bounding box. Samples just outside the mesh, of irregular data and of grids decimated as a mesh, are compared with a place on its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
         <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese. Abtastwerte unregelmäßiger Daten und als Netz vergröberter Gitter, die knapp außerhalb des Netzes liegen, werden mit einer Stelle seiner Berandung innerhalb der Verwerfung verglichen; am nächsten Ort kann der Fehler größer sein, und „tan verify“ misst ihn.</translation>
     </message>
     <message>
@@ -1378,7 +1326,7 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::AddressDialog</name>
     <message>
-        <source>What whoever runs the server has set; it is kept until the program ends</source>
+        <source>Access token issued by the server&apos;s operator; forgotten when TAn quits</source>
         <translation>Was der Betreiber des Servers festgelegt hat; es wird behalten, bis das Programm endet</translation>
     </message>
     <message>
@@ -1402,23 +1350,23 @@ Verwerfung %2</translation>
         <translation>&amp;Adresse eines Modells auf einem Server:</translation>
     </message>
     <message>
-        <source>Where the model lies, packed or not: http:// or https://</source>
+        <source>Address of the model, packed or not: http:// or https://</source>
         <translation>Wo das Modell liegt, gepackt oder nicht: http:// oder https://</translation>
     </message>
     <message>
-        <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
+        <source>The server extracts each mesh and sends only that: for models too large for this computer. Every change waits for the network.</source>
         <translation>Der Server bestimmt jedes Netz und sendet nur dieses: für Modelle, die für diesen Rechner zu groß sind. Jede Änderung wartet auf das Netzwerk.</translation>
     </message>
     <message>
-        <source>Where the server is one of TAn: &apos;tan serve&apos;</source>
+        <source>Requires a TAn server: &apos;tan serve&apos;</source>
         <translation>Wenn der Server einer von TAn ist: „tan serve“</translation>
     </message>
     <message>
-        <source>This server answers only those who have its token.</source>
+        <source>This server requires a token.</source>
         <translation>Dieser Server antwortet nur dem, der sein Token hat.</translation>
     </message>
     <message>
-        <source>This is not the token of the server.</source>
+        <source>Wrong token.</source>
         <translation>Das ist nicht das Token des Servers.</translation>
     </message>
     <message>
@@ -1434,16 +1382,28 @@ Verwerfung %2</translation>
         <translation>Token</translation>
     </message>
     <message>
-        <source>The server of %1 answers only those who have its &amp;token:</source>
+        <source>The server of %1 requires its &amp;token:</source>
         <translation>Der Server von %1 antwortet nur dem, der sein &amp;Token hat:</translation>
     </message>
     <message>
-        <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
+        <source>Downloads only what is needed; cached afterwards.</source>
         <translation>Es kommt auf diesen Rechner, soweit es gebraucht wird, und ist von da an schnell.</translation>
     </message>
     <message>
         <source>An address begins with http:// or https://.</source>
         <translation>Eine Adresse beginnt mit http:// oder https://.</translation>
+    </message>
+    <message>
+        <source>Asking the server…</source>
+        <translation>Der Server wird gefragt …</translation>
+    </message>
+    <message>
+        <source>This server only delivers files, so the model must be downloaded.</source>
+        <translation>Dieser Server gibt nur Dateien, das Modell muss also geladen werden.</translation>
+    </message>
+    <message>
+        <source>%1 That is more than this computer has room for: leave it at the server.</source>
+        <translation>%1 Das ist mehr, als auf diesem Rechner Platz hat: Lassen Sie es auf dem Server.</translation>
     </message>
 </context>
 <context>
@@ -1553,7 +1513,7 @@ Verwerfung %2</translation>
         <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>Up and down: the camera returns to its start, and stops at the poles</source>
+        <source>Up and down: the camera returns to its start and stops at the poles</source>
         <translation>Auf und ab: Die Kamera kehrt an ihren Anfang zurück und hält an den Polen</translation>
     </message>
     <message>
@@ -1596,7 +1556,7 @@ Verwerfung %2</translation>
         <translation>Feste Enden</translation>
     </message>
     <message>
-        <source>The colour bar goes from one chosen value to another, so that several pictures have the same one; else it goes over all values of the data</source>
+        <source>The colour bar covers a chosen range, so that several pictures can share it; otherwise it covers all values of the data</source>
         <translation>Die Farbskala geht von einem gewählten Wert bis zu einem anderen, sodass mehrere Bilder dieselbe haben; sonst geht sie über alle Werte der Daten</translation>
     </message>
     <message>
@@ -1623,7 +1583,7 @@ Verwerfung %2</translation>
         <translation>Höchstzahl der Tetraeder</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra</source>
+        <source>The best mesh with at most this number of tetrahedra</source>
         <translation>Das beste Netz mit höchstens so vielen Tetraedern</translation>
     </message>
 </context>
@@ -1734,7 +1694,7 @@ Verwerfung %2</translation>
         <translation>&amp;Importoptionen …</translation>
     </message>
     <message>
-        <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
+        <source>Estimated from a few thousand samples of the dataset; it may be off by a factor of two</source>
         <translation>Aus einigen Tausend Abtastwerten des Datensatzes geschätzt; kann um den Faktor zwei abweichen</translation>
     </message>
     <message>
@@ -1746,7 +1706,7 @@ Verwerfung %2</translation>
         <translation>&amp;Schneller Blick, Fehler 1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 1 % of the value range: enough for a first look</source>
+        <source>Keeps enough for an error of 1 % of the value range: enough for a first look</source>
         <translation>Behält, was für einen Fehler von 1 % des Wertebereichs nötig ist: genug für einen ersten Blick</translation>
     </message>
     <message>
@@ -1754,7 +1714,7 @@ Verwerfung %2</translation>
         <translation>&amp;Gut, Fehler 0,1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
+        <source>Keeps enough for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
         <translation>Behält, was für einen Fehler von 0,1 % des Wertebereichs nötig ist: Bilder sind von denen aller Daten kaum zu unterscheiden</translation>
     </message>
     <message>
@@ -1782,15 +1742,15 @@ Verwerfung %2</translation>
         <translation>Bei Unterbrechung &amp;fortsetzbar</translation>
     </message>
     <message>
-        <source>Write down now and then how far the build is, so that it can be paused, and goes on where it was if the program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it takes up to three times the size of the model on the disk</source>
+        <source>Save checkpoints so that the build can be paused and resumed, even after a crash. Short builds take up to 20 % longer, and until the build ends it needs up to three times the model&apos;s size on disk</source>
         <translation>Hält ab und zu fest, wie weit der Bau ist, sodass er angehalten werden kann und dort weitergeht, wo er war, wenn das Programm oder der Rechner ausfällt. Kurze Bauten dauern dadurch bis zu ein Fünftel länger, und bis zum Ende des Baus belegt das bis zum Dreifachen der Modellgröße auf der Platte</translation>
     </message>
     <message>
-        <source>Begin &amp;Anew</source>
+        <source>St&amp;art Over</source>
         <translation>Vo&amp;n vorn beginnen</translation>
     </message>
     <message>
-        <source>Delete what the interrupted build has left</source>
+        <source>Delete the interrupted build</source>
         <translation>Löscht, was der unterbrochene Bau hinterlassen hat</translation>
     </message>
     <message>
@@ -1798,7 +1758,7 @@ Verwerfung %2</translation>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Stop the build; it goes on from there later, even if the program is closed meanwhile</source>
+        <source>Stop the build; it can be resumed later, even after TAn has been closed</source>
         <translation>Hält den Bau an; er geht später von dort weiter, auch wenn das Programm inzwischen beendet wird</translation>
     </message>
     <message>
@@ -1806,11 +1766,11 @@ Verwerfung %2</translation>
         <translation>Ba&amp;u fortsetzen</translation>
     </message>
     <message>
-        <source>An interrupted build of these data was found: it goes on where it stopped.</source>
+        <source>An interrupted build of these data was found: it will continue where it stopped.</source>
         <translation>Ein unterbrochener Bau dieser Daten wurde gefunden: Er geht dort weiter, wo er aufgehört hat.</translation>
     </message>
     <message>
-        <source>An interrupted build of other data, or with other options, was found. Give the same ones, or begin anew.</source>
+        <source>Found an interrupted build of different data or with different options. Restore those options, or start over.</source>
         <translation>Ein unterbrochener Bau anderer Daten oder mit anderen Optionen wurde gefunden. Geben Sie dieselben an, oder beginnen Sie von vorn.</translation>
     </message>
     <message>
@@ -1822,15 +1782,15 @@ Verwerfung %2</translation>
         <translation>Vorhandenes M&amp;odell öffnen</translation>
     </message>
     <message>
-        <source>Open the model that is there already; nothing is built or replaced</source>
+        <source>Open the existing model; nothing is built or replaced</source>
         <translation>Öffnet das Modell, das schon da ist; es wird nichts gebaut oder ersetzt</translation>
     </message>
     <message>
-        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name stays as it is.</source>
+        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name is not changed.</source>
         <translation>Beendet den Bau und behält das Fertige als Modell, mit der bisher erreichten Genauigkeit. Ein fertiges Modell desselben Namens bleibt, wie es ist.</translation>
     </message>
     <message>
-        <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
+        <source>This file exists. You can open it; if you build, it is replaced when the build is complete.</source>
         <translation>Diese Datei gibt es schon. Sie können sie öffnen; wenn Sie bauen, wird sie ersetzt, sobald das Modell fertig ist.</translation>
     </message>
     <message>
@@ -1846,11 +1806,11 @@ Verwerfung %2</translation>
         <translation>Skala: logarithmisch; ein Fehler von 1 % entspricht dem %1</translation>
     </message>
     <message>
-        <source>Scale: linear. The values go over several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
+        <source>Scale: linear. The values span several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
         <translation>Skala: linear. Die Werte gehen über mehrere Zehnerpotenzen: Mit der logarithmischen Skala unter Importoptionen sind Fehler Faktoren.</translation>
     </message>
     <message>
-        <source>Read the file again with other options: other values, another scale, a part of it, fewer points</source>
+        <source>Read the file again with other options: other values, another scale, a part of it, or fewer points</source>
         <translation>Liest die Datei mit anderen Optionen noch einmal: andere Werte, eine andere Skala, ein Ausschnitt, weniger Punkte</translation>
     </message>
 </context>
@@ -1865,11 +1825,11 @@ Verwerfung %2</translation>
         <translation>Modell-Zwischenspeicher</translation>
     </message>
     <message>
-        <source>Models that are packed or lie on a server are unpacked or fetched into this folder, and opened from there the next time. What was unused for longest is removed when room is needed.</source>
+        <source>Packed models and models on servers are unpacked or downloaded into this folder, and opened from there the next time. When room is needed, those unused for longest are removed.</source>
         <translation>Modelle, die gepackt sind oder auf einem Server liegen, werden in diesen Ordner entpackt oder geholt und das nächste Mal von dort geöffnet. Wird Platz gebraucht, so wird entfernt, was am längsten nicht verwendet wurde.</translation>
     </message>
     <message>
-        <source>The folder; empty for the usual one</source>
+        <source>Cache folder (leave empty for the default)</source>
         <translation>Der Ordner; leer für den üblichen</translation>
     </message>
     <message>
@@ -1885,11 +1845,11 @@ Verwerfung %2</translation>
         <translation> GB</translation>
     </message>
     <message>
-        <source>How much of the disk it may take</source>
+        <source>Maximum size of the cache</source>
         <translation>Wie viel Platz er höchstens belegen darf</translation>
     </message>
     <message>
-        <source>Remove all models of the folder that are not open</source>
+        <source>Remove all models in the folder that are not open</source>
         <translation>Alle Modelle des Ordners entfernen, die nicht geöffnet sind</translation>
     </message>
     <message>
@@ -1916,7 +1876,7 @@ Verwerfung %2</translation>
         <translation>OpenGL</translation>
     </message>
     <message>
-        <source>OpenGL cannot draw this picture; the processor draws it instead. %1</source>
+        <source>OpenGL cannot draw this picture; the CPU draws it instead. %1</source>
         <translation>OpenGL kann dieses Bild nicht zeichnen; stattdessen zeichnet es der Prozessor. %1</translation>
     </message>
 </context>
@@ -1946,7 +1906,7 @@ Verwerfung %2</translation>
         <translation>Befehle</translation>
     </message>
     <message>
-        <source>Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves.</source>
+        <source>Type the beginnings of words to find a command or a setting. Enter runs it, Esc closes the list.</source>
         <translation>Geben Sie die Anfänge seiner Wörter ein, um einen Befehl oder eine Einstellung zu finden. Enter führt ihn aus, Esc schließt.</translation>
     </message>
     <message>
@@ -2140,14 +2100,14 @@ Verwerfung %2</translation>
         <translation>Oder ein Beispiel ansehen</translation>
     </message>
     <message>
-        <source>Samples are computed when you choose one; nothing is downloaded.</source>
+        <source>Samples are computed when you choose them; nothing is downloaded.</source>
         <translation>Beispiele werden berechnet, wenn Sie eines wählen; nichts wird heruntergeladen.</translation>
     </message>
 </context>
 <context>
     <name>tetra::Exporting</name>
     <message>
-        <source>Nothing was saved: the model was closed meanwhile.</source>
+        <source>Nothing was saved: the model was closed in the meantime.</source>
         <translation>Nichts wurde gespeichert: Das Modell wurde inzwischen geschlossen.</translation>
     </message>
 </context>
@@ -2174,7 +2134,7 @@ Verwerfung %2</translation>
         <translation>Film speichern</translation>
     </message>
     <message>
-        <source>Videos can be made where the program ffmpeg is installed</source>
+        <source>Videos require the program ffmpeg</source>
         <translation>Videos gibt es, wo das Programm ffmpeg installiert ist</translation>
     </message>
     <message>
@@ -2206,7 +2166,7 @@ Verwerfung %2</translation>
         <translation>Schl&amp;ießen</translation>
     </message>
     <message>
-        <source>A film that is being written goes on</source>
+        <source>A film that is being written continues</source>
         <translation>Ein Film, der geschrieben wird, läuft weiter</translation>
     </message>
     <message>
@@ -2230,7 +2190,7 @@ Verwerfung %2</translation>
         <translation>E&amp;rsetzen und speichern</translation>
     </message>
     <message>
-        <source>Beginning…</source>
+        <source>Starting…</source>
         <translation>Beginnt …</translation>
     </message>
     <message>
@@ -2246,7 +2206,7 @@ Verwerfung %2</translation>
         <translation>%1 Bilder, %2</translation>
     </message>
     <message>
-        <source>Files of this name are there already and will be replaced: %1.</source>
+        <source>Files with this name already exist and will be replaced: %1.</source>
         <translation>Dateien dieses Namens gibt es schon, sie werden ersetzt: %1.</translation>
     </message>
     <message>
@@ -2309,7 +2269,7 @@ Verwerfung %2</translation>
         <translation>Übergang</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that in the focus to that outside, in data units; 0 is a sharp border</source>
+        <source>The distance over which the error grows from its value in the focus to that outside, in data units; 0 gives a sharp border</source>
         <translation>Die Strecke, auf der der Fehler von dem im Fokus auf den außerhalb wächst, in Einheiten der Daten; 0 ist eine scharfe Grenze</translation>
     </message>
     <message>
@@ -2325,7 +2285,7 @@ Verwerfung %2</translation>
         <translation>Den Fokus zum Zielpunkt der Kamera bewegen (C)</translation>
     </message>
     <message>
-        <source>Reset place, size, error and fall-off</source>
+        <source>Reset position, size, error and fall-off</source>
         <translation>Ort, Größe, Fehler und Übergang zurücksetzen</translation>
     </message>
     <message>
@@ -2357,15 +2317,15 @@ Verwerfung %2</translation>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>With the budget the error outside is %1 times this one.</source>
+        <source>With the budget, the error outside is %1 times the error inside.</source>
         <translation>Mit dem Budget ist der Fehler außerhalb das %1-fache davon.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <source>A focus is never coarser than its surroundings, so it gets the same error.</source>
         <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er denselben Fehler.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <source>A focus is never coarser than its surroundings, so it gets %1.</source>
         <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
     </message>
     <message>
@@ -2385,7 +2345,7 @@ Verwerfung %2</translation>
         <translation>&amp;Wertebereich</translation>
     </message>
     <message>
-        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
+        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; double-click a surface to move it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is visible.</source>
         <translation>Wo das Netz genauer ist als anderswo. Wählen Sie einen Quader oder eine Kugel und ziehen Sie an den Griffen im Bild; ein Doppelklick auf eine Fläche verschiebt den Bereich dorthin. Oder lassen Sie den Fehler mit dem Abstand vom Betrachter oder von den Isowerten wachsen, oder dort, wo wenig zu sehen ist.</translation>
     </message>
     <message>
@@ -2405,7 +2365,7 @@ Verwerfung %2</translation>
         <translation>Isowerte</translation>
     </message>
     <message>
-        <source>The error grows with the distance from the isovalues that are shown</source>
+        <source>The error grows with the distance from the displayed isovalues</source>
         <translation>Der Fehler wächst mit dem Abstand von den gezeigten Isowerten</translation>
     </message>
     <message>
@@ -2421,7 +2381,7 @@ Verwerfung %2</translation>
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>The region that place and size are of; all have the same error and fall-off</source>
+        <source>Selected region. All regions share one error and fall-off.</source>
         <translation>Der Bereich, zu dem Ort und Größe gehören; alle haben denselben Fehler und Übergang</translation>
     </message>
     <message>
@@ -2437,7 +2397,7 @@ Verwerfung %2</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
+        <source>The distance over which the error grows from its value inside, at the part of the data nearest to the viewer, to that outside, in data units</source>
         <translation>Der Abstand, über den der Fehler von dem inneren, der an dem Teil der Daten gilt, der dem Betrachter am nächsten ist, auf den äußeren wächst, in Einheiten der Daten</translation>
     </message>
     <message>
@@ -2445,7 +2405,7 @@ Verwerfung %2</translation>
         <translation>Bereich der Werte</translation>
     </message>
     <message>
-        <source>The difference from an isovalue over which the error grows from that inside to that outside, in the units of the values</source>
+        <source>The difference from an isovalue over which the error grows from its value inside to that outside, in the units of the values</source>
         <translation>Der Unterschied zu einem Isowert, über den der Fehler vom inneren auf den äußeren wächst, in Einheiten der Werte</translation>
     </message>
     <message>
@@ -2461,7 +2421,7 @@ Verwerfung %2</translation>
         <translation>Es gibt keinen Isowert, daher ist der Fehler überall %1.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra; without the focus %2, with its error everywhere %3.</source>
+        <source>%1 tetrahedra; %2 without the focus and with its error everywhere %3.</source>
         <translation>%1 Tetraeder; ohne den Fokus %2, mit dessen Fehler überall %3.</translation>
     </message>
 </context>
@@ -2472,7 +2432,7 @@ Verwerfung %2</translation>
         <translation>Histogramm</translation>
     </message>
     <message>
-        <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+        <source>How often the values of the displayed mesh occur, on a logarithmic scale; from the smallest to the largest value, in data units</source>
         <translation>Wie oft die Werte des gezeigten Netzes vorkommen, logarithmisch, vom kleinsten bis zum größten Wert, in den Einheiten der Daten</translation>
     </message>
 </context>
@@ -2507,11 +2467,11 @@ Verwerfung %2</translation>
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>Layouts that fit</source>
+        <source>Matching layouts</source>
         <translation>Passende Anordnungen</translation>
     </message>
     <message>
-        <source>Sizes and types that would fill the file exactly, the likeliest first</source>
+        <source>Sizes and types that fit the file exactly, the most likely first</source>
         <translation>Größen und Typen, die die Datei genau füllen würden, die wahrscheinlichsten zuerst</translation>
     </message>
     <message>
@@ -2527,11 +2487,11 @@ Verwerfung %2</translation>
         <translation>%1, %2 Bytes</translation>
     </message>
     <message>
-        <source>None is known</source>
+        <source>None found</source>
         <translation>Keine bekannt</translation>
     </message>
     <message>
-        <source>Give the number of points along x, y and z, as in 64x64x32.</source>
+        <source>Enter the number of points along x, y and z, as in 64x64x32.</source>
         <translation>Geben Sie die Zahl der Punkte entlang x, y und z an, wie in 64x64x32.</translation>
     </message>
     <message>
@@ -2555,7 +2515,7 @@ Verwerfung %2</translation>
         <translation>Eine obere Schranke; ein Modell mit geringerem Detailgrad braucht weniger.</translation>
     </message>
     <message>
-        <source>What would be taken of the file with these options, and what it says and is not used</source>
+        <source>What these options take from the file, and what else it states that is not used</source>
         <translation>Was mit diesen Optionen aus der Datei genommen würde, und was sie angibt und nicht benutzt wird</translation>
     </message>
 </context>
@@ -2570,7 +2530,7 @@ Verwerfung %2</translation>
         <translation>Nur ein &amp;Quader im Raum</translation>
     </message>
     <message>
-        <source>Takes every point of the whole dataset</source>
+        <source>Takes every point of the dataset</source>
         <translation>Nimmt jeden Punkt des ganzen Datensatzes</translation>
     </message>
     <message>
@@ -2610,7 +2570,7 @@ Verwerfung %2</translation>
         <translation>Behält jeden n-ten Punkt</translation>
     </message>
     <message>
-        <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
+        <source>Takes only what lies in a box; for irregular meshes, whole tetrahedra</source>
         <translation>Nimmt nur, was in einem Quader liegt; von unregelmäßigen Netzen ganze Tetraeder</translation>
     </message>
     <message>
@@ -2668,7 +2628,7 @@ Verwerfung %2</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>Opacity in percent; below 100 % what lies behind shows through</source>
+        <source>Opacity in percent; below 100 % what lies behind it shows through</source>
         <translation>Deckkraft in Prozent; unter 100 % scheint durch, was dahinter liegt</translation>
     </message>
     <message>
@@ -2837,7 +2797,7 @@ Verwerfung %2</translation>
         <translation>Wenn Sie jetzt anhalten, können Sie das Fertige als %1 behalten, ein Modell geringerer Genauigkeit.</translation>
     </message>
     <message>
-        <source>Nothing of it can be kept yet.</source>
+        <source>Nothing can be kept yet.</source>
         <translation>Behalten werden kann davon noch nichts.</translation>
     </message>
     <message>
@@ -2865,7 +2825,7 @@ Verwerfung %2</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>If you stop it, nothing of it is kept.</source>
+        <source>If you stop it, nothing is kept.</source>
         <translation>Wenn Sie ihn anhalten, bleibt nichts davon.</translation>
     </message>
     <message>
@@ -2913,7 +2873,7 @@ Verwerfung %2</translation>
         <translation>Eine Datei wird noch gespeichert.</translation>
     </message>
     <message>
-        <source>TAn will quit when it is done.</source>
+        <source>TAn will quit when this is done.</source>
         <translation>TAn wird beendet, sobald das getan ist.</translation>
     </message>
     <message>
@@ -2933,7 +2893,7 @@ Verwerfung %2</translation>
         <translation>%1 % fertig.</translation>
     </message>
     <message>
-        <source>TAn will continue when it is done.</source>
+        <source>TAn will continue when this is done.</source>
         <translation>TAn fährt fort, sobald das getan ist.</translation>
     </message>
     <message>
@@ -2957,7 +2917,7 @@ Verwerfung %2</translation>
         <translation>Den Bau von %1 anhalten und das Fertige behalten?</translation>
     </message>
     <message>
-        <source>If you stop now, you can keep what is finished as a model of its own, named after its error. The finished model %1 stays as it is.</source>
+        <source>If you stop now, you can keep what is finished as a separate model, named after its error. The finished model %1 is not changed.</source>
         <translation>Wenn Sie jetzt anhalten, können Sie behalten, was fertig ist: als eigenes Modell, das nach seinem Fehler benannt ist. Das fertige Modell %1 bleibt, wie es ist.</translation>
     </message>
 </context>
@@ -2980,7 +2940,7 @@ Verwerfung %2</translation>
         <translation>Kreis</translation>
     </message>
     <message>
-        <source>A round lens, with its own error (L). Drag it; the wheel over it changes the magnification.</source>
+        <source>A round lens with its own error (L). Drag it; turn the wheel over it to change the magnification.</source>
         <translation>Eine runde Lupe mit eigenem Fehler (L). Zum Verschieben ziehen; das Mausrad über ihr ändert die Vergrößerung.</translation>
     </message>
     <message>
@@ -2996,7 +2956,7 @@ Verwerfung %2</translation>
         <translation>Vergrößerung</translation>
     </message>
     <message>
-        <source>How much larger the lens shows what lies under its middle</source>
+        <source>How much larger the lens shows what is under its centre</source>
         <translation>Wievielmal größer die Lupe zeigt, was unter ihrer Mitte liegt</translation>
     </message>
     <message>
@@ -3050,7 +3010,7 @@ Verwerfung %2</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Open the model with its view restored. The saved view is kept until that has worked.</source>
+        <source>Open the model with its view restored. The saved view is kept until that has succeeded.</source>
         <translation>Öffnet das Modell in seiner letzten Ansicht. Die gesicherte Ansicht bleibt, bis das gelungen ist.</translation>
     </message>
     <message>
@@ -3077,7 +3037,7 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of the files dropped, %1 was opened.</source>
         <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
     </message>
     <message>
@@ -3129,7 +3089,7 @@ Verwerfung %2</translation>
         <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
-        <source>The model %1 is built.</source>
+        <source>The model %1 has been built.</source>
         <translation>Das Modell %1 ist fertig gebaut.</translation>
     </message>
     <message>
@@ -3149,7 +3109,7 @@ Verwerfung %2</translation>
         <translation>Das Beispiel wird erzeugt</translation>
     </message>
     <message>
-        <source>%1 is not built yet. The picture still shows %2.</source>
+        <source>%1 has not been built yet. The picture still shows %2.</source>
         <translation>%1 ist noch nicht gebaut. Das Bild zeigt noch %2.</translation>
     </message>
     <message>
@@ -3169,11 +3129,11 @@ Verwerfung %2</translation>
         <translation>Lesen</translation>
     </message>
     <message>
-        <source>Showing %L1 of %L2 vertices, more is coming</source>
+        <source>Showing %L1 of %L2 vertices, more are on the way</source>
         <translation>Zeigt %L1 von %L2 Knoten, weitere kommen</translation>
     </message>
     <message>
-        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.</source>
+        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were downloaded.</source>
         <translation>%1 wird mit %L2 seiner %L3 Knoten gezeigt: %4 von %5 wurden geholt.</translation>
     </message>
     <message>
@@ -3201,15 +3161,15 @@ Verwerfung %2</translation>
         <translation>Aussehen übernehmen von</translation>
     </message>
     <message>
-        <source>Sessions and pictures with their sessions (*.tansession *.png)</source>
+        <source>Sessions, and pictures saved by TAn (*.tansession *.png)</source>
         <translation>Sitzungen und Bilder mit ihren Sitzungen (*.tansession *.png)</translation>
     </message>
     <message>
-        <source>What was finished is kept as %1. The model %2 is as it was.</source>
+        <source>What was finished has been kept as %1. The model %2 is unchanged.</source>
         <translation>Das Fertige ist als %1 behalten. Das Modell %2 ist, wie es war.</translation>
     </message>
     <message>
-        <source>%1 % shown, more is coming</source>
+        <source>%1 % shown, more is on the way</source>
         <translation>%1 % gezeigt, mehr kommt</translation>
     </message>
     <message>
@@ -3268,7 +3228,7 @@ Verwerfung %2</translation>
         <translation>Netz wird entnommen</translation>
     </message>
     <message>
-        <source>Choosing from the mesh</source>
+        <source>Selecting tetrahedra from the mesh</source>
         <translation>Auswahl aus dem Netz</translation>
     </message>
     <message>
@@ -3300,7 +3260,7 @@ Verwerfung %2</translation>
         <translation>Auswahl</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, for comparison with it. Both keep cells from turning inside out.</source>
         <translation>Bei krummlinigen Daten: „normiert“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt; „Aufsatz“ vergleicht beide in den Einheiten der Daten, wie der Aufsatz, zum Vergleich mit ihm. Beide bewahren Zellen vor dem Umklappen.</translation>
     </message>
     <message>
@@ -3328,7 +3288,7 @@ Verwerfung %2</translation>
         <translation>„%1: %2“ in ihrem Kopf %3</translation>
     </message>
     <message>
-        <source>%1 has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
+        <source>%1 has %2 bytes, and its header requires %3. It is cut short: copy the file again.</source>
         <translation>%1 hat %2 Bytes, und ihr Kopf verlangt %3. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -3404,15 +3364,15 @@ Verwerfung %2</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um ein Modell zu bauen. Schließen Sie andere Programme, oder nehmen Sie weniger Abtastwerte.</translation>
     </message>
     <message>
-        <source>there is something after the end of the value</source>
+        <source>there is text after the end of the value</source>
         <translation>nach dem Ende des Wertes steht noch etwas</translation>
     </message>
     <message>
-        <source>a byte that is not of UTF-8 text</source>
+        <source>a byte that is not valid UTF-8</source>
         <translation>ein Byte, das nicht zu UTF-8-Text gehört</translation>
     </message>
     <message>
-        <source>too many levels</source>
+        <source>too many levels of nesting</source>
         <translation>zu viele Ebenen</translation>
     </message>
     <message>
@@ -3420,7 +3380,7 @@ Verwerfung %2</translation>
         <translation>„,“ oder „]“ erwartet</translation>
     </message>
     <message>
-        <source>the member &quot;%1&quot; is there twice</source>
+        <source>the member &quot;%1&quot; appears twice</source>
         <translation>das Element „%1“ kommt zweimal vor</translation>
     </message>
     <message>
@@ -3476,7 +3436,7 @@ Verwerfung %2</translation>
         <translation>%1. Prüfen Sie Name und Ordner.</translation>
     </message>
     <message>
-        <source>%1. Ask its owner for the right to read it.</source>
+        <source>%1. Ask its owner for permission to read it.</source>
         <translation>%1. Bitten Sie den Eigentümer um das Recht, sie zu lesen.</translation>
     </message>
     <message>
@@ -3504,11 +3464,11 @@ Verwerfung %2</translation>
         <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. %3</translation>
     </message>
     <message>
-        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <source>This machine cannot start any more threads now. Close other programs, or raise the limit (ulimit).</source>
         <translation>Dieser Rechner kann zurzeit keine weiteren Threads starten. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
     <message>
-        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <source>This machine does not have enough memory for this. Close other programs, or raise the limit (ulimit).</source>
         <translation>Der Speicher dieses Rechners reicht dafür nicht aus. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
     <message>
@@ -3624,7 +3584,7 @@ Verwerfung %2</translation>
         <translation>Warten Sie darauf, oder geben Sie dem Modell einen anderen Namen.</translation>
     </message>
     <message>
-        <source>it holds something else</source>
+        <source>it is used for something else</source>
         <translation>er enthält etwas anderes</translation>
     </message>
     <message>
@@ -3640,11 +3600,11 @@ Verwerfung %2</translation>
         <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Verweis beiseite.</translation>
     </message>
     <message>
-        <source>A mesh of %1 points and %2 tetrahedra is too large to be decimated: %3 points and %4 tetrahedra are the most. Take a region of it or fewer samples.</source>
+        <source>A mesh of %1 points and %2 tetrahedra is too large to be decimated: the limits are %3 points and %4 tetrahedra. Take a region of it or fewer samples.</source>
         <translation>Ein Netz aus %1 Punkten und %2 Tetraedern ist zu groß, um vergröbert zu werden: Höchstens %3 Punkte und %4 Tetraeder sind möglich. Nehmen Sie einen Bereich davon oder weniger Abtastwerte.</translation>
     </message>
     <message>
-        <source>Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine has %4. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
+        <source>Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine has %4. Take a region of it or fewer samples, or, if it is a lattice or grid, refine it instead.</source>
         <translation>Die Vergröberung von %1 Punkten und %2 Tetraedern braucht etwa %3 Arbeitsspeicher, und dieser Rechner hat %4. Nehmen Sie einen Bereich davon oder weniger Abtastwerte, oder verfeinern Sie stattdessen, wenn es ein Gitter ist.</translation>
     </message>
     <message>
@@ -3664,7 +3624,7 @@ Verwerfung %2</translation>
         <translation>Modell etwa %1, Arbeitsdateien %2</translation>
     </message>
     <message>
-        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
+        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or a larger error.</source>
         <translation>Der Bau braucht etwa %1 auf dem Datenträger von „%2“ (%3), und %4 sind frei. Schaffen Sie Platz, wählen Sie einen anderen Datenträger oder einen größeren Fehler.</translation>
     </message>
     <message>
@@ -3672,11 +3632,11 @@ Verwerfung %2</translation>
         <translation>„%1“ kann nicht gelesen werden: %2.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
+        <source>&apos;%1&apos; exists and is not a TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
         <translation>„%1“ gibt es und ist kein TAn-Modell, wird also nicht überschrieben. Geben Sie dem Modell einen anderen Namen, oder entfernen Sie die Datei zuerst.</translation>
     </message>
     <message>
-        <source>%1 is no percentage at which to stop. Give one from 0 to 100.</source>
+        <source>%1 is not a percentage at which to stop. Give one from 0 to 100.</source>
         <translation>%1 ist kein Prozentsatz, bei dem aufgehört werden kann. Geben Sie einen von 0 bis 100 an.</translation>
     </message>
     <message>
@@ -3688,7 +3648,7 @@ Verwerfung %2</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Blocks cannot be built into this target. Set the block to &quot;none&quot;.</source>
+        <source>This target cannot be built in blocks. Set the block to &quot;none&quot;.</source>
         <translation>In dieses Ziel kann nicht in Blöcken gebaut werden. Setzen Sie den Block auf „keine“.</translation>
     </message>
     <message>
@@ -3704,7 +3664,7 @@ Verwerfung %2</translation>
         <translation>Ein Tetraedernetz braucht vier Punkte oder mehr.</translation>
     </message>
     <message>
-        <source>Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.</source>
+        <source>Blocks of %1 cells cut this dataset into %2 pieces; the limit is %3. Choose larger blocks.</source>
         <translation>Blöcke von %1 Zellen zerlegen diesen Datensatz in %2 Stücke; höchstens %3 sind möglich. Wählen Sie größere Blöcke.</translation>
     </message>
     <message>
@@ -3736,11 +3696,11 @@ Verwerfung %2</translation>
         <translation>%1 Zellen haben einen Wert, der nicht endlich ist, und wurden zu Löchern.</translation>
     </message>
     <message>
-        <source>1 cell names a corner twice, has no volume and was left out.</source>
+        <source>1 cell uses a corner twice, has no volume and was left out.</source>
         <translation>1 Zelle nennt eine Ecke zweimal, hat kein Volumen und wurde weggelassen.</translation>
     </message>
     <message>
-        <source>%1 cells name a corner twice, have no volume and were left out.</source>
+        <source>%1 cells use a corner twice, have no volume and were left out.</source>
         <translation>%1 Zellen nennen eine Ecke zweimal, haben kein Volumen und wurden weggelassen.</translation>
     </message>
     <message>
@@ -3764,27 +3724,27 @@ Verwerfung %2</translation>
         <translation>%1 Zellen hatten die umgekehrte Orientierung und wurden korrigiert.</translation>
     </message>
     <message>
-        <source>1 point on the place of another one was merged with it.</source>
+        <source>1 point at the same place as another was merged with it.</source>
         <translation>1 Punkt am Ort eines anderen wurde mit ihm vereinigt.</translation>
     </message>
     <message>
-        <source>%1 points on the place of another one were merged with it.</source>
+        <source>%1 points at the same place as another were merged with it.</source>
         <translation>%1 Punkte am Ort eines anderen wurden mit ihm vereinigt.</translation>
     </message>
     <message>
-        <source>1 place had different values and got their mean.</source>
+        <source>1 place had several different values and got their mean.</source>
         <translation>1 Ort hatte verschiedene Werte und bekam ihr Mittel.</translation>
     </message>
     <message>
-        <source>%1 places had different values and got their mean.</source>
+        <source>%1 places had several different values and got their mean.</source>
         <translation>%1 Orte hatten verschiedene Werte und bekamen ihr Mittel.</translation>
     </message>
     <message>
-        <source>1 node in the middle of an edge or face was left out: not all cells there have it, or cells bend too much.</source>
+        <source>1 node in the middle of an edge or face was left out: not all cells there have it, or the cells bend too much.</source>
         <translation>1 Knoten in der Mitte einer Kante oder Seite wurde weggelassen: Nicht alle Zellen dort haben ihn, oder Zellen biegen sich zu sehr.</translation>
     </message>
     <message>
-        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
+        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or the cells bend too much.</source>
         <translation>%1 Knoten in der Mitte von Kanten und Seiten wurden weggelassen: Nicht alle Zellen dort haben sie, oder Zellen biegen sich zu sehr.</translation>
     </message>
     <message>
@@ -3804,11 +3764,11 @@ Verwerfung %2</translation>
         <translation>%1 Zellen wurden weggelassen: zu verzogen, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
     </message>
     <message>
-        <source>1 tetrahedron was there twice.</source>
+        <source>1 tetrahedron appeared twice.</source>
         <translation>1 Tetraeder war doppelt da.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra were there twice.</source>
+        <source>%1 tetrahedra appeared twice.</source>
         <translation>%1 Tetraeder waren doppelt da.</translation>
     </message>
     <message>
@@ -3828,11 +3788,11 @@ Verwerfung %2</translation>
         <translation>Das Netz hat %1 Punkte; höchstens 4294967294 können nummeriert werden. Nehmen Sie einen Teil davon.</translation>
     </message>
     <message>
-        <source>The cells&apos; lists of corners do not fit together: their offsets do not rise from 0 to the number of corners.</source>
+        <source>The cells&apos; lists of corners are inconsistent: their offsets do not rise from 0 to the number of corners.</source>
         <translation>Die Eckenlisten der Zellen passen nicht zusammen: Ihre Anfänge steigen nicht von 0 bis zur Anzahl der Ecken.</translation>
     </message>
     <message>
-        <source>The mesh has %1 cells, but says of %2 whether they are blanked out.</source>
+        <source>The mesh has %1 cells, but blanking flags for %2.</source>
         <translation>Das Netz hat %1 Zellen, sagt aber von %2, ob sie ausgeblendet sind.</translation>
     </message>
     <message>
@@ -3844,15 +3804,15 @@ Verwerfung %2</translation>
         <translation>Das Netz hat %1 Punkte, aber %2 Werte.</translation>
     </message>
     <message>
-        <source>Cells name points that do not exist (%1 in all, the first is cell %2). The mesh has %3 points: the file is damaged.</source>
+        <source>Cells refer to points that do not exist (%1 in all, the first is cell %2). The mesh has %3 points: the file is damaged.</source>
         <translation>Zellen nennen Punkte, die es nicht gibt (%1 insgesamt, die erste ist Zelle %2). Das Netz hat %3 Punkte: Die Datei ist beschädigt.</translation>
     </message>
     <message>
-        <source>Cells have another number of corners than their shape (%1 in all, the first is cell %2). The file is damaged.</source>
+        <source>Cells do not have the number of corners of their shape (%1 in all, the first is cell %2). The file is damaged.</source>
         <translation>Zellen haben eine andere Zahl von Ecken als ihre Form (%1 insgesamt, die erste ist Zelle %2). Die Datei ist beschädigt.</translation>
     </message>
     <message>
-        <source>Cells have a corner whose place is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
+        <source>Cells have a corner whose position is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
         <translation>Zellen haben eine Ecke, deren Ort nicht endlich ist (%1 insgesamt, die erste ist Zelle %2). Korrigieren Sie die Punkte, oder blenden Sie die Zellen aus.</translation>
     </message>
     <message>
@@ -3864,7 +3824,7 @@ Verwerfung %2</translation>
         <translation>Zerlegen der Zellen</translation>
     </message>
     <message>
-        <source>The cells make more than %1 tetrahedra. Take a part of the mesh.</source>
+        <source>The cells yield more than %1 tetrahedra. Take a part of the mesh.</source>
         <translation>Die Zellen ergeben mehr als %1 Tetraeder. Nehmen Sie einen Teil des Netzes.</translation>
     </message>
     <message>
@@ -3900,7 +3860,7 @@ Verwerfung %2</translation>
         <translation>%1 Tetraeder, die einen Nachbarn auf derselben Seite überlappen, zum Beispiel bei %2</translation>
     </message>
     <message>
-        <source>The dataset is no irregular mesh: it has no positions or no tetrahedra.</source>
+        <source>The dataset is not an irregular mesh: it has no positions or no tetrahedra.</source>
         <translation>Der Datensatz ist kein unregelmäßiges Netz: Er hat keine Positionen oder keine Tetraeder.</translation>
     </message>
     <message>
@@ -3908,7 +3868,7 @@ Verwerfung %2</translation>
         <translation>Das Netz hat nicht für jeden Punkt eine endliche Position und einen endlichen Wert.</translation>
     </message>
     <message>
-        <source>A tetrahedron of the mesh names point %1 of %2.</source>
+        <source>A tetrahedron of the mesh refers to point %1 of %2.</source>
         <translation>Ein Tetraeder des Netzes nennt Punkt %1 von %2.</translation>
     </message>
     <message>
@@ -3928,11 +3888,11 @@ Verwerfung %2</translation>
         <translation>Der Arbeitsspeicher reicht nicht für das Netz. Nehmen Sie einen Teil davon.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
+        <source>&apos;%1&apos; was cut short or changed while it was open, so that the result would be wrong. Open it again; if that fails, get or make the file again.</source>
         <translation>„%1“ wurde abgeschnitten oder geändert, während die Datei offen war, sodass falsch wäre, was daraus gemacht wurde. Öffnen Sie sie noch einmal; gelingt das nicht, holen oder erzeugen Sie sie neu.</translation>
     </message>
     <message>
-        <source>it has %1 points. A volume needs at least 2 along each axis: put several slices together, or repeat the one there is.</source>
+        <source>it has %1 points. A volume needs at least 2 along each axis: stack several slices, or repeat the only one.</source>
         <translation>Sie hat %1 Punkte. Ein Volumen braucht mindestens 2 entlang jeder Achse: Fügen Sie mehrere Schichten zusammen, oder wiederholen Sie die eine.</translation>
     </message>
     <message>
@@ -3940,27 +3900,27 @@ Verwerfung %2</translation>
         <translation>Sie will %1 Punkte haben, mehr als irgendein Rechner fasst. Die Beschreibung ist falsch: Prüfen Sie die Größen.</translation>
     </message>
     <message>
-        <source>its spacing is %1. The distance of neighbouring points must be a positive number along each axis.</source>
+        <source>its spacing is %1. The distance between neighbouring points must be a positive number along each axis.</source>
         <translation>Ihr Abstand ist %1. Der Abstand benachbarter Punkte muss entlang jeder Achse eine positive Zahl sein.</translation>
     </message>
     <message>
-        <source>its origin %1 is so far away for the spacing %2 that neighbouring points fall together. Move the origin nearer to 0.</source>
+        <source>its origin %1 is so far away for the spacing %2 that neighbouring points coincide. Move the origin nearer to 0.</source>
         <translation>Ihr Ursprung %1 ist für den Abstand %2 so weit entfernt, dass benachbarte Punkte zusammenfallen. Rücken Sie den Ursprung näher an 0.</translation>
     </message>
     <message>
-        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them by numbers first.</source>
+        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them with numbers first.</source>
         <translation>%1 der %2 Abtastwerte sind NaN oder unendlich, der erste bei Punkt (%3, %4, %5). Ersetzen Sie sie zuerst durch Zahlen.</translation>
     </message>
     <message>
-        <source>the position of point %1 is no number, or far beyond what can be reckoned with. Repair the file.</source>
+        <source>point %1 has an invalid or extremely large position. Repair the file.</source>
         <translation>Die Position von Punkt %1 ist keine Zahl oder liegt weit jenseits dessen, womit gerechnet werden kann. Reparieren Sie die Datei.</translation>
     </message>
     <message>
-        <source>%1 values are too large for single precision, or no numbers. Choose another array.</source>
+        <source>%1 values are too large for single precision, or not numbers. Choose another array.</source>
         <translation>%1 Werte sind zu groß für einfache Genauigkeit oder keine Zahlen. Wählen Sie ein anderes Feld.</translation>
     </message>
     <message>
-        <source>all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes.</source>
+        <source>all its points lie in a plane, or so close to one that no cell has a volume. TAn needs volumes.</source>
         <translation>Alle Punkte liegen in einer Ebene oder enger, sodass keine Zelle ein Volumen hat. TAn nimmt Volumen.</translation>
     </message>
     <message>
@@ -3968,7 +3928,7 @@ Verwerfung %2</translation>
         <translation>„%1“ kann nicht benutzt werden: %2</translation>
     </message>
     <message>
-        <source>it has %1 values for %2 points. Give one a point.</source>
+        <source>it has %1 values for %2 points. Give one value for each point.</source>
         <translation>Er hat %1 Werte für %2 Punkte. Geben Sie jedem Punkt einen.</translation>
     </message>
     <message>
@@ -3980,23 +3940,23 @@ Verwerfung %2</translation>
         <translation>„%1“ hat mehr als 4294967295 Punkte. Nehmen Sie einen Teil davon.</translation>
     </message>
     <message>
-        <source>A stride is a whole number from 1.</source>
+        <source>A stride is a whole number of at least 1.</source>
         <translation>Eine Schrittweite ist eine ganze Zahl ab 1.</translation>
     </message>
     <message>
-        <source>The part has %1 points along %2, and a volume needs at least two along each axis. Take a larger region or a smaller stride.</source>
+        <source>The part has %1 points along %2, and a volume needs at least two along each axis. Choose a larger region or a smaller stride.</source>
         <translation>Der Teil hat %1 Punkte entlang %2, und ein Volumen braucht mindestens zwei entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
     </message>
     <message>
-        <source>No cell of the part has a volume. Take another region or a smaller stride.</source>
+        <source>No cell of the part has a volume. Choose another region or a smaller stride.</source>
         <translation>Keine Zelle des Teils hat ein Volumen. Nehmen Sie einen anderen Bereich oder eine kleinere Schrittweite.</translation>
     </message>
     <message>
-        <source>A part of %1 of the %2 points.</source>
+        <source>Part of the data: %1 of the %2 points.</source>
         <translation>Ein Teil von %1 der %2 Punkte.</translation>
     </message>
     <message>
-        <source>The region holds %1. Take a larger one; &apos;bounds&apos; of &apos;tan info&apos; says where the points lie.</source>
+        <source>The region holds %1. Choose a larger one; &apos;bounds&apos; of &apos;tan info&apos; tells where the points lie.</source>
         <translation>Der Bereich enthält %1. Nehmen Sie einen größeren; „bounds“ von „tan info“ sagt, wo die Punkte liegen.</translation>
     </message>
     <message>
@@ -4016,11 +3976,11 @@ Verwerfung %2</translation>
         <translation>%1 Punkte, und ein Volumen braucht vier</translation>
     </message>
     <message>
-        <source>Only points of a grid can be taken by a stride. Take a region.</source>
+        <source>A stride is for points of a grid only. Choose a region.</source>
         <translation>Nur Punkte eines Gitters können mit einer Schrittweite genommen werden. Nehmen Sie einen Bereich.</translation>
     </message>
     <message>
-        <source>Not enough memory for this part. Take a smaller one.</source>
+        <source>Not enough memory for this part. Choose a smaller one.</source>
         <translation>Der Arbeitsspeicher reicht nicht für diesen Teil. Nehmen Sie einen kleineren.</translation>
     </message>
     <message>
@@ -4032,7 +3992,7 @@ Verwerfung %2</translation>
         <translation>ist nicht zu verstehen. Geben Sie sechs Zahlen an, durch Kommas getrennt: die der ersten und die der letzten Ecke, wie in 0,0,0,31,31,15.</translation>
     </message>
     <message>
-        <source>holds &apos;%1&apos;, which is no number.</source>
+        <source>holds &apos;%1&apos;, which is not a number.</source>
         <translation>enthält „%1“, was keine Zahl ist.</translation>
     </message>
     <message>
@@ -4040,7 +4000,7 @@ Verwerfung %2</translation>
         <translation>endet, bevor er beginnt. Geben Sie die kleineren Zahlen zuerst an.</translation>
     </message>
     <message>
-        <source>The stride &apos;%1&apos; is not understood. Give one whole number from 1, or three separated by commas, as in 2,2,1.</source>
+        <source>The stride &apos;%1&apos; is not understood. Give one whole number of at least 1, or three separated by commas, as in 2,2,1.</source>
         <translation>Die Schrittweite „%1“ ist nicht zu verstehen. Geben Sie eine ganze Zahl ab 1 an, oder drei, durch Kommas getrennt, wie in 2,2,1.</translation>
     </message>
     <message>
@@ -4140,11 +4100,11 @@ Verwerfung %2</translation>
         <translation>Es hat keine Tetraeder.</translation>
     </message>
     <message>
-        <source>it has not one value, weight and place for each of its %1 points.</source>
+        <source>it does not have one value, weight and position for each of its %1 points.</source>
         <translation>Es hat nicht für jeden seiner %1 Punkte einen Wert, ein Gewicht und einen Ort.</translation>
     </message>
     <message>
-        <source>point %1 has no finite place.</source>
+        <source>point %1 has no finite position.</source>
         <translation>Punkt %1 hat keinen endlichen Ort.</translation>
     </message>
     <message>
@@ -4168,7 +4128,7 @@ Verwerfung %2</translation>
         <translation>Das Gewicht der Verwerfung muss eine positive Zahl sein.</translation>
     </message>
     <message>
-        <source>The error to stop at must not be negative.</source>
+        <source>The error at which to stop must not be negative.</source>
         <translation>Der Fehler, bei dem aufgehört wird, darf nicht negativ sein.</translation>
     </message>
     <message>
@@ -4184,7 +4144,7 @@ Verwerfung %2</translation>
         <translation>der Fehler davor ist keine Zahl ab 0</translation>
     </message>
     <message>
-        <source>The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks.</source>
+        <source>The history has more than 4294967295 tetrahedra. Choose a larger error, or build in blocks.</source>
         <translation>Die Geschichte hat mehr als 4294967295 Tetraeder. Verlangen Sie einen größeren Fehler, oder bauen Sie in Blöcken.</translation>
     </message>
     <message>
@@ -4208,7 +4168,7 @@ Verwerfung %2</translation>
         <translation>sie zerstört Tetraeder %1 zweimal</translation>
     </message>
     <message>
-        <source>The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. Ask for a larger error, or take a part of the dataset.</source>
+        <source>The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. Choose a larger error, or take a part of the dataset.</source>
         <translation>Das feinste Netz hätte etwa %1 Tetraeder, und ein Modell fasst Netze mit höchstens %2. Verlangen Sie einen größeren Fehler, oder nehmen Sie einen Teil des Datensatzes.</translation>
     </message>
     <message>
@@ -4220,7 +4180,7 @@ Verwerfung %2</translation>
         <translation>Sie ist nicht, was geschrieben wurde. Starten Sie den Bau noch einmal.</translation>
     </message>
     <message>
-        <source>Cannot read &apos;%1&apos;, which this build had written: %2</source>
+        <source>Cannot read &apos;%1&apos;, which this build wrote: %2</source>
         <translation>„%1“, das dieser Bau geschrieben hatte, kann nicht gelesen werden: %2</translation>
     </message>
     <message>
@@ -4232,7 +4192,7 @@ Verwerfung %2</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um Blöcke dieser Größe zu verfeinern. Schließen Sie andere Programme, nehmen Sie weniger Threads, oder wählen Sie kleinere Blöcke.</translation>
     </message>
     <message>
-        <source>The model would have more than 4294967294 sites. Ask for a larger error, or take a part of the dataset.</source>
+        <source>The model would have more than 4294967294 sites. Choose a larger error, or take a part of the dataset.</source>
         <translation>Das Modell hätte mehr als 4294967294 Stützstellen. Verlangen Sie einen größeren Fehler, oder nehmen Sie einen Teil des Datensatzes.</translation>
     </message>
     <message>
@@ -4244,11 +4204,11 @@ Verwerfung %2</translation>
         <translation>Stützstellen werden nummeriert</translation>
     </message>
     <message>
-        <source>Not enough memory to merge the blocks. Close other programs, or ask for a larger error.</source>
+        <source>Not enough memory to merge the blocks. Close other programs, or choose a larger error.</source>
         <translation>Der Arbeitsspeicher reicht nicht, um die Blöcke zu vereinigen. Schließen Sie andere Programme, oder verlangen Sie einen größeren Fehler.</translation>
     </message>
     <message>
-        <source>its star offsets do not fit its mesh sizes</source>
+        <source>its star offsets do not match its mesh sizes</source>
         <translation>die Anfänge der Sterne passen nicht zu den Netzgrößen</translation>
     </message>
     <message>
@@ -4268,7 +4228,7 @@ Verwerfung %2</translation>
         <translation>das Netz von %1 Stützstellen hat mehr als die %2 Tetraeder, die es haben sollte</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has %2 sites, fewer than the %3 asked for.</source>
+        <source>&apos;%1&apos; has %2 sites, fewer than the %3 requested.</source>
         <translation>„%1“ hat %2 Stützstellen, weniger als die %3 verlangten.</translation>
     </message>
     <message>
@@ -4280,7 +4240,7 @@ Verwerfung %2</translation>
         <translation>Der Arbeitsspeicher reicht nicht für ein Netz aus %1 Stützstellen. Wählen Sie einen größeren Fehler.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
+        <source>&apos;%1&apos; does not end in .csv or .json, the formats of statistics. Choose one of these endings.</source>
         <translation>„%1“ endet weder auf .csv noch auf .json, in denen Statistiken geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
     </message>
     <message>
@@ -4308,7 +4268,7 @@ Verwerfung %2</translation>
         <translation>„%1“ hat die Formatversion %2.%3; dieses Programm liest bis Version %4. Installieren Sie eine neuere Version von TAn.</translation>
     </message>
     <message>
-        <source>its header makes no sense</source>
+        <source>its header is invalid</source>
         <translation>Sein Kopf ergibt keinen Sinn</translation>
     </message>
     <message>
@@ -4332,7 +4292,7 @@ Verwerfung %2</translation>
         <translation>ein regelmäßiges Gitter aus %1 x %2 x %3 Punkten ist unmöglich</translation>
     </message>
     <message>
-        <source>the spacing or the origin of its lattice makes no sense</source>
+        <source>the spacing or the origin of its lattice is invalid</source>
         <translation>der Abstand oder der Ursprung seines regelmäßigen Gitters ergibt keinen Sinn</translation>
     </message>
     <message>
@@ -4340,19 +4300,19 @@ Verwerfung %2</translation>
         <translation>%1 Punkte können nicht %2 Stützstellen und %3 Tetraeder haben</translation>
     </message>
     <message>
-        <source>its value range or its final error makes no sense</source>
+        <source>its value range or its final error is invalid</source>
         <translation>sein Wertebereich oder sein Endfehler ergibt keinen Sinn</translation>
     </message>
     <message>
-        <source>its bounding box makes no sense</source>
+        <source>its bounding box is invalid</source>
         <translation>sein Begrenzungsquader ergibt keinen Sinn</translation>
     </message>
     <message>
-        <source>its warping weight or its handedness makes no sense</source>
+        <source>its warping weight or its handedness is invalid</source>
         <translation>sein Gewicht der Verwerfung oder seine Händigkeit ergibt keinen Sinn</translation>
     </message>
     <message>
-        <source>section &apos;%1&apos; is there twice</source>
+        <source>section &apos;%1&apos; appears twice</source>
         <translation>Abschnitt „%1“ ist zweimal da</translation>
     </message>
     <message>
@@ -4412,7 +4372,7 @@ Verwerfung %2</translation>
         <translation>„%1“ wurde abgeschnitten oder geändert, während es offen war. Öffnen Sie es noch einmal; gelingt das nicht, kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
     </message>
     <message>
-        <source>The builder &apos;%1&apos; made another history than it had announced. Nothing was written; report this to its author.</source>
+        <source>The builder &apos;%1&apos; made a history that differs from the one it announced. Nothing was written; report this to its author.</source>
         <translation>Der Erbauer „%1“ hat eine andere Geschichte gemacht, als er angekündigt hatte. Es wurde nichts geschrieben; melden Sie es seinem Autor.</translation>
     </message>
     <message>
@@ -4420,7 +4380,7 @@ Verwerfung %2</translation>
         <translation>sein Gewicht der Verwerfung ist %1</translation>
     </message>
     <message>
-        <source>meshes of irregular data are not Delaunay ones</source>
+        <source>meshes of irregular data are not Delaunay meshes</source>
         <translation>Netze unregelmäßiger Daten sind keine Delaunay-Netze</translation>
     </message>
     <message>
@@ -4432,7 +4392,7 @@ Verwerfung %2</translation>
         <translation>diese Daten (%1) brauchen ein Gewicht der Verwerfung</translation>
     </message>
     <message>
-        <source>a model needs at least the sites of a first mesh</source>
+        <source>a model needs at least the sites of its first mesh</source>
         <translation>ein Modell braucht mindestens die Stützstellen eines ersten Netzes</translation>
     </message>
     <message>
@@ -4448,7 +4408,7 @@ Verwerfung %2</translation>
         <translation>Der Erbauer „%1“ hat eine Geschichte gemacht, die bei Stützstelle %2 falsch ist: %3. Es wurde nichts geschrieben; melden Sie es seinem Autor.</translation>
     </message>
     <message>
-        <source>Not enough memory to write &apos;%1&apos; after %2 sites. Ask for a larger error, or close other programs.</source>
+        <source>Not enough memory to write &apos;%1&apos; after %2 sites. Choose a larger error, or close other programs.</source>
         <translation>Der Arbeitsspeicher reicht nach %2 Stützstellen nicht mehr, um „%1“ zu schreiben. Verlangen Sie einen größeren Fehler, oder schließen Sie andere Programme.</translation>
     </message>
     <message>
@@ -4456,11 +4416,11 @@ Verwerfung %2</translation>
         <translation>Ein Modell fasst höchstens 4294967296 Punkte, und „%1“ hat %2. Nehmen Sie einen Teil davon.</translation>
     </message>
     <message>
-        <source>a tetrahedron dies before it is made</source>
+        <source>a tetrahedron is destroyed before it is created</source>
         <translation>ein Tetraeder wird zerstört, bevor es entsteht</translation>
     </message>
     <message>
-        <source>Looking at the history</source>
+        <source>Reading the history</source>
         <translation>Geschichte wird durchgesehen</translation>
     </message>
     <message>
@@ -4468,23 +4428,23 @@ Verwerfung %2</translation>
         <translation>seine Zerstörer haben sich geändert, während sie gelesen wurden</translation>
     </message>
     <message>
-        <source>Choosing the sites</source>
+        <source>Selecting the sites</source>
         <translation>Stützstellen werden gewählt</translation>
     </message>
     <message>
-        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
+        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least that many.</source>
         <translation>Das gröbste Netz von „%1“ hat %2 Tetraeder, mehr als das Budget von %3. Erlauben Sie mindestens so viele.</translation>
     </message>
     <message>
-        <source>its running errors do not bound the tetrahedra&apos;s own ones</source>
+        <source>its running errors do not bound the errors of its tetrahedra</source>
         <translation>seine laufenden Fehler begrenzen die eigenen der Tetraeder nicht</translation>
     </message>
     <message>
-        <source>its tetrahedra do not fit its mesh sizes</source>
+        <source>its tetrahedra do not match its mesh sizes</source>
         <translation>seine Tetraeder passen nicht zu seinen Netzgrößen</translation>
     </message>
     <message>
-        <source>its mesh sizes make no sense</source>
+        <source>its mesh sizes are invalid</source>
         <translation>seine Netzgrößen ergeben keinen Sinn</translation>
     </message>
     <message>
@@ -4496,11 +4456,11 @@ Verwerfung %2</translation>
         <translation>seine groben Tetraeder passen nicht zusammen</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was not made by inserting points into Delaunay meshes, so none can be inserted now. Use a closed set, or the automatic choice.</source>
+        <source>&apos;%1&apos; was not made by inserting points into Delaunay meshes, so points cannot be inserted now. Use a closed set, or the automatic choice.</source>
         <translation>„%1“ ist nicht durch Einfügen von Punkten in Delaunay-Netze entstanden, also können jetzt keine eingefügt werden. Nehmen Sie eine abgeschlossene Menge oder die automatische Wahl.</translation>
     </message>
     <message>
-        <source>Looking at the mesh</source>
+        <source>Examining the mesh</source>
         <translation>Netz wird durchgesehen</translation>
     </message>
     <message>
@@ -4508,11 +4468,11 @@ Verwerfung %2</translation>
         <translation>Das Netz des Fokus wurde zu groß. Wählen Sie einen größeren Fehler oder einen kleineren Fokus.</translation>
     </message>
     <message>
-        <source>a sample lies nowhere</source>
+        <source>a sample lies in no tetrahedron</source>
         <translation>ein Abtastwert liegt nirgends</translation>
     </message>
     <message>
-        <source>a site is no point of its grid</source>
+        <source>a site is not a point of its grid</source>
         <translation>eine Stützstelle ist kein Punkt seines Gitters</translation>
     </message>
     <message>
@@ -4528,7 +4488,7 @@ Verwerfung %2</translation>
         <translation>das Ende des Textes</translation>
     </message>
     <message>
-        <source>fewer fields: at most %1, nested %2 deep</source>
+        <source>fewer fields: at most %1, nested up to %2 levels deep</source>
         <translation>weniger Felder: höchstens %1, %2-fach verschachtelt</translation>
     </message>
     <message>
@@ -4556,7 +4516,7 @@ Verwerfung %2</translation>
         <translation>eine Zahl, die nicht negativ ist</translation>
     </message>
     <message>
-        <source>a number of less than 308 digits</source>
+        <source>a number of fewer than 308 digits</source>
         <translation>eine Zahl mit weniger als 308 Ziffern</translation>
     </message>
     <message>
@@ -4564,7 +4524,7 @@ Verwerfung %2</translation>
         <translation>Das Fehlerfeld kann bei Zeichen %1 nicht gelesen werden: Erwartet wird %2, aber der Text endet.</translation>
     </message>
     <message>
-        <source>The error field cannot be read at character %1: expected %2, but there is &apos;%3&apos;.</source>
+        <source>The error field cannot be read at character %1: expected %2, but found &apos;%3&apos;.</source>
         <translation>Das Fehlerfeld kann bei Zeichen %1 nicht gelesen werden: Erwartet wird %2, aber da steht „%3“.</translation>
     </message>
     <message>
@@ -4572,7 +4532,7 @@ Verwerfung %2</translation>
         <translation>Netze eines Bereichs werden entnommen</translation>
     </message>
     <message>
-        <source>the meshes of %1 and %2 sites do not have the %3 and %4 tetrahedra that they should have</source>
+        <source>the meshes of %1 and %2 sites do not have the expected %3 and %4 tetrahedra</source>
         <translation>die Netze von %1 und %2 Stützstellen haben nicht die %3 und %4 Tetraeder, die sie haben sollten</translation>
     </message>
     <message>
@@ -4584,11 +4544,11 @@ Verwerfung %2</translation>
         <translation>seine ersten Stützstellen haben einen Fehler</translation>
     </message>
     <message>
-        <source>Meshes of several accuracies cannot be cut at a window: what is cut has no life of its own. Ask for the tetrahedra that intersect the window, or that it contains.</source>
+        <source>Clip exactly is not available for meshes of several accuracies. Choose the tetrahedra that intersect the crop box, or those it contains.</source>
         <translation>Netze mehrerer Genauigkeiten können nicht an einem Fenster geschnitten werden: Was geschnitten ist, hat kein eigenes Leben. Verlangen Sie die Tetraeder, die das Fenster schneiden, oder die es enthält.</translation>
     </message>
     <message>
-        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
+        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least that many.</source>
         <translation>Das gröbste Netz hat %1 Tetraeder, mehr als das Budget von %2. Erlauben Sie mindestens so viele.</translation>
     </message>
     <message>
@@ -4600,11 +4560,11 @@ Verwerfung %2</translation>
         <translation>Einfügen geht bei regelmäßigen und krummlinigen Gittern, nicht bei verstreuten Punkten</translation>
     </message>
     <message>
-        <source>Insertion needs a model made by refinement, whose meshes are Delaunay ones</source>
+        <source>Insertion needs a model made by refinement, whose meshes are Delaunay meshes</source>
         <translation>Einfügen braucht ein durch Verfeinerung gemachtes Modell, dessen Netze Delaunay-Netze sind</translation>
     </message>
     <message>
-        <source>Insertion needs all samples of the dataset, which this model&apos;s file does not hold</source>
+        <source>Insertion needs all samples of the dataset, which the file of this model does not hold</source>
         <translation>Einfügen braucht alle Abtastwerte des Datensatzes, die in der Datei dieses Modells nicht stehen</translation>
     </message>
     <message>
@@ -4616,15 +4576,15 @@ Verwerfung %2</translation>
         <translation>Einfügen mit einem Budget braucht eine scharfe Grenze oder einen Fehler von mindestens %1, von dem er abfällt</translation>
     </message>
     <message>
-        <source>Insertion does not know how this model was built, or its grid is too large</source>
+        <source>Insertion cannot tell how this model was built, or its grid is too large</source>
         <translation>Einfügen geht nicht, weil nicht bekannt ist, wie dieses Modell gebaut wurde, oder weil sein Gitter zu groß ist</translation>
     </message>
     <message>
-        <source>Trying what the budget allows</source>
+        <source>Searching for the best mesh within the budget</source>
         <translation>Es wird versucht, was das Budget erlaubt</translation>
     </message>
     <message>
-        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
+        <source>There is not enough memory for this mesh. Choose a larger error, a smaller focus or a budget.</source>
         <translation>Der Arbeitsspeicher reicht nicht für dieses Netz. Wählen Sie einen größeren Fehler, einen kleineren Fokus oder ein Budget.</translation>
     </message>
     <message>
@@ -4632,15 +4592,15 @@ Verwerfung %2</translation>
         <translation>Das kleinste %1 des Fensters, %2, ist größer als sein größtes, %3. Vertauschen Sie die beiden.</translation>
     </message>
     <message>
-        <source>The largest error is not a number somewhere. Give it in percent everywhere.</source>
+        <source>The largest error is not a number everywhere. Give it in percent at every place.</source>
         <translation>Der größte Fehler ist irgendwo keine Zahl. Geben Sie ihn überall in Prozent an.</translation>
     </message>
     <message>
-        <source>The largest warping is not a number somewhere. Give it in percent everywhere.</source>
+        <source>The largest warping is not a number everywhere. Give it in percent at every place.</source>
         <translation>Die größte Verwerfung ist irgendwo keine Zahl. Geben Sie sie überall in Prozent an.</translation>
     </message>
     <message>
-        <source>A budget of no tetrahedra allows no mesh of &apos;%1&apos;.</source>
+        <source>A budget of zero tetrahedra allows no mesh of &apos;%1&apos;.</source>
         <translation>Ein Budget von null Tetraedern erlaubt kein Netz von „%1“.</translation>
     </message>
     <message>
@@ -4648,7 +4608,7 @@ Verwerfung %2</translation>
         <translation>Ein Wertebereich geht von einer kleineren Zahl zu einer größeren: %1 und %2 tun das nicht.</translation>
     </message>
     <message>
-        <source>a site is no point of its lattice</source>
+        <source>a site is not a point of its lattice</source>
         <translation>eine Stützstelle ist kein Punkt seines regelmäßigen Gitters</translation>
     </message>
     <message>
@@ -4656,15 +4616,15 @@ Verwerfung %2</translation>
         <translation>Der Fehler im Fokus ist größer als der außerhalb. Vertauschen Sie die beiden.</translation>
     </message>
     <message>
-        <source>Cutting at the window</source>
+        <source>Cutting at the crop box</source>
         <translation>Zuschnitt am Fenster</translation>
     </message>
     <message>
-        <source>The mesh that is cut at the window has more vertices than fit: choose a larger error or a smaller window.</source>
+        <source>The mesh cut at the crop box has too many vertices: choose a larger error or a smaller box.</source>
         <translation>Das Netz, das am Fenster geschnitten wird, hat zu viele Knoten: Wählen Sie einen größeren Fehler oder ein kleineres Fenster.</translation>
     </message>
     <message>
-        <source>Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller window.</source>
+        <source>Not enough memory to cut a mesh of %1 tetrahedra at a crop box. Choose a larger error or a smaller box.</source>
         <translation>Der Arbeitsspeicher reicht nicht, um ein Netz aus %1 Tetraedern an einem Fenster zu schneiden. Wählen Sie einen größeren Fehler oder ein kleineres Fenster.</translation>
     </message>
     <message>
@@ -4672,7 +4632,7 @@ Verwerfung %2</translation>
         <translation>Die Prüfsumme des Abschnitts „%1“ ist falsch</translation>
     </message>
     <message>
-        <source>chunks of %1 bytes cannot be</source>
+        <source>chunks of %1 bytes are impossible</source>
         <translation>Stücke von %1 Bytes sind unmöglich</translation>
     </message>
     <message>
@@ -4680,11 +4640,11 @@ Verwerfung %2</translation>
         <translation>Abschnitt „%1“ hat %2 Bytes statt %3 Elementen zu 8</translation>
     </message>
     <message>
-        <source>its star offsets do not fit its tetrahedra</source>
+        <source>its star offsets do not match its tetrahedra</source>
         <translation>die Anfänge der Sterne passen nicht zu den Tetraedern</translation>
     </message>
     <message>
-        <source>the star offsets of site %1 make no sense</source>
+        <source>the star offsets of site %1 are invalid</source>
         <translation>die Anfänge der Sterne bei Stützstelle %1 ergeben keinen Sinn</translation>
     </message>
     <message>
@@ -4732,7 +4692,7 @@ Verwerfung %2</translation>
         <translation>Das Netz ist über das hinausgewachsen, was dafür reserviert war.</translation>
     </message>
     <message>
-        <source>The grid has too many points to be refined: coordinates take more than 32 bits. Crop or subsample it.</source>
+        <source>The grid has too many points to be refined: its coordinates need more than 32 bits. Crop or subsample it.</source>
         <translation>Das Gitter hat zu viele Punkte, um verfeinert zu werden: Koordinaten brauchen mehr als 32 Bit. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
     </message>
     <message>
@@ -4752,7 +4712,7 @@ Verwerfung %2</translation>
         <translation>Es gibt nur %1 Punkte.</translation>
     </message>
     <message>
-        <source>All points lie on one place.</source>
+        <source>All points lie at one place.</source>
         <translation>Alle Punkte liegen an einem Ort.</translation>
     </message>
     <message>
@@ -4764,7 +4724,7 @@ Verwerfung %2</translation>
         <translation>Alle Punkte liegen in einer Ebene.</translation>
     </message>
     <message>
-        <source>Points %1 and %2 (counted from 0) lie on the same place. Merge such points first.</source>
+        <source>Points %1 and %2 (counted from 0) lie at the same place. Merge such points first.</source>
         <translation>Die Punkte %1 und %2 (von 0 gezählt) liegen am selben Ort. Vereinigen Sie solche Punkte zuerst.</translation>
     </message>
     <message>
@@ -4776,11 +4736,11 @@ Verwerfung %2</translation>
         <translation>Die Verfeinerung</translation>
     </message>
     <message>
-        <source>Point %1 lies outside the convex hull that was computed. Coordinates of so different magnitudes cannot be used; scale them.</source>
+        <source>Point %1 lies outside the computed convex hull. Coordinates of such different magnitudes cannot be used; scale them.</source>
         <translation>Punkt %1 liegt außerhalb der konvexen Hülle, die berechnet wurde. Koordinaten so verschiedener Größenordnung können nicht benutzt werden; skalieren Sie sie.</translation>
     </message>
     <message>
-        <source>The history has more than 4 billion tetrahedra. Ask for a larger error.</source>
+        <source>The history has more than 4 billion tetrahedra. Choose a larger error.</source>
         <translation>Die Geschichte hat mehr als 4 Milliarden Tetraeder. Verlangen Sie einen größeren Fehler.</translation>
     </message>
     <message>
@@ -4816,7 +4776,7 @@ Verwerfung %2</translation>
         <translation>die Tetraeder der Verfeinerung</translation>
     </message>
     <message>
-        <source>A block of the lattice needs two points along each axis and must not stick out. Choose another block size.</source>
+        <source>A block of the lattice needs at least two points along each axis and must lie within it. Choose another block size.</source>
         <translation>Ein Block des regelmäßigen Gitters braucht zwei Punkte entlang jeder Achse und darf nicht überstehen. Wählen Sie eine andere Blockgröße.</translation>
     </message>
     <message>
@@ -4868,7 +4828,7 @@ Verwerfung %2</translation>
         <translation>Der Schlüssel „%1“ der Kamera ist weder true noch false (%2).</translation>
     </message>
     <message>
-        <source>The key &quot;%1&quot; of the camera is none of x, -x, y, -y, z and -z (%2).</source>
+        <source>The key &quot;%1&quot; of the camera is not one of x, -x, y, -y, z and -z (%2).</source>
         <translation>Der Schlüssel „%1“ der Kamera ist keines von x, -x, y, -y, z und -z (%2).</translation>
     </message>
     <message>
@@ -4880,11 +4840,11 @@ Verwerfung %2</translation>
         <translation>Der Schlüssel „%1“ der Kamera ist keine Liste aus drei Zahlen (%2).</translation>
     </message>
     <message>
-        <source>This is no camera. %1</source>
+        <source>This is not a camera. %1</source>
         <translation>Das ist keine Kamera. %1</translation>
     </message>
     <message>
-        <source>This is no camera: it holds no JSON object, in braces.</source>
+        <source>This is not a camera: it holds no JSON object, in braces.</source>
         <translation>Das ist keine Kamera: Es enthält kein JSON-Objekt in geschweiften Klammern.</translation>
     </message>
     <message>
@@ -4892,7 +4852,7 @@ Verwerfung %2</translation>
         <translation>Bild wird gezeichnet</translation>
     </message>
     <message>
-        <source>The scene has more than two thousand million vertices.</source>
+        <source>The scene has more than two billion vertices.</source>
         <translation>Die Szene hat mehr als zwei Milliarden Knoten.</translation>
     </message>
     <message>
@@ -4904,7 +4864,7 @@ Verwerfung %2</translation>
         <translation>%1 hat kein %2. Installieren Sie EGL 1.4, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>EGL gives no OpenGL 3.3 without a window on this machine. Install the card&apos;s driver or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.</source>
+        <source>EGL provides no OpenGL 3.3 without a window on this machine. Install the driver of the graphics card or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.</source>
         <translation>EGL gibt auf diesem Rechner kein OpenGL 3.3 ohne Fenster. Installieren Sie den Treiber der Karte oder Mesa (Debian: libgl1-mesa-dri), oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
@@ -4916,11 +4876,11 @@ Verwerfung %2</translation>
         <translation>Eine Fläche hat zu viele Dreiecke für OpenGL. Lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
         <translation>Der Speicher der Grafikkarte reicht nicht für diese Fläche. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
         <translation>Der Speicher der Grafikkarte reicht nicht für dieses Volumen. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
@@ -4928,23 +4888,23 @@ Verwerfung %2</translation>
         <translation>Dieser OpenGL-Treiber zeichnet Volumen mit höchstens %1 Knoten. Verringern Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>This machine&apos;s OpenGL driver refuses a shader of TAn. Use the CPU back end, or another driver. It says: %1</source>
+        <source>The OpenGL driver of this machine rejects a shader of TAn. Use the CPU back end, or another driver. It reports: %1</source>
         <translation>Der OpenGL-Treiber dieses Rechners lehnt einen Shader von TAn ab. Lassen Sie den Prozessor zeichnen, oder nehmen Sie einen anderen Treiber. Er sagt: %1</translation>
     </message>
     <message>
-        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
+        <source>OpenGL supports at most %1 clip planes. Use fewer, or use the CPU back end.</source>
         <translation>OpenGL schneidet Szenen an höchstens %1 Ebenen. Nehmen Sie weniger, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
         <translation>Der Speicher der Grafikkarte reicht nicht für ein Bild dieser Größe. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 demands. Use the CPU back end.</source>
+        <source>The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 requires. Use the CPU back end.</source>
         <translation>Der OpenGL-Treiber kann nicht in Gleitkommatexturen zeichnen, was OpenGL 3.3 verlangt. Lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>This OpenGL driver draws at most %1 samples a side. Make the picture smaller, take fewer samples, or use the CPU back end.</source>
+        <source>This OpenGL driver draws at most %1 samples per side. Make the picture smaller, use fewer samples, or use the CPU back end.</source>
         <translation>Dieser OpenGL-Treiber zeichnet höchstens %1 Abtastwerte je Seite. Machen Sie das Bild kleiner, nehmen Sie weniger Abtastwerte, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
@@ -4956,7 +4916,7 @@ Verwerfung %2</translation>
         <translation>Der OpenGL-Treiber hat Version %1.%2; TAn braucht 3.3. Lassen Sie den Prozessor zeichnen, oder nehmen Sie einen anderen Treiber.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for this picture. Make it smaller, or use the CPU back end.</source>
         <translation>Der Speicher der Grafikkarte reicht nicht für dieses Bild. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
@@ -4964,7 +4924,7 @@ Verwerfung %2</translation>
         <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe und Szene. Machen Sie das Bild kleiner, oder senken Sie die Genauigkeit des Netzes.</translation>
     </message>
     <message>
-        <source>The scene has more than four thousand million triangles.</source>
+        <source>The scene has more than four billion triangles.</source>
         <translation>Die Szene hat mehr als vier Milliarden Dreiecke.</translation>
     </message>
     <message>
@@ -4988,7 +4948,7 @@ Verwerfung %2</translation>
         <translation>Das Netz, seine Werte, seine Gradienten und sein Index gehören nicht zusammen.</translation>
     </message>
     <message>
-        <source>The isosurface has more than four thousand million vertices. Lower the accuracy of the mesh.</source>
+        <source>The isosurface has more than four billion vertices. Lower the accuracy of the mesh.</source>
         <translation>Die Isofläche hat mehr als vier Milliarden Knoten. Verringern Sie die Genauigkeit des Netzes.</translation>
     </message>
     <message>
@@ -5008,15 +4968,15 @@ Verwerfung %2</translation>
         <translation>Der Arbeitsspeicher reicht nicht für die Isoflächen. Zeigen Sie weniger davon, oder senken Sie die Genauigkeit des Netzes.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
+        <source>&apos;%1&apos; is not a clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
         <translation>„%1“ ist keine Schnittebene: Geben Sie vier Zahlen nx,ny,nz,Abstand an, die ersten drei nicht alle null; gezeigt werden Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
     </message>
     <message>
-        <source>A surface of the scene has not one normal for each vertex.</source>
+        <source>A surface of the scene does not have one normal for each vertex.</source>
         <translation>Eine Fläche der Szene hat nicht für jeden Knoten eine Normale.</translation>
     </message>
     <message>
-        <source>A surface of the scene has not one value or colour for each vertex.</source>
+        <source>A surface of the scene does not have one value or colour for each vertex.</source>
         <translation>Eine Fläche der Szene hat nicht für jeden Knoten einen Wert oder eine Farbe.</translation>
     </message>
     <message>
@@ -5044,7 +5004,7 @@ Verwerfung %2</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz als Volumen zu zeichnen. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
     </message>
     <message>
-        <source>The mesh has more than a thousand million tetrahedra, too many to be drawn at once. Lower its accuracy.</source>
+        <source>The mesh has more than a billion tetrahedra, too many to be drawn at once. Lower its accuracy.</source>
         <translation>Das Netz hat mehr als eine Milliarde Tetraeder, zu viele, um auf einmal gezeichnet zu werden. Verringern Sie seine Genauigkeit.</translation>
     </message>
     <message>
@@ -5060,7 +5020,7 @@ Verwerfung %2</translation>
         <translation>Tetraeder werden geordnet</translation>
     </message>
     <message>
-        <source>A picture must have 1 to %1 samples a side. Draw a larger one in parts.</source>
+        <source>A picture must have 1 to %1 samples per side. Draw a larger one in parts.</source>
         <translation>Ein Bild muss 1 bis %1 Abtastwerte je Seite haben. Zeichnen Sie ein größeres in Teilen.</translation>
     </message>
     <message>
@@ -5076,7 +5036,7 @@ Verwerfung %2</translation>
         <translation>ein Wert ist keine endliche Zahl</translation>
     </message>
     <message>
-        <source>its values do not ascend: %1 comes after %2</source>
+        <source>its values are not in ascending order: %1 comes after %2</source>
         <translation>seine Werte steigen nicht: %1 kommt nach %2</translation>
     </message>
     <message>
@@ -5084,7 +5044,7 @@ Verwerfung %2</translation>
         <translation>es hat weder Farben noch Deckkräfte</translation>
     </message>
     <message>
-        <source>its colours go by the logarithm, and its values are not all positive</source>
+        <source>its colours follow the logarithm, and its values are not all positive</source>
         <translation>seine Farben gehen nach dem Logarithmus, und nicht alle seine Werte sind positiv</translation>
     </message>
     <message>
@@ -5104,7 +5064,7 @@ Verwerfung %2</translation>
         <translation>„%1“ muss eine Liste von Zahlen sein, %2 für jeden Punkt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; holds something that is no number</source>
+        <source>&quot;%1&quot; holds something that is not a number</source>
         <translation>„%1“ enthält etwas, das keine Zahl ist</translation>
     </message>
     <message>
@@ -5128,7 +5088,7 @@ Verwerfung %2</translation>
         <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1.</translation>
     </message>
     <message>
-        <source>a point&apos;s attribute &apos;%1&apos; is &apos;%2&apos; and no number</source>
+        <source>a point&apos;s attribute &apos;%1&apos; is &apos;%2&apos;, which is not a number</source>
         <translation>das Attribut „%1“ eines Punktes ist „%2“ und keine Zahl</translation>
     </message>
     <message>
@@ -5164,7 +5124,7 @@ Verwerfung %2</translation>
         <translation>hat einen kleineren Wert als der Punkt davor. Ordnen Sie sie aufsteigend.</translation>
     </message>
     <message>
-        <source>is the third of its value. Two make a step; leave out those between.</source>
+        <source>is the third at its value. Two make a step; leave out those between.</source>
         <translation>ist der dritte seines Wertes. Zwei bilden eine Stufe; lassen Sie die dazwischen weg.</translation>
     </message>
     <message>
@@ -5192,7 +5152,7 @@ Verwerfung %2</translation>
         <translation>Die Einheitslänge einer Transferfunktion muss eine Länge über null sein.</translation>
     </message>
     <message>
-        <source>%1 must be a number that fits</source>
+        <source>%1 must be a number within range</source>
         <translation>%1 muss eine passende Zahl sein</translation>
     </message>
     <message>
@@ -5260,7 +5220,7 @@ Verwerfung %2</translation>
         <translation>Berandung</translation>
     </message>
     <message>
-        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
+        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in a light colour, so that you can see inside, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
         <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, sodass man sieht, was darin ist; „Werte“ in den Farben, die die Transferfunktion den Werten dort gibt.</translation>
     </message>
     <message>
@@ -5268,7 +5228,7 @@ Verwerfung %2</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
+        <source>The opacity of a translucent boundary; 1 hides what is behind it.</source>
         <translation>Die Deckkraft einer durchscheinenden Berandung; 1 verdeckt, was dahinter liegt.</translation>
     </message>
     <message>
@@ -5276,7 +5236,7 @@ Verwerfung %2</translation>
         <translation>Nur Rückseiten</translation>
     </message>
     <message>
-        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
+        <source>Shows only the far walls of the boundary, seen from inside, and leaves out those that face the camera.</source>
         <translation>Zeigt nur die hinteren Wände der Berandung, von innen, und lässt die der Kamera zugewandten weg.</translation>
     </message>
     <message>
@@ -5300,7 +5260,7 @@ Verwerfung %2</translation>
         <translation>Beleuchtet</translation>
     </message>
     <message>
-        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
+        <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most.</source>
         <translation>Beleuchtet das Volumen, als läge quer zur Richtung, in der sich seine Werte am stärksten ändern, eine Fläche.</translation>
     </message>
     <message>
@@ -5308,7 +5268,7 @@ Verwerfung %2</translation>
         <translation>Begrenzungsquader</translation>
     </message>
     <message>
-        <source>Shows the edges of the box that the data fill.</source>
+        <source>Draws the bounding box of the data.</source>
         <translation>Zeigt die Kanten des Quaders, den die Daten füllen.</translation>
     </message>
     <message>
@@ -5316,7 +5276,7 @@ Verwerfung %2</translation>
         <translation>Schnittebenen</translation>
     </message>
     <message>
-        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
+        <source>Clip planes as nx,ny,nz,offset; keeps the points with nx x + ny y + nz z &gt;= offset.</source>
         <translation>Schneidet weg, was vor einer Ebene liegt: nx,ny,nz,Abstand zeigt die Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
     </message>
     <message>
@@ -5340,7 +5300,7 @@ Verwerfung %2</translation>
         <translation>Gewichte</translation>
     </message>
     <message>
-        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
+        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, and the weight falls linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; where several apply, the largest weight counts. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
         <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch „;“ getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten „,boden“) in der Entfernung „reichweite“; es gilt das größte Gewicht. Beispiele: „point:16,16,8,10“, „value:120,15,0.05“.</translation>
     </message>
     <message>
@@ -5352,7 +5312,7 @@ Verwerfung %2</translation>
         <translation>Reihenfolge</translation>
     </message>
     <message>
-        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
+        <source>Which point is removed next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points that are not neighbours at a time, so that a focus region needs the fewest additional points.</source>
         <translation>Welcher Punkt als nächster geht: „exakt“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „Aufsatz“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „Runden“ nimmt viele Punkte auf einmal, die einander nicht berühren, sodass ein Fokusbereich um sich herum am wenigsten braucht.</translation>
     </message>
     <message>
@@ -5364,7 +5324,7 @@ Verwerfung %2</translation>
         <translation>Ein regelmäßiges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
     </message>
     <message>
-        <source>Decimation stops at this error; 0 goes on to the coarsest mesh.</source>
+        <source>Decimation stops at this error; 0 continues to the coarsest mesh.</source>
         <translation>Die Vergröberung hält bei diesem Fehler an; 0 geht bis zum gröbsten Netz.</translation>
     </message>
     <message>
@@ -5372,7 +5332,7 @@ Verwerfung %2</translation>
         <translation>Feinster Fehler</translation>
     </message>
     <message>
-        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
+        <source>Leaves meshes of smaller errors out of the model, to make it smaller; 0 keeps everything.</source>
         <translation>Lässt Netze mit kleineren Fehlern aus dem Modell weg, sodass es kleiner wird; 0 behält alles.</translation>
     </message>
     <message>
@@ -5392,11 +5352,11 @@ Verwerfung %2</translation>
         <translation>keine</translation>
     </message>
     <message>
-        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
+        <source>The block size &apos;%1&apos; is not &quot;automatic&quot;, &quot;none&quot; or a number of cells of at least 1.</source>
         <translation>Die Blockgröße „%1“ ist weder „automatisch“ noch „keine“ noch eine Zahl von Zellen ab 1.</translation>
     </message>
     <message>
-        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
+        <source>A regular lattice: refinement keeps the exact domain and is the fastest method.</source>
         <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
     </message>
     <message>
@@ -5408,11 +5368,11 @@ Verwerfung %2</translation>
         <translation>Die Verfeinerung hält bei diesem Fehler an; 0 behält alles, sodass später jede Genauigkeit gezeigt werden kann.</translation>
     </message>
     <message>
-        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
+        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the permissions of its folder, and that there is space.</source>
         <translation>Die Vorlage „%1“ kann nicht geändert werden: %2. Prüfen Sie die Rechte des Ordners, und ob Platz ist.</translation>
     </message>
     <message>
-        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
+        <source>The axis of values stays linear: a logarithmic one has no place for zero and negative values, and the data or the points begin at %1. Move the points above zero, or choose data with positive values.</source>
         <translation>Die Achse der Werte bleibt linear: Eine logarithmische hat keinen Platz für null und weniger, und die Daten oder die Punkte beginnen bei %1. Verschieben Sie die Punkte über null, oder wählen Sie Daten mit positiven Werten.</translation>
     </message>
     <message>
@@ -5420,7 +5380,7 @@ Verwerfung %2</translation>
         <translation>Die Zwischenablage enthält keine Punkte einer Transferfunktion. Kopieren Sie welche, hier oder in einem anderen Fenster. %1</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no colour. Give #rrggbb in hexadecimal, or one of %2.</source>
+        <source>&apos;%1&apos; is not a colour. Give #rrggbb in hexadecimal, or one of %2.</source>
         <translation>„%1“ ist keine Farbe. Geben Sie #rrggbb hexadezimal an, oder eine von %2.</translation>
     </message>
     <message>
@@ -5436,7 +5396,7 @@ Verwerfung %2</translation>
         <translation>Es wurde mit Qt %1 gebaut, und dieses Programm läuft mit Qt %2. Installieren Sie das Plugin für dieses Qt.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
+        <source>&apos;%1&apos; is an archive. Unpack it first, with &apos;%2&apos;, and open what is in it.</source>
         <translation>„%1“ ist gepackt. Entpacken Sie die Datei zuerst mit „%2“, und öffnen Sie, was darin ist.</translation>
     </message>
     <message>
@@ -5448,7 +5408,7 @@ Verwerfung %2</translation>
         <translation>Es ist kein Leser installiert.</translation>
     </message>
     <message>
-        <source>%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
+        <source>%1 (It was unpacked on its own. If it refers to other files, unpack it next to them: gunzip.)</source>
         <translation>%1 (Die Datei wurde für sich entpackt. Wenn sie andere Dateien nennt, entpacken Sie sie neben diesen: gunzip.)</translation>
     </message>
     <message>
@@ -5456,7 +5416,7 @@ Verwerfung %2</translation>
         <translation>Leser „%1“</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a TAn model, and a dataset is wanted here: the file that the model was built from.</source>
+        <source>&apos;%1&apos; is a TAn model, but a dataset is needed here: the file that the model was built from.</source>
         <translation>„%1“ ist ein TAn-Modell, und hier wird ein Datensatz verlangt: die Datei, aus der das Modell gebaut wurde.</translation>
     </message>
     <message>
@@ -5464,7 +5424,7 @@ Verwerfung %2</translation>
         <translation>Es ist kein Schreiber installiert.</translation>
     </message>
     <message>
-        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
+        <source>It needs the plugin &quot;%1&quot;, which is missing or cannot be used. Install it.</source>
         <translation>Es braucht das Plugin „%1“, das fehlt oder nicht benutzbar ist. Installieren Sie es.</translation>
     </message>
     <message>
@@ -5472,7 +5432,7 @@ Verwerfung %2</translation>
         <translation>Es braucht das Plugin „%1“, das nicht benutzbar ist: %2</translation>
     </message>
     <message>
-        <source>Plugins need each other in a circle: %1. Remove one of them.</source>
+        <source>Plugins depend on each other in a circle: %1. Remove one of them.</source>
         <translation>Plugins brauchen einander im Kreis: %1. Entfernen Sie eines davon.</translation>
     </message>
     <message>
@@ -5500,7 +5460,7 @@ Verwerfung %2</translation>
         <translation>Installieren Sie das Paket, das sie enthält (auf Debian nennt es „%1“), oder entfernen Sie das Plugin.</translation>
     </message>
     <message>
-        <source>It needs the function %1, which no library here has: it was built for another version of TAn or of a library. %2</source>
+        <source>It needs the function %1, which no library here provides: it was built for another version of TAn or of a library. %2</source>
         <translation>Es braucht die Funktion %1, die hier keine Bibliothek hat: Es wurde für eine andere Version von TAn oder einer Bibliothek gebaut. %2</translation>
     </message>
     <message>
@@ -5538,7 +5498,7 @@ Verwerfung %2</translation>
         <translation>Das Ziel „%1“ ist die Quelle „%2“. Geben Sie dem Ziel einen anderen Namen.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; exists and is called like the dataset that the model was built from, so it is not overwritten. Give the output another name, or remove that file first.</source>
+        <source>&apos;%1&apos; exists and has the same name as the dataset that the model was built from, so it is not overwritten. Give the output another name, or remove that file first.</source>
         <translation>„%1“ gibt es und heißt wie der Datensatz, aus dem das Modell gebaut wurde, wird also nicht überschrieben. Geben Sie der Ausgabe einen anderen Namen, oder entfernen Sie die Datei zuerst.</translation>
     </message>
     <message>
@@ -5562,7 +5522,7 @@ Verwerfung %2</translation>
         <translation>Entpacken</translation>
     </message>
     <message>
-        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <source>it is compressed with gzip, and unpacks to more than %1, half of the space in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
         <translation>Sie ist mit gzip komprimiert und entpackt größer als %1, die Hälfte des Platzes in „%2“. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
     </message>
     <message>
@@ -5590,7 +5550,7 @@ Verwerfung %2</translation>
         <translation>eine Transferfunktion als JSON</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity above 0 and at most 1: 128:#ff8000:0.5</source>
+        <source>&apos;%1&apos; is not an isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity above 0 and at most 1: 128:#ff8000:0.5</source>
         <translation>„%1“ ist kein Isowert. Geben Sie WERT, WERT:FARBE oder WERT:FARBE:DECKKRAFT an, die Deckkraft über 0 und höchstens 1: 128:#ff8000:0.5</translation>
     </message>
     <message>
@@ -5622,7 +5582,7 @@ Verwerfung %2</translation>
         <translation>„%1“ besteht aus verstreuten Punkten</translation>
     </message>
     <message>
-        <source>The %1 knows no parameter &apos;%2&apos;. %3</source>
+        <source>The %1 has no parameter &apos;%2&apos;. %3</source>
         <translation>Der %1 kennt keinen Parameter „%2“. %3</translation>
     </message>
     <message>
@@ -5630,8 +5590,8 @@ Verwerfung %2</translation>
         <translation>Es gibt keine.</translation>
     </message>
     <message>
-        <source>It has: %1.</source>
-        <translation>Es gibt: %1.</translation>
+        <source>Available: %1.</source>
+        <translation>Verfügbar: %1.</translation>
     </message>
     <message>
         <source>The parameter &apos;%1&apos; of the %2 takes %3.</source>
@@ -5646,15 +5606,15 @@ Verwerfung %2</translation>
         <translation>„%1“ gilt nur für diese Art von Daten: %2; doch %3. Lassen Sie es weg.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of use only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
+        <source>&apos;%1&apos; applies only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
         <translation>„%1“ ist nur von Nutzen, wenn „%2“ %3 ist. Lassen Sie es weg, oder wählen Sie das.</translation>
     </message>
     <message>
-        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
+        <source>This machine does not have enough memory for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
         <translation>Der Arbeitsspeicher dieses Rechners reicht hier nicht für „%1“. Schließen Sie andere Programme, oder nehmen Sie kleinere Daten.</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
+        <source>The plugin &apos;%1&apos; failed: %2. This is a fault of the plugin; tell its author.</source>
         <translation>Das Plugin „%1“ ist gescheitert: %2. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
     </message>
     <message>
@@ -5692,15 +5652,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Es ist keiner installiert.</translation>
     </message>
     <message>
-        <source>There is: %1.</source>
-        <translation>Es gibt: %1.</translation>
-    </message>
-    <message>
         <source>The plugin &quot;%1&quot; cannot be used. %2</source>
         <translation>Das Plugin „%1“ kann nicht benutzt werden. %2</translation>
     </message>
     <message>
-        <source>It failed when it was started: %1. Install it again.</source>
+        <source>It failed to start: %1. Install it again.</source>
         <translation>Es ist beim Start gescheitert: %1. Installieren Sie es noch einmal.</translation>
     </message>
     <message>
@@ -5736,15 +5692,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>der Schlüssel „%1“ fehlt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a text</source>
+        <source>&quot;%1&quot; is not a string</source>
         <translation>„%1“ ist kein Text</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is &quot;%2&quot;, which is no version like &quot;1.2.3&quot;</source>
+        <source>&quot;%1&quot; is &quot;%2&quot;, which is not a version like &quot;1.2.3&quot;</source>
         <translation>„%1“ ist „%2“, und das ist keine Version wie „1.2.3“</translation>
     </message>
     <message>
-        <source>&quot;kind&quot; is &quot;%1&quot;, which is none of builder, renderer, reader, writer, editor</source>
+        <source>&quot;kind&quot; is &quot;%1&quot;, which is not one of builder, renderer, reader, writer, editor</source>
         <translation>„kind“ ist „%1“, und das ist keines von builder, renderer, reader, writer und editor</translation>
     </message>
     <message>
@@ -5752,19 +5708,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„requires“ ist keine Liste</translation>
     </message>
     <message>
-        <source>&quot;requires&quot; lists something that is no plugin&apos;s id</source>
+        <source>&quot;requires&quot; lists something that is not the id of a plugin</source>
         <translation>„requires“ nennt etwas, das keine Kennung eines Plugins ist</translation>
     </message>
     <message>
-        <source>&quot;id&quot; is &quot;%1&quot;; only lower-case letters, digits, &apos;.&apos;, &apos;-&apos; and &apos;_&apos; may stand in it</source>
+        <source>&quot;id&quot; is &quot;%1&quot;; it may contain only lower-case letters, digits, &apos;.&apos;, &apos;-&apos; and &apos;_&apos;</source>
         <translation>„id“ ist „%1“; nur Kleinbuchstaben, Ziffern, „.“, „-“ und „_“ dürfen darin stehen</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no component of an array that has %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
+        <source>&apos;%1&apos; is not a component of an array that has %2: give &apos;magnitude&apos;, or a number from 0 to %3.</source>
         <translation>„%1“ ist keine Komponente eines Feldes, das %2 hat: Geben Sie „magnitude“ an, oder eine Nummer von 0 bis %3.</translation>
     </message>
     <message>
-        <source>it has no array &apos;%1&apos;. There are: %2.</source>
+        <source>it has no array &apos;%1&apos;. Available: %2.</source>
         <translation>Sie hat kein Feld „%1“. Es gibt: %2.</translation>
     </message>
     <message>
@@ -5788,7 +5744,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Feld</translation>
     </message>
     <message>
-        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
+        <source>The array whose values to take, of points or of cells; by default the one the file calls active, else the first.</source>
         <translation>Das Feld, dessen Werte genommen werden, von Punkten oder Zellen; ohne Angabe das, das die Datei aktiv nennt, sonst das erste.</translation>
     </message>
     <message>
@@ -5796,7 +5752,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Komponente</translation>
     </message>
     <message>
-        <source>the first line is not five numbers: of points, cells, values a point, a cell and the model</source>
+        <source>the first line is not five numbers: of points, of cells, of values per point, per cell and of the model</source>
         <translation>die erste Zeile besteht nicht aus fünf Zahlen: die der Punkte, der Zellen, der Werte je Punkt, je Zelle und des Modells</translation>
     </message>
     <message>
@@ -5812,7 +5768,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein Punkt besteht nicht aus seiner Nummer und drei Koordinaten</translation>
     </message>
     <message>
-        <source>the number of a point is there twice</source>
+        <source>the number of a point appears twice</source>
         <translation>die Nummer eines Punktes kommt zweimal vor</translation>
     </message>
     <message>
@@ -5824,11 +5780,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Liste der Werte fehlt</translation>
     </message>
     <message>
-        <source>the line before the values is not their number and how many components each has</source>
+        <source>the line before the values does not hold their number and how many components each has</source>
         <translation>die Zeile vor den Werten nennt nicht ihre Anzahl und wie viele Komponenten jeder hat</translation>
     </message>
     <message>
-        <source>the components of the values do not add up to what the first line says</source>
+        <source>the components of the values do not add up to what the first line states</source>
         <translation>die Komponenten der Werte ergeben zusammen nicht, was die erste Zeile sagt</translation>
     </message>
     <message>
@@ -5840,7 +5796,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein Wert gehört zu einer Nummer, die kein Punkt und keine Zelle hat</translation>
     </message>
     <message>
-        <source>a value is missing or no number</source>
+        <source>a value is missing or not a number</source>
         <translation>ein Wert fehlt oder ist keine Zahl</translation>
     </message>
     <message>
@@ -5896,7 +5852,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>hat %1 Zahlen und nicht %2</translation>
     </message>
     <message>
-        <source>is of type &apos;%1&apos;, which is no number</source>
+        <source>is of type &apos;%1&apos;, which is not a number</source>
         <translation>ist vom Typ „%1“, der keine Zahl ist</translation>
     </message>
     <message>
@@ -5908,7 +5864,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ist vom Typ „%1“ und nicht aus ganzen Zahlen</translation>
     </message>
     <message>
-        <source>a piece says that it has more points than there can be.</source>
+        <source>a piece claims to have more points than possible.</source>
         <translation>Ein Stück will mehr Punkte haben, als es geben kann.</translation>
     </message>
     <message>
@@ -5920,7 +5876,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nicht jedes Stück hat das Feld „%1“.</translation>
     </message>
     <message>
-        <source>a piece says that it has more values than there can be.</source>
+        <source>a piece claims to have more values than possible.</source>
         <translation>Ein Stück will mehr Werte haben, als es geben kann.</translation>
     </message>
     <message>
@@ -5932,7 +5888,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Eine Zelle hat die Ecke %1 von %2 Punkten.</translation>
     </message>
     <message>
-        <source>it does not begin with &lt;VTKFile&gt;, so it is no VTK XML file.</source>
+        <source>it does not begin with &lt;VTKFile&gt;, so it is not a VTK XML file.</source>
         <translation>Sie beginnt nicht mit &lt;VTKFile&gt;, ist also keine VTK-XML-Datei.</translation>
     </message>
     <message>
@@ -5972,7 +5928,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ein Stück hat kein Feld „%1“.</translation>
     </message>
     <message>
-        <source>A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write lattices as .nrrd, curvilinear grids as .xyz, points as .csv.</source>
+        <source>A .vtu file holds a mesh of tetrahedra, and this dataset is not one. Write lattices as .nrrd, curvilinear grids as .xyz, points as .csv.</source>
         <translation>Eine .vtu-Datei enthält ein Tetraedernetz, und dieser Datensatz ist keines. Schreiben Sie regelmäßige Gitter als .nrrd, krummlinige Gitter als .xyz, Punkte als .csv.</translation>
     </message>
     <message>
@@ -5988,15 +5944,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie sind abgeschnitten</translation>
     </message>
     <message>
-        <source>a new part cannot be started</source>
+        <source>another part cannot be started</source>
         <translation>ein neuer Teil kann nicht begonnen werden</translation>
     </message>
     <message>
-        <source>its compressed data hold more than %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <source>its compressed data hold more than %1 bytes where the description requires %2. The sizes or the type are wrong, or the data belong to another file.</source>
         <translation>Ihre komprimierten Daten enthalten mehr als %1 Bytes, wo die Beschreibung %2 verlangt. Die Größen oder der Typ sind falsch, oder die Daten gehören zu einer anderen Datei.</translation>
     </message>
     <message>
-        <source>its compressed data hold only %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <source>its compressed data hold only %1 bytes where the description requires %2. The sizes or the type are wrong, or the data belong to another file.</source>
         <translation>Ihre komprimierten Daten enthalten nur %1 Bytes, wo die Beschreibung %2 verlangt. Die Größen oder der Typ sind falsch, oder die Daten gehören zu einer anderen Datei.</translation>
     </message>
     <message>
@@ -6052,11 +6008,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeile %1 ihres Kopfes %2</translation>
     </message>
     <message>
-        <source>it is no NRRD file: it does not begin with &apos;NRRD0001&apos; to &apos;NRRD0005&apos;.</source>
+        <source>it is not an NRRD file: it does not begin with &apos;NRRD0001&apos; to &apos;NRRD0005&apos;.</source>
         <translation>Sie ist keine NRRD-Datei: Sie beginnt nicht mit „NRRD0001“ bis „NRRD0005“.</translation>
     </message>
     <message>
-        <source>it is of a NRRD version that is not known, &apos;%1&apos;. Save it as NRRD0005 or earlier.</source>
+        <source>it has the unknown NRRD version &apos;%1&apos;. Save it as NRRD0005 or earlier.</source>
         <translation>Sie hat eine NRRD-Version, die nicht bekannt ist: „%1“. Speichern Sie sie als NRRD0005 oder früher.</translation>
     </message>
     <message>
@@ -6100,23 +6056,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Kopf hat kein Feld „%1“. Fügen Sie es hinzu.</translation>
     </message>
     <message>
-        <source>its &apos;line skip&apos; must be a whole number from 0.</source>
+        <source>its &apos;line skip&apos; must be a whole number of at least 0.</source>
         <translation>Ihr „line skip“ muss eine ganze Zahl ab 0 sein.</translation>
     </message>
     <message>
-        <source>its &apos;byte skip&apos; must be a whole number from 0, or -1 for raw data at the end of the file.</source>
+        <source>its &apos;byte skip&apos; must be a whole number of at least 0, or -1 for raw data at the end of the file.</source>
         <translation>Ihr „byte skip“ muss eine ganze Zahl ab 0 sein, oder -1 für rohe Daten am Ende der Datei.</translation>
     </message>
     <message>
-        <source>its data file is called &apos;%1&apos;, with characters that no name should have. Correct it.</source>
+        <source>its data file is called &apos;%1&apos;, with characters that no name should contain. Correct it.</source>
         <translation>Ihre Datendatei heißt „%1“, mit Zeichen, die kein Name haben sollte. Berichtigen Sie ihn.</translation>
     </message>
     <message>
-        <source>its type is &apos;block&apos;, which says nothing about the samples. Convert them to a number type first.</source>
+        <source>its type is &apos;block&apos;, which does not describe the samples. Convert them to a number type first.</source>
         <translation>Ihr Typ ist „block“, der nichts über die Abtastwerte sagt. Wandeln Sie sie zuerst in einen Zahlentyp um.</translation>
     </message>
     <message>
-        <source>its byte order &apos;%1&apos; is not known. There are little and big.</source>
+        <source>its byte order &apos;%1&apos; is not known. Use little or big.</source>
         <translation>Ihre Bytefolge „%1“ ist nicht bekannt. Es gibt little und big.</translation>
     </message>
     <message>
@@ -6204,7 +6160,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie sollte %1 enthalten, es sind aber nur %2. Sie ist abgeschnitten, oder die Beschreibung (Größen, Typ, zu überspringende Bytes) ist falsch.</translation>
     </message>
     <message>
-        <source>it has only %1 of the %2 lines that are to be skipped. Check &apos;line skip&apos;.</source>
+        <source>it has only %1 of the %2 lines to be skipped. Check &apos;line skip&apos;.</source>
         <translation>Sie hat nur %1 der %2 Zeilen, die übersprungen werden sollen. Prüfen Sie „line skip“.</translation>
     </message>
     <message>
@@ -6224,15 +6180,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Bytes Text</translation>
     </message>
     <message>
-        <source>its text holds more than the %1 numbers that the description asks for. Check the sizes.</source>
+        <source>its text holds more than the %1 numbers that the description requires. Check the sizes.</source>
         <translation>Ihr Text enthält mehr als die %1 Zahlen, die die Beschreibung verlangt. Prüfen Sie die Größen.</translation>
     </message>
     <message>
-        <source>number %1 of its text, &apos;%2&apos;, is no number of the type. Correct it, or the type.</source>
+        <source>number %1 of its text, &apos;%2&apos;, is not a number of this type. Correct it, or the type.</source>
         <translation>Zahl %1 ihres Textes, „%2“, ist keine Zahl des Typs. Berichtigen Sie sie oder den Typ.</translation>
     </message>
     <message>
-        <source>its text holds only %1 numbers where the description asks for %2. It is cut short, or the sizes are wrong.</source>
+        <source>its text holds only %1 numbers where the description requires %2. It is cut short, or the sizes are wrong.</source>
         <translation>Ihr Text enthält nur %1 Zahlen, wo die Beschreibung %2 verlangt. Sie ist abgeschnitten, oder die Größen sind falsch.</translation>
     </message>
     <message>
@@ -6280,11 +6236,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Kein Feld dieser Lösung ändert sich im Raum.</translation>
     </message>
     <message>
-        <source>These can be taken: %1.</source>
+        <source>Available arrays: %1.</source>
         <translation>Diese können genommen werden: %1.</translation>
     </message>
     <message>
-        <source>the array &apos;%1&apos; has one value everywhere. %2</source>
+        <source>the array &apos;%1&apos; has the same value everywhere. %2</source>
         <translation>Das Feld „%1“ hat überall denselben Wert. %2</translation>
     </message>
     <message>
@@ -6296,7 +6252,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Längen ihrer Fortran-Sätze passen nicht zu den Größen ihrer Gitter. Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>%1 bytes too many stand behind its data. Check that it is a PLOT3D file.</source>
+        <source>%1 bytes too many follow its data. Check that it is a PLOT3D file.</source>
         <translation>%1 Bytes zu viel stehen hinter ihren Daten. Prüfen Sie, ob sie eine PLOT3D-Datei ist.</translation>
     </message>
     <message>
@@ -6324,15 +6280,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, was zu keiner Art von PLOT3D-Datei passt.</translation>
     </message>
     <message>
-        <source>it is a PLOT3D solution, and its grid is not beside it (%1). Open the grid, and give it the solution.</source>
+        <source>it is a PLOT3D solution, and its grid is not next to it (%1). Open the grid, and give it the solution.</source>
         <translation>Sie ist eine PLOT3D-Lösung, und ihr Gitter ist nicht daneben (%1). Öffnen Sie das Gitter, und geben Sie ihm die Lösung.</translation>
     </message>
     <message>
-        <source>it is a grid without values, and no solution is beside it (%1). Say where it is with &apos;solution&apos;, or give it one of these names.</source>
+        <source>it is a grid without values, and no solution is next to it (%1). Say where it is with &apos;solution&apos;, or give it one of these names.</source>
         <translation>Sie ist ein Gitter ohne Werte, und keine Lösung ist daneben (%1). Geben Sie mit „solution“ an, wo sie ist, oder benennen Sie sie entsprechend.</translation>
     </message>
     <message>
-        <source>it is the solution of another grid: its sizes are not those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
+        <source>it is the solution of another grid: its sizes differ from those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
         <translation>Sie ist die Lösung eines anderen Gitters: Ihre Größen sind nicht die von „%1“. Wählen Sie mit „solution“ eine andere.</translation>
     </message>
     <message>
@@ -6344,7 +6300,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Werte</translation>
     </message>
     <message>
-        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
+        <source>Which scalar of the solution: automatic takes the density, or, if that is the same everywhere, the first that varies.</source>
         <translation>Welcher Skalar der Lösung: „automatisch“ nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
     </message>
     <message>
@@ -6352,7 +6308,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Lösungsdatei</translation>
     </message>
     <message>
-        <source>The PLOT3D solution of the grid; without it the one beside it with a matching name.</source>
+        <source>The PLOT3D solution of the grid; by default the one next to it with a matching name.</source>
         <translation>Die PLOT3D-Lösung des Gitters; sonst die mit passendem Namen daneben.</translation>
     </message>
     <message>
@@ -6396,7 +6352,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Orte</translation>
     </message>
     <message>
-        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first.</source>
         <translation>Welche Werte genommen werden, nach Name oder Nummer; „automatic“ nimmt die ersten.</translation>
     </message>
     <message>
@@ -6404,7 +6360,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Unvollständige Zeilen auslassen</translation>
     </message>
     <message>
-        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
+        <source>Tables of points: leave out rows with a missing number, instead of refusing the file.</source>
         <translation>Tabellen von Punkten: Zeilen auslassen, denen eine Zahl fehlt, statt die Datei abzulehnen.</translation>
     </message>
     <message>
@@ -6424,7 +6380,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält keine Punkte.</translation>
     </message>
     <message>
-        <source>%1, %2: there is no number. Add it, or have incomplete rows skipped.</source>
+        <source>%1, %2: a number is missing. Add it, or have incomplete rows skipped.</source>
         <translation>%1, %2: Da ist keine Zahl. Fügen Sie sie hinzu, oder lassen Sie unvollständige Zeilen überspringen.</translation>
     </message>
     <message>
@@ -6436,7 +6392,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, %2: %3 ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>%1 has %2 columns, and those before have %3.</source>
+        <source>%1 has %2 columns, and the lines before have %3.</source>
         <translation>%1 hat %2 Spalten, und die davor haben %3.</translation>
     </message>
     <message>
@@ -6448,11 +6404,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie ist in UTF-16. Speichern Sie sie als UTF-8.</translation>
     </message>
     <message>
-        <source>it is not a text.</source>
+        <source>it is not text.</source>
         <translation>Sie ist kein Text.</translation>
     </message>
     <message>
-        <source>it is a chemical structure: elements and where their atoms are. A table of points is wanted, with a value for each x, y and z.</source>
+        <source>it is a chemical structure: elements and the positions of their atoms. A table of points is needed, with a value for each x, y and z.</source>
         <translation>Sie ist eine chemische Struktur: Elemente, und wo ihre Atome sind. Verlangt wird eine Tabelle von Punkten, mit einem Wert für jedes x, y und z.</translation>
     </message>
     <message>
@@ -6480,7 +6436,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeile „FORMAT“</translation>
     </message>
     <message>
-        <source>does not begin with FORMAT. It is no EnSight case, or damaged.</source>
+        <source>does not begin with FORMAT. It is damaged, or not an EnSight case.</source>
         <translation>beginnt nicht mit FORMAT. Sie ist kein EnSight-Fall oder beschädigt.</translation>
     </message>
     <message>
@@ -6488,7 +6444,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeile „type:“</translation>
     </message>
     <message>
-        <source>has a section &apos;%1&apos;, which VTK cannot pass over. Take it out, or put it behind the variables.</source>
+        <source>has a section &apos;%1&apos;, which VTK cannot skip. Remove it, or put it after the variables.</source>
         <translation>hat einen Abschnitt „%1“, den VTK nicht übergehen kann. Nehmen Sie ihn heraus, oder setzen Sie ihn hinter die Variablen.</translation>
     </message>
     <message>
@@ -6508,7 +6464,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Anzahl der Zeitschritte</translation>
     </message>
     <message>
-        <source>says that there are %1 time steps.</source>
+        <source>states that there are %1 time steps.</source>
         <translation>will %1 Zeitschritte haben.</translation>
     </message>
     <message>
@@ -6572,7 +6528,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Anzahl der Punkte</translation>
     </message>
     <message>
-        <source>does not say how many measured points it has. It is damaged.</source>
+        <source>does not state how many measured points it has. It is damaged.</source>
         <translation>sagt nicht, wie viele gemessene Punkte sie hat. Sie ist beschädigt.</translation>
     </message>
     <message>
@@ -6592,7 +6548,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeile „coordinates“</translation>
     </message>
     <message>
-        <source>has &apos;%1&apos; where a part should begin, which VTK passes over with all that follows. It is damaged, or of another version of the format: export it again.</source>
+        <source>has &apos;%1&apos; where a part should begin; VTK skips this and all that follows. It is damaged, or of another version of the format: export it again.</source>
         <translation>hat „%1“, wo ein Teil beginnen sollte, was VTK mit allem Folgenden übergeht. Sie ist beschädigt oder von einer anderen Version des Formats: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -6648,7 +6604,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Anzahl der Ecken</translation>
     </message>
     <message>
-        <source>has &apos;%1&apos; where elements should begin, which VTK does not know. It is damaged, or of another version of the format: export it again.</source>
+        <source>has &apos;%1&apos; where elements should begin, which VTK does not recognise. It is damaged, or of another version of the format: export it again.</source>
         <translation>hat „%1“, wo Elemente beginnen sollten, was VTK nicht kennt. Sie ist beschädigt oder von einer anderen Version des Formats: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -6672,7 +6628,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>hat Vektoren eines Blocks im Textformat von EnSight 6, was VTK falsch liest. Schreiben Sie den Fall als EnSight Gold oder die Daten als .vts.</translation>
     </message>
     <message>
-        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
+        <source>its file &apos;%1&apos; is missing. Copy it into the same folder: they belong together.</source>
         <translation>Ihre Datei „%1“ fehlt. Kopieren Sie sie in den Ordner dieser Datei: Sie gehören zusammen.</translation>
     </message>
     <message>
@@ -6680,7 +6636,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 endet in einem Abschnitt. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>its file %1 is missing, which holds the values. Copy it into the folder of this one.</source>
+        <source>its file %1, which holds the values, is missing. Copy it into the same folder.</source>
         <translation>Ihre Datei %1, die die Werte enthält, fehlt. Kopieren Sie sie in den Ordner dieser Datei.</translation>
     </message>
     <message>
@@ -6696,31 +6652,31 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Datei %1</translation>
     </message>
     <message>
-        <source>it is an HDF4 file, which is not read. Convert it, for instance with h4toh5 and ParaView, to .vti or .vtu.</source>
+        <source>it is an HDF4 file, which is not read. Convert it to .vti or .vtu, for instance with h4toh5 and ParaView.</source>
         <translation>Sie ist eine HDF4-Datei, die nicht gelesen wird. Wandeln Sie sie um, etwa mit h4toh5 und ParaView, in .vti oder .vtu.</translation>
     </message>
     <message>
-        <source>it does not begin as HDF5 files do. It is damaged, or of another format.</source>
+        <source>it does not begin like an HDF5 file. It is damaged, or of another format.</source>
         <translation>Sie beginnt nicht wie HDF5-Dateien. Sie ist beschädigt oder von einem anderen Format.</translation>
     </message>
     <message>
-        <source>it is an HDF5 file of another program: it has no group VTKHDF, by which VTK knows its own. Write it as .vti or .vtu.</source>
+        <source>it is an HDF5 file of another program: it does not have the group VTKHDF, by which VTK recognises its own. Write it as .vti or .vtu.</source>
         <translation>Sie ist die HDF5-Datei eines anderen Programms: Sie hat keine Gruppe VTKHDF, an der VTK die seinen erkennt. Schreiben Sie sie als .vti oder .vtu.</translation>
     </message>
     <message>
-        <source>it is a VTK HDF file of several time steps, a kind that came after VTK 9.1. Write one time step as .vti or .vtu.</source>
+        <source>it is a VTK HDF file with several time steps, which VTK 9.1 does not read. Write one time step as .vti or .vtu.</source>
         <translation>Sie ist eine VTK-HDF-Datei mit mehreren Zeitschritten, eine Art, die nach VTK 9.1 kam. Schreiben Sie einen Zeitschritt als .vti oder .vtu.</translation>
     </message>
     <message>
-        <source>it is a VTK HDF file of the type %1, which came after VTK 9.1. Write it as .vti or .vtu.</source>
+        <source>it is a VTK HDF file of the type %1, which VTK 9.1 does not read. Write it as .vti or .vtu.</source>
         <translation>Sie ist eine VTK-HDF-Datei vom Typ %1, der nach VTK 9.1 kam. Schreiben Sie sie als .vti oder .vtu.</translation>
     </message>
     <message>
-        <source>it holds &apos;%1&apos;: values alone, without points or a grid that they belong to. Write them with their grid.</source>
+        <source>it holds &apos;%1&apos;: values alone, without the points or the grid that they belong to. Write them with their grid.</source>
         <translation>Sie enthält „%1“: Werte allein, ohne Punkte oder ein Gitter, zu denen sie gehören. Schreiben Sie sie mit ihrem Gitter.</translation>
     </message>
     <message>
-        <source>it says &apos;%1&apos; where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID should stand. It is damaged, or written by a faulty program.</source>
+        <source>it has &apos;%1&apos; where DATASET and a type such as STRUCTURED_POINTS or UNSTRUCTURED_GRID should be. It is damaged, or was written by a faulty program.</source>
         <translation>Sie sagt „%1“, wo DATASET und ein Typ wie STRUCTURED_POINTS oder UNSTRUCTURED_GRID stehen sollte. Sie ist beschädigt oder von einem fehlerhaften Programm geschrieben.</translation>
     </message>
     <message>
@@ -6728,7 +6684,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Datei endet ohne Zeilenende: Wenn sie dort abgeschnitten wurde, ist ihre letzte Zahl falsch.</translation>
     </message>
     <message>
-        <source>its header does not say its ElementType. It is cut short: copy the file again.</source>
+        <source>its header does not state its ElementType. It is cut short: copy the file again.</source>
         <translation>Ihr Kopf nennt keinen ElementType. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -6752,19 +6708,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre HeaderSize ist „%1“.</translation>
     </message>
     <message>
-        <source>its HeaderSize is -1, which says nothing where samples are packed or a text.</source>
+        <source>its HeaderSize is -1, which has no meaning where samples are packed or text.</source>
         <translation>Ihre HeaderSize ist -1, was bei gepackten Abtastwerten oder Text nichts sagt.</translation>
     </message>
     <message>
-        <source>its header has no line &apos;ElementDataFile = ...&apos;, so that it is cut short or no MetaImage. Copy the file again.</source>
+        <source>its header has no line &apos;ElementDataFile = ...&apos;: it is cut short or not a MetaImage. Copy the file again.</source>
         <translation>Ihr Kopf hat keine Zeile „ElementDataFile = ...“, ist also abgeschnitten oder kein MetaImage. Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>its data file %1 is missing. Copy it into the folder of this one: the two belong together.</source>
+        <source>its data file %1 is missing. Copy it into the same folder: the two belong together.</source>
         <translation>Ihre Datendatei %1 fehlt. Kopieren Sie sie in den Ordner dieser Datei: Die beiden gehören zusammen.</translation>
     </message>
     <message>
-        <source>it should name %1 data files, each in a line of its own that ends, and names %2. It is cut short: copy the file again.</source>
+        <source>it should name %1 data files, each on a line of its own, and names %2. It is cut short: copy the file again.</source>
         <translation>Sie sollte %1 Datendateien nennen, jede in einer eigenen Zeile, die endet, und nennt %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -6772,11 +6728,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr ElementDataFile ist „%1“.</translation>
     </message>
     <message>
-        <source>its ElementDataFile &apos;%1&apos; does not name a file for each of its %2 layers. Write the numbers of the first, the last and the step behind the name.</source>
+        <source>its ElementDataFile &apos;%1&apos; does not name a file for each of its %2 layers. Write the numbers of the first, the last and the step after the name.</source>
         <translation>Ihr ElementDataFile „%1“ nennt nicht für jede der %2 Schichten eine Datei. Schreiben Sie die Nummern der ersten und der letzten und die Schrittweite hinter den Namen.</translation>
     </message>
     <message>
-        <source>its ElementDataFile &apos;%1&apos; is no name with a number as &apos;%03d&apos;.</source>
+        <source>its ElementDataFile &apos;%1&apos; is not a name with a number such as &apos;%03d&apos;.</source>
         <translation>Ihr ElementDataFile „%1“ ist kein Name mit einer Nummer wie „%03d“.</translation>
     </message>
     <message>
@@ -6784,7 +6740,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>its NetCDF header has lists that are longer than the file, or none where some belong.</source>
+        <source>its NetCDF header has lists that are longer than the file, or lacks required ones.</source>
         <translation>Ihr NetCDF-Kopf hat Listen, die länger sind als die Datei, oder keine, wo welche hingehören.</translation>
     </message>
     <message>
@@ -6792,23 +6748,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Dimension „%1“ ist %2 lang, mehr als die Datei Bytes hat.</translation>
     </message>
     <message>
-        <source>an attribute in its NetCDF header is of no type that there is.</source>
+        <source>its NetCDF header has an attribute of unknown type.</source>
         <translation>Ein Attribut in ihrem NetCDF-Kopf hat einen Typ, den es nicht gibt.</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has dimensions that are not there.</source>
+        <source>its variable &apos;%1&apos; has dimensions that do not exist.</source>
         <translation>Ihre Variable „%1“ hat Dimensionen, die nicht da sind.</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; is of no type that there is.</source>
+        <source>its variable &apos;%1&apos; is of unknown type.</source>
         <translation>Ihre Variable „%1“ hat einen Typ, den es nicht gibt.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; is larger than any file. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; is larger than any file. It is cut short, or was not written completely: copy the file again, or export it again.</source>
         <translation>Sie hat %1 Bytes, und ihre Variable „%2“ ist größer als jede Datei. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren Sie die Datei noch einmal, oder exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; extends to byte %3. It is cut short, or was not written completely: copy the file again, or export it again.</source>
         <translation>Sie hat %1 Byte, und ihre Variable „%2“ reicht bis Byte %3. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren Sie die Datei noch einmal, oder exportieren Sie sie neu.</translation>
     </message>
     <message>
@@ -6820,7 +6776,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Seite %1</translation>
     </message>
     <message>
-        <source>%1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
+        <source>%1 lies beyond its end, at %2 bytes. It is cut short: copy the file again.</source>
         <translation>%1 liegt hinter ihrem Ende, bei %2 Bytes. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -6836,7 +6792,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein Stück (%1)</translation>
     </message>
     <message>
-        <source>%1 It is damaged, or written by a faulty program: export it again.</source>
+        <source>%1 It is damaged, or was written by a faulty program: export it again.</source>
         <translation>%1 Sie ist beschädigt oder von einem fehlerhaften Programm geschrieben: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -6864,7 +6820,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie hat mehr als %1 Elemente.</translation>
     </message>
     <message>
-        <source>its elements stand more than %1 deep in one another.</source>
+        <source>its elements are nested more than %1 levels deep.</source>
         <translation>Ihre Elemente sind mehr als %1-fach verschachtelt.</translation>
     </message>
     <message>
@@ -6880,7 +6836,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Feld „%1“ hat „%2“ Komponenten.</translation>
     </message>
     <message>
-        <source>it says that it has %1 points or cells, more than %2 bytes can hold.</source>
+        <source>it claims to have %1 points or cells, more than %2 bytes can hold.</source>
         <translation>Sie will %1 Punkte oder Zellen haben, mehr als %2 Bytes fassen.</translation>
     </message>
     <message>
@@ -6896,7 +6852,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
+        <source>Its 64-bit integers were converted to floating-point numbers, which are exact to 53 bits.</source>
         <translation>Aus ganzen Zahlen von 64 Bit wurden Gleitkommazahlen von 53 Bit.</translation>
     </message>
     <message>
@@ -6912,7 +6868,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Feld „%1“ hat keine Komponente „%2“. Wählen Sie eine von 0 bis %3, oder „magnitude“.</translation>
     </message>
     <message>
-        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <source>it has cells of a shape that TAn does not support: %1. Divide them into simpler ones.</source>
         <translation>Sie hat Zellen einer Form, die TAn nicht kennt: %1. Zerlegen Sie sie in einfachere.</translation>
     </message>
     <message>
@@ -6928,11 +6884,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zelle %1 (ab 0) hat die Ecke %2, und es gibt %3 Punkte. Sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
+        <source>1 cell is declared linear and has the corners of a quadratic one: it was read as such.</source>
         <translation>1 Zelle heißt linear und hat die Ecken einer quadratischen: Sie wurde als solche genommen.</translation>
     </message>
     <message>
-        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
+        <source>%1 cells are declared linear and have the corners of quadratic ones: they were read as such.</source>
         <translation>%1 Zellen heißen linear und haben die Ecken von quadratischen: Sie wurden als solche genommen.</translation>
     </message>
     <message>
@@ -6940,11 +6896,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Feld „%1“ hat Werte für ihre Vielecke, nicht für ihre Punkte. Wählen Sie ein Feld der Punkte.</translation>
     </message>
     <message>
-        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
+        <source>The lines and polygons that join its points were left out: they are scattered points.</source>
         <translation>Was ihre Punkte verbindet (Linien, Vielecke), wurde weggelassen: Es sind verstreute Punkte.</translation>
     </message>
     <message>
-        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
+        <source>The values of the cells were transferred to the points, as the mean of the cells around each.</source>
         <translation>Die Werte der Zellen wurden zu den Punkten gebracht, als Mittel der Zellen ringsum.</translation>
     </message>
     <message>
@@ -6952,7 +6908,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie hat keinen Teil „%1“. %2</translation>
     </message>
     <message>
-        <source>It is all one: leave &apos;part&apos; empty.</source>
+        <source>It has only one: leave &apos;part&apos; empty.</source>
         <translation>Sie ist ein Ganzes: Lassen Sie „part“ leer.</translation>
     </message>
     <message>
@@ -6960,15 +6916,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>VTK meldet: %1</translation>
     </message>
     <message>
-        <source>it says that it holds more than any machine can. It is damaged.</source>
+        <source>it claims to hold more than any machine can. It is damaged.</source>
         <translation>Sie will mehr enthalten, als irgendein Rechner fasst. Sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
+        <source>it is not a VTK file: its beginning does not state a type of data. Write it again.</source>
         <translation>Sie ist keine VTK-Datei: Ihr Anfang nennt keine Art von Daten. Schreiben Sie sie neu.</translation>
     </message>
     <message>
-        <source>it holds data of the type &apos;%1&apos;, which are no volume. Write them as a grid, a mesh or points.</source>
+        <source>it holds data of the type &apos;%1&apos;, which are not a volume. Write them as a grid, a mesh or points.</source>
         <translation>Sie enthält Daten vom Typ „%1“, die kein Volumen sind. Schreiben Sie sie als Gitter, Netz oder Punkte.</translation>
     </message>
     <message>
@@ -6976,7 +6932,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Installieren Sie VTK mit „apt install libvtk9.1“ (andere Systeme: VTK 9).</translation>
     </message>
     <message>
-        <source>it has no zone. It is cut short, or no Tecplot text.</source>
+        <source>it has no zone. It is cut short, or not Tecplot text.</source>
         <translation>Sie hat keine Zone. Sie ist abgeschnitten oder kein Tecplot-Text.</translation>
     </message>
     <message>
@@ -6992,15 +6948,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält „%1“, kein Gitter mit seinen Werten. Schreiben Sie beides in eine Datei (FILETYPE = FULL).</translation>
     </message>
     <message>
-        <source>it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.</source>
+        <source>it has more numbers than its %1 zones require. Its sizes are wrong, or it is damaged.</source>
         <translation>Sie hat mehr Zahlen, als ihre %1 Zonen verlangen. Ihre Größen sind falsch, oder sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>it has &apos;%1&apos; where a record such as ZONE should begin. It is damaged, or no Tecplot text.</source>
+        <source>it has &apos;%1&apos; where a record such as ZONE should begin. It is damaged, or not Tecplot text.</source>
         <translation>Sie hat „%1“, wo ein Satz wie ZONE beginnen sollte. Sie ist beschädigt oder kein Tecplot-Text.</translation>
     </message>
     <message>
-        <source>none of its variables is called %1, so that it has no place in space. Name the coordinates X, Y and Z.</source>
+        <source>none of its variables is called %1, so that it has no position in space. Name the coordinates X, Y and Z.</source>
         <translation>Keine ihrer Variablen heißt %1, sodass sie keinen Ort im Raum hat. Nennen Sie die Koordinaten X, Y und Z.</translation>
     </message>
     <message>
@@ -7008,7 +6964,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie hat eine Zone vor ihren VARIABLES. Sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>%1 repeats variables by &apos;D&apos;, which is not read. Write it with VARSHARELIST, or all of its variables.</source>
+        <source>%1 repeats variables with &apos;D&apos;, which is not read. Write it with VARSHARELIST, or all of its variables.</source>
         <translation>%1 wiederholt Variablen durch „D“, was nicht gelesen wird. Schreiben Sie sie mit VARSHARELIST oder mit allen Variablen.</translation>
     </message>
     <message>
@@ -7032,11 +6988,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 ist vom Typ „%2“, der nicht gelesen wird. Zerlegen Sie ihre Elemente in Hexaeder oder Tetraeder.</translation>
     </message>
     <message>
-        <source>%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.</source>
+        <source>%1 does not state how many nodes (N) and elements (E) it has. It is damaged or cut short.</source>
         <translation>%1 sagt nicht, wie viele Knoten (N) und Elemente (E) sie hat. Sie ist beschädigt oder abgeschnitten.</translation>
     </message>
     <message>
-        <source>%1 does not say how many points it has (I, J, K). It is damaged or cut short.</source>
+        <source>%1 does not state how many points it has (I, J, K). It is damaged or cut short.</source>
         <translation>%1 sagt nicht, wie viele Punkte sie hat (I, J, K). Sie ist beschädigt oder abgeschnitten.</translation>
     </message>
     <message>
@@ -7044,11 +7000,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 endet, bevor alles da ist: %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>%1 has no number in place of one of its %2. Its sizes are wrong, or it is damaged.</source>
+        <source>%1 has something other than a number among its %2. Its sizes are wrong, or it is damaged.</source>
         <translation>%1 hat an einer Stelle keine Zahl, wo eine stehen sollte: %2. Ihre Größen sind falsch, oder sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>%1 ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <source>%1 ends directly after its last number, or within it. If the file is complete, add an end of line; otherwise copy the file again.</source>
         <translation>%1 endet gleich hinter ihrer letzten Zahl, oder mitten darin. Ist die Datei vollständig, setzen Sie ein Zeilenende dahinter; sonst kopieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -7056,7 +7012,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 teilt Werte mit einer Zone anderer Größe. Die Datei ist beschädigt.</translation>
     </message>
     <message>
-        <source>%1 is packed as &apos;%2&apos;, which is not known.</source>
+        <source>%1 has the unknown packing &apos;%2&apos;.</source>
         <translation>%1 ist gepackt als „%2“, was nicht bekannt ist.</translation>
     </message>
     <message>
@@ -7088,7 +7044,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Elemente</translation>
     </message>
     <message>
-        <source>%1 has an element at node &apos;%2&apos;, and it has %3. It is damaged.</source>
+        <source>%1 has an element with node &apos;%2&apos;, and it has %3. It is damaged.</source>
         <translation>%1 hat ein Element am Knoten „%2“, und sie hat %3. Sie ist beschädigt.</translation>
     </message>
     <message>
@@ -7100,7 +7056,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie hat %1 Positionen für ein Gitter aus %2 Punkten.</translation>
     </message>
     <message>
-        <source>the position of point %1 (from 0) is no number, or too large. Repair the file.</source>
+        <source>the position of point %1 (from 0) is not a number, or too large. Repair the file.</source>
         <translation>Die Position von Punkt %1 (ab 0) ist keine Zahl oder zu groß. Reparieren Sie die Datei.</translation>
     </message>
     <message>
@@ -7156,7 +7112,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Geben Sie „%1“ an, oder die Nummer einer Komponente ab 0.</translation>
     </message>
     <message>
-        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <source>Arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
     </message>
     <message>
@@ -7164,7 +7120,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeitschritt</translation>
     </message>
     <message>
-        <source>Of files with several time steps: which one, from 1.</source>
+        <source>Files with several time steps: which one, from 1.</source>
         <translation>Bei Dateien mit mehreren Zeitschritten: welcher, ab 1.</translation>
     </message>
     <message>
@@ -7176,7 +7132,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>mit der Zelle</translation>
     </message>
     <message>
-        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
+        <source>How surfaces and volume are put in order: &apos;exact&apos;, or, as the paper did, &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
         <translation>Wie Flächen und Volumen geordnet werden: „exakt“ oder wie im Aufsatz „mit der Zelle“, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
     </message>
     <message>
@@ -7192,7 +7148,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>das Testsignal von Marschner und Lobb: Wellen, die schwer wiederzugeben sind</translation>
     </message>
     <message>
-        <source>white noise, the worst case: no sample tells of its neighbour</source>
+        <source>white noise, the worst case: no sample predicts its neighbour</source>
         <translation>weißes Rauschen, der schlimmste Fall: Kein Abtastwert sagt etwas über seinen Nachbarn</translation>
     </message>
     <message>
@@ -7208,11 +7164,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Strömung durch einen gebogenen Kanal: ein krummliniges Gitter</translation>
     </message>
     <message>
-        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+        <source>a layer at a wall: a rectilinear grid with growing spacing</source>
         <translation>eine Schicht an einer Wand: ein rechtwinkliges Gitter mit wachsenden Abständen</translation>
     </message>
     <message>
-        <source>random points in a ball, with waves that grow finer outwards</source>
+        <source>random points in a ball, with waves that become finer outwards</source>
         <translation>zufällige Punkte in einer Kugel, mit Wellen, die nach außen feiner werden</translation>
     </message>
     <message>
@@ -7220,7 +7176,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Spannung in einer Platte mit fünf Löchern und einem geschlossenen Hohlraum: ein unregelmäßiges Netz</translation>
     </message>
     <message>
-        <source>There is no sample called &apos;%1&apos;. There are:%2.</source>
+        <source>There is no sample called &apos;%1&apos;. Available:%2.</source>
         <translation>Ein Beispiel „%1“ gibt es nicht. Es gibt:%2.</translation>
     </message>
     <message>
@@ -7232,7 +7188,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Beispiel „%1“ hat %2 bis %3 Punkte entlang jeder Achse, nicht %4.</translation>
     </message>
     <message>
-        <source>Not enough memory to make the sample. Ask for a smaller size.</source>
+        <source>Not enough memory to make the sample. Choose a smaller size.</source>
         <translation>Der Arbeitsspeicher reicht nicht, um das Beispiel zu erzeugen. Verlangen Sie eine kleinere Größe.</translation>
     </message>
     <message>
@@ -7252,11 +7208,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>nicht für jeden Knoten einen Wert</translation>
     </message>
     <message>
-        <source>triangles of vertices that it does not have</source>
+        <source>triangles with vertices that it does not have</source>
         <translation>Dreiecke von Knoten, die sie nicht hat</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, which is too many to find it. Write a .vtu file.</source>
+        <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, too many to find it. Write a .vtu file.</source>
         <translation>„%1“ wäre die Berandung von mehr als 1073741824 Tetraedern, zu vielen, um sie zu finden. Schreiben Sie eine .vtu-Datei.</translation>
     </message>
     <message>
@@ -7280,7 +7236,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ muss so sein: %2.</translation>
     </message>
     <message>
-        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Free some space there, or save the session.</source>
         <translation>In den Ordner „%1“ kann nicht geschrieben werden, sodass die Ansicht nicht erhalten bleibt. Schaffen Sie dort Platz, oder speichern Sie die Sitzung.</translation>
     </message>
     <message>
@@ -7304,15 +7260,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Arbeitsspeicher reicht nicht für das Netz dieser Genauigkeit. Wählen Sie eine gröbere, oder schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>it is not valid JSON, at byte %1.</source>
-        <translation>sie ist kein gültiges JSON, bei Byte %1.</translation>
-    </message>
-    <message>
         <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
         <translation>„format“ ist nicht „%1“.</translation>
     </message>
     <message>
-        <source>this program knows version %1 of sessions only.</source>
+        <source>this program reads version %1 of sessions only.</source>
         <translation>Dieses Programm kennt nur Version %1 von Sitzungen.</translation>
     </message>
     <message>
@@ -7368,11 +7320,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Es wurde mit %1 gebaut und dieses Programm mit %2. Bauen Sie das Plugin mit diesem Compiler und den Headern dieses TAn neu, oder installieren Sie eine Fassung für dieses TAn.</translation>
     </message>
     <message>
-        <source>The plugin that writes &apos;%1&apos; promises what it cannot write. Tell its author.</source>
+        <source>The plugin that writes &apos;%1&apos; announces something that it cannot write. Tell its author.</source>
         <translation>Das Plugin, das „%1“ schreibt, verspricht, was es nicht schreiben kann. Sagen Sie es seinem Autor.</translation>
     </message>
     <message>
-        <source>It does not say what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
+        <source>It does not state what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
         <translation>Es sagt nicht, womit es gebaut wurde, und dieses Programm wurde mit %1 gebaut. Bauen Sie das Plugin neu, mit tan_plugin_module().</translation>
     </message>
     <message>
@@ -7388,11 +7340,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>drei Zahlen x,y,z</translation>
     </message>
     <message>
-        <source>a text that makes a %1</source>
+        <source>text that describes %1</source>
         <translation>ein Text, der ein %1 ergibt</translation>
     </message>
     <message>
-        <source>&quot;edits&quot; does not say which type of parameters the editor is for</source>
+        <source>&quot;edits&quot; does not state which type of parameters the editor is for</source>
         <translation>„edits“ sagt nicht, für welchen Typ von Parametern der Editor ist</translation>
     </message>
     <message>
@@ -7480,7 +7432,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Kodierung</translation>
     </message>
     <message>
-        <source>raw is quick to write and to read, gzip is smaller.</source>
+        <source>raw is quick to write and read, gzip is smaller.</source>
         <translation>raw ist schnell geschrieben und gelesen, gzip ist kleiner.</translation>
     </message>
     <message>
@@ -7492,31 +7444,31 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>gzip</translation>
     </message>
     <message>
-        <source>What draws the scene failed: %1. This is a mistake in the plugin that made it; tell its author.</source>
+        <source>Drawing the scene failed: %1. This is a fault of the plugin that made it; tell its author.</source>
         <translation>Was die Szene zeichnet, ist gescheitert: %1. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
     </message>
     <message>
-        <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
+        <source>An optical model of the scene lacks its function or its shader. This is a fault of the plugin that made it; tell its author.</source>
         <translation>Einem optischen Modell der Szene fehlt seine Funktion oder sein Shader. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
     </message>
     <message>
-        <source>A blend of two volumes is seen by emission and absorption alone. Take the optical model away, or show one of the two.</source>
+        <source>A blend of two volumes supports only emission and absorption. Remove the optical model, or show one of the two.</source>
         <translation>Eine Überblendung zweier Volumen ist nur mit Emission und Absorption zu sehen. Nehmen Sie das optische Modell weg, oder zeigen Sie nur eines der beiden.</translation>
     </message>
     <message>
-        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in a picture of their own.</source>
+        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in separate pictures.</source>
         <translation>Eine Szene kann ein Volumen haben oder eine Überblendung von zweien, und diese hat %1. Zeigen Sie die anderen als Flächen oder in einem eigenen Bild.</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; failed without saying why. This is a mistake in the plugin; tell its author.</source>
+        <source>The plugin &apos;%1&apos; failed without giving a reason. This is a fault of the plugin; tell its author.</source>
         <translation>Das Plugin „%1“ ist gescheitert, ohne zu sagen, warum. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no choice for &apos;%2&apos;. There is: %3.</source>
+        <source>&apos;%1&apos; is not a choice for &apos;%2&apos;. Available: %3.</source>
         <translation>„%1“ ist für „%2“ keine Wahl. Es gibt: %3.</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a mistake in the plugin; tell its author.</source>
+        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a fault of the plugin; tell its author.</source>
         <translation>Das Plugin „%1“ hat eine Szene gemacht, die nicht gezeigt werden kann: %2 Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
     </message>
     <message>
@@ -7532,11 +7484,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>zweierlei darin heißt „%1“.</translation>
     </message>
     <message>
-        <source>It failed without saying why when it was started. Install it again.</source>
+        <source>It failed to start, without giving a reason. Install it again.</source>
         <translation>Es ist beim Start gescheitert, ohne zu sagen, warum. Installieren Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>it is packed by %1, and only zlib is read. Save it with zlib, or as .vtk, for instance with ParaView.</source>
+        <source>it is compressed with %1, and only zlib is supported. Save it with zlib, or as .vtk, for instance with ParaView.</source>
         <translation>Sie ist mit %1 gepackt, und nur zlib wird gelesen. Speichern Sie sie mit zlib oder als .vtk, etwa mit ParaView.</translation>
     </message>
     <message>
@@ -7544,7 +7496,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält mehrere Zeitschritte. Speichern Sie jeden als eigene Datei, etwa mit ParaView.</translation>
     </message>
     <message>
-        <source>it is no PLOT3D file: it does not begin with the sizes of its grids.</source>
+        <source>it is not a PLOT3D file: it does not begin with the sizes of its grids.</source>
         <translation>Sie ist keine PLOT3D-Datei: Sie beginnt nicht mit den Größen ihrer Gitter.</translation>
     </message>
     <message>
@@ -7552,15 +7504,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie beginnt wie ein Gitter aus %1 Punkten, das mindestens %2 Zahlen braucht, und hat %3</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; in line %2 is no number, or one too large. The file is damaged, or of another format.</source>
+        <source>&apos;%1&apos; in line %2 is not a number, or is too large. The file is damaged, or of another format.</source>
         <translation>„%1“ in Zeile %2 ist keine Zahl oder eine zu große. Die Datei ist beschädigt oder von einem anderen Format.</translation>
     </message>
     <message>
-        <source>it ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <source>it ends directly after its last number, or within it. If the file is complete, add an end of line; otherwise copy the file again.</source>
         <translation>Sie endet gleich hinter ihrer letzten Zahl, oder mitten darin. Ist die Datei vollständig, setzen Sie ein Zeilenende dahinter; sonst kopieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>with &apos;%1&apos; it repeats numbers more often than TAn believes a file of its size. Write them one by one.</source>
+        <source>with &apos;%1&apos; it repeats numbers more often than is plausible for a file of its size. Write them one by one.</source>
         <translation>Mit „%1“ wiederholt sie Zahlen öfter, als TAn einer Datei ihrer Größe glaubt. Schreiben Sie sie einzeln.</translation>
     </message>
     <message>
@@ -7568,7 +7520,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
     </message>
     <message>
-        <source>it is of no format that TAn leaves to VTK. Let TAn choose the reader.</source>
+        <source>its format is not one that TAn leaves to VTK. Let TAn choose the reader.</source>
         <translation>Sie hat kein Format, das TAn VTK überlässt. Lassen Sie TAn den Leser wählen.</translation>
     </message>
     <message>
@@ -7600,7 +7552,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Shader eines optischen Modells ist nicht verwendbar. Der Compiler meldet: %1</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; has an optical model whose shader cannot be used. This is a mistake in the plugin; tell its author. The compiler says: %2</source>
+        <source>The plugin &apos;%1&apos; has an optical model whose shader cannot be used. This is a fault of the plugin; tell its author. The compiler says: %2</source>
         <translation>Das Plugin „%1“ hat ein optisches Modell, dessen Shader nicht verwendbar ist. Das ist ein Fehler im Plugin; melden Sie ihn dessen Autor. Der Compiler meldet: %2</translation>
     </message>
     <message>
@@ -7616,15 +7568,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>nicht für jeden Knoten eine Farbe</translation>
     </message>
     <message>
-        <source>&apos;--%1&apos; describes raw files, and the header of &apos;%2&apos; tells it. Leave it out.</source>
+        <source>&apos;--%1&apos; describes raw files, but the header of &apos;%2&apos; states it. Leave it out.</source>
         <translation>„--%1“ beschreibt rohe Dateien, und der Kopf von „%2“ sagt es selbst. Lassen Sie es weg.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of use only without &apos;%2&apos;. Leave one of them out.</source>
+        <source>&apos;%1&apos; applies only without &apos;%2&apos;. Leave one of them out.</source>
         <translation>„%1“ ist nur ohne „%2“ von Nutzen. Lassen Sie eines davon weg.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of use only with &apos;%2&apos;. Leave it out, or give both.</source>
+        <source>&apos;%1&apos; applies only with &apos;%2&apos;. Leave it out, or give both.</source>
         <translation>„%1“ ist nur mit „%2“ von Nutzen. Lassen Sie es weg, oder geben Sie beide an.</translation>
     </message>
     <message>
@@ -7640,27 +7592,27 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>im Rechenraum</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a regular lattice, which has no warping. Leave out what is asked of it.</source>
+        <source>&apos;%1&apos; is a regular lattice, which has no warping. Leave out the options about it.</source>
         <translation>„%1“ ist ein regelmäßiges Gitter, das keine Verwerfung hat. Lassen Sie weg, was von ihr verlangt wird.</translation>
     </message>
     <message>
-        <source>Decimation takes the mesh of scattered points, and these are the points alone.</source>
+        <source>Decimation needs the mesh of scattered points, and these are the points alone.</source>
         <translation>Die Vergröberung nimmt das Netz verstreuter Punkte, und dies sind nur die Punkte.</translation>
     </message>
     <message>
-        <source>Only irregular data have a boundary that moves, so that there is a distance from both sides to limit. Leave that out.</source>
+        <source>Only irregular data have a boundary that moves, and so a distance from both sides to limit. Leave that out.</source>
         <translation>Nur unregelmäßige Daten haben eine Berandung, die sich bewegt, sodass es einen Abstand von beiden Seiten zu begrenzen gibt. Lassen Sie das weg.</translation>
     </message>
     <message>
-        <source>The paper&apos;s selection of points does not go with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
+        <source>The paper&apos;s selection of points cannot be used with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
         <translation>Die Auswahl der Punkte wie im Aufsatz ist mit Blöcken nicht möglich: Unabhängig verfeinerte Blöcke könnten sich über ihre Seitenflächen nicht einigen. Setzen Sie den Block auf „keine“.</translation>
     </message>
     <message>
-        <source>Looking at the cells</source>
+        <source>Examining the cells</source>
         <translation>Zellen werden untersucht</translation>
     </message>
     <message>
-        <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Take the normalised selection, or order by both.</source>
+        <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Choose the normalised selection, or order by both.</source>
         <translation>Die Auswahl des Aufsatzes vergleicht Fehler und Verwerfung, ein Bau kann daher nicht nach einem von beiden allein geordnet sein. Nehmen Sie die normierte Auswahl, oder ordnen Sie nach beiden.</translation>
     </message>
     <message>
@@ -7672,7 +7624,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ein rechtwinkliges Gitter aus %1 Punkten im physikalischen Raum zu verfeinern braucht etwa %2 Speicher, und dieser Rechner hat %3. Verfeinern Sie es im Rechenraum, als krummliniges Gitter, oder nehmen Sie einen Ausschnitt oder weniger Abtastwerte.</translation>
     </message>
     <message>
-        <source>Only rectilinear grids can be refined in one space or the other, and &apos;%1&apos; is none.</source>
+        <source>Only rectilinear grids can be refined in one space or the other, and &apos;%1&apos; is not one.</source>
         <translation>Nur rechtwinklige Gitter können im einen oder im anderen Raum verfeinert werden, und „%1“ ist keines.</translation>
     </message>
     <message>
@@ -7680,23 +7632,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ ist ein rechtwinkliges Gitter, das im physikalischen Raum verfeinert wird: Dort hat es keine Verwerfung und keine Blöcke. Lassen Sie diese weg, oder verfeinern Sie es im Rechenraum.</translation>
     </message>
     <message>
-        <source>Refined, &apos;%1&apos; has no warping. Leave out what is asked of it.</source>
+        <source>When refined, &apos;%1&apos; has no warping. Leave out the options about it.</source>
         <translation>Verfeinert hat „%1“ keine Verwerfung. Lassen Sie weg, was von ihr verlangt wird.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no grid, so it has no blocks. Leave them out.</source>
+        <source>&apos;%1&apos; is not a grid, so it has no blocks. Leave them out.</source>
         <translation>„%1“ ist kein Gitter und hat deshalb keine Blöcke. Lassen Sie sie weg.</translation>
     </message>
     <message>
-        <source>Refinement takes the points of a convex mesh, and this is the mesh itself.</source>
+        <source>Refinement uses the points of a convex mesh, and this is the mesh itself.</source>
         <translation>Die Verfeinerung nimmt die Punkte eines konvexen Netzes, und dies ist das Netz selbst.</translation>
     </message>
     <message>
-        <source>Ordered by the error alone, a build has no threshold of warping. Leave that out, or order by both.</source>
+        <source>A build ordered by the error alone has no threshold of warping. Leave that out, or order by both.</source>
         <translation>Nach dem Fehler allein geordnet, hat ein Bau keine Schwelle der Verwerfung. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
     </message>
     <message>
-        <source>Ordered by the warping alone, a build has no threshold of error. Leave that out, or order by both.</source>
+        <source>A build ordered by the warping alone has no threshold of error. Leave that out, or order by both.</source>
         <translation>Nach der Verwerfung allein geordnet, hat ein Bau keine Schwelle des Fehlers. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
     </message>
     <message>
@@ -7712,7 +7664,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie ist zu verzogen, um in Tetraeder zerlegt zu werden</translation>
     </message>
     <message>
-        <source>it is there twice</source>
+        <source>it appears twice</source>
         <translation>sie ist doppelt vorhanden</translation>
     </message>
     <message>
@@ -7752,7 +7704,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Zellen wurden weggelassen: Sie überlappen andere.</translation>
     </message>
     <message>
-        <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
+        <source>It has holes, points that are blanked out or without a finite value, which make it an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values with numbers.</source>
         <translation>Es hat Löcher, Punkte, die ausgeblendet sind oder keinen endlichen Wert haben, und ist deshalb ein unregelmäßiges Netz: bis zu %1 Tetraeder, die %2 Speicher brauchen, von %3. Nehmen Sie einen Bereich oder jeden n-ten Punkt davon, oder ersetzen Sie diese Werte durch Zahlen.</translation>
     </message>
     <message>
@@ -7768,7 +7720,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Weggelassen wurden mit den Zellen um sie herum %2 seiner %3 Punkte, ausgeblendet oder ohne endlichen Wert.</translation>
     </message>
     <message>
-        <source>It says of %1 cells whether they are blanked out, and has %2. It is damaged.</source>
+        <source>It has blanking flags for %1 cells, but %2 cells. It is damaged.</source>
         <translation>Es sagt von %1 Zellen, ob sie ausgeblendet sind, und hat %2. Es ist beschädigt.</translation>
     </message>
     <message>
@@ -7780,7 +7732,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Paare sich überlappender Tetraeder, eines bei %2</translation>
     </message>
     <message>
-        <source>the position of point %1 is no finite number, or too large. Leave it out.</source>
+        <source>the position of point %1 is not a finite number, or too large. Leave it out.</source>
         <translation>Die Position von Punkt %1 ist keine endliche Zahl oder zu groß. Lassen Sie ihn weg.</translation>
     </message>
     <message>
@@ -7796,15 +7748,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Punkte ohne endlichen Wert wurden weggelassen.</translation>
     </message>
     <message>
-        <source>The tetrahedrization</source>
+        <source>The tetrahedralization</source>
         <translation>Die Zerlegung in Tetraeder</translation>
     </message>
     <message>
-        <source>Tetrahedrizing the points</source>
+        <source>Tetrahedralizing the points</source>
         <translation>Die Punkte werden zu Tetraedern verbunden</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has no four points that do not lie in one plane, or two on one place.</source>
+        <source>&apos;%1&apos; does not have four points that are not all in one plane, or has two points at one place.</source>
         <translation>„%1“ hat keine vier Punkte, die nicht in einer Ebene liegen, oder zwei an einem Ort.</translation>
     </message>
     <message>
@@ -7828,7 +7780,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nicht genug Speicher für alle Netze mit bis zu %1 Stützstellen. Wählen Sie einen größeren Fehler.</translation>
     </message>
     <message>
-        <source>Choosing tetrahedra by their lives</source>
+        <source>Selecting tetrahedra by when they appear and disappear</source>
         <translation>Tetraeder werden nach ihrem Leben ausgewählt</translation>
     </message>
     <message>
@@ -7836,7 +7788,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ein Ende des Bereichs von Genauigkeiten ist keine Zahl. Geben Sie beide in Prozent an.</translation>
     </message>
     <message>
-        <source>A range of births or deaths goes from a smaller error to a larger one: %1 and %2 do not.</source>
+        <source>A range of errors at which tetrahedra appear or disappear goes from a smaller error to a larger one: %1 and %2 do not.</source>
         <translation>Ein Bereich von Entstehung oder Ersetzung geht von einem kleineren Fehler zu einem größeren: %1 und %2 nicht.</translation>
     </message>
     <message>
@@ -7852,7 +7804,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>rechtwinklig</translation>
     </message>
     <message>
-        <source>Of data whose domain can warp: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <source>For data whose domain can warp: the warping at which to stop. Its ratio to the error sets how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
         <translation>Für Daten, deren Gebiet sich verwerfen kann: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines von beiden 0, ist es dieselbe Zahl wie das andere.</translation>
     </message>
     <message>
@@ -7860,7 +7812,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Geordnet nach</translation>
     </message>
     <message>
-        <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
+        <source>For data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
         <translation>Für Daten, deren Gebiet sich verwerfen kann: „beide“ ordnet das Modell nach dem größeren von Fehler und Verwerfung im Verhältnis ihrer Schwellen; „Fehler“ oder „Verwerfung“ nach diesem allein, für die wenigsten Punkte, wo das andere keine Rolle spielt.</translation>
     </message>
     <message>
@@ -7884,11 +7836,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place of a mesh&apos;s boundary is from that of the data.</source>
+        <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place on a mesh&apos;s boundary is from that of the data.</source>
         <translation>Was die Verwerfung unregelmäßiger Daten misst: „einseitig“, wie im Aufsatz, wie weit die Punkte der Berandung der Daten von der eines Netzes entfernt sind; „beidseitig“ auch, wie weit irgendeine Stelle der Berandung eines Netzes von der der Daten entfernt ist.</translation>
     </message>
     <message>
-        <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of them for the same accuracy, but more time and memory.</source>
+        <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and needs fewer of them for the same accuracy, but more time and memory.</source>
         <translation>Verstreute Punkte: Die Vergröberung beginnt mit dem Delaunay-Netz aller Punkte und braucht weniger von ihnen für dieselbe Genauigkeit, aber mehr Zeit und Speicher.</translation>
     </message>
     <message>
@@ -7896,7 +7848,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Raum</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
+        <source>The edge length, in cells, of the blocks that are refined independently, a few of them in memory at a time; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; uses blocks where a lattice or grid is large.</source>
         <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig voneinander verfeinert werden, im Arbeitsspeicher für wenige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wenn ein regelmäßiges oder krummliniges Gitter groß ist.</translation>
     </message>
     <message>
@@ -7908,7 +7860,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ein Netz mit konvexem Gebiet: Die Verfeinerung erhält das genaue Gebiet, mit eigenen Tetraedern.</translation>
     </message>
     <message>
-        <source>The mesh is too large to be looked at.</source>
+        <source>The mesh is too large to be shown.</source>
         <translation>Das Netz ist zu groß, um es anzusehen.</translation>
     </message>
     <message>
@@ -7932,11 +7884,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeigt</translation>
     </message>
     <message>
-        <source>What is shown, inside and outside of the focus: the volume, isosurfaces, or both.</source>
+        <source>What is shown, inside and outside the focus: the volume, isosurfaces, or both.</source>
         <translation>Was innerhalb und außerhalb des Fokus gezeigt wird: das Volumen, Isoflächen oder beides.</translation>
     </message>
     <message>
-        <source>A range of accuracies has tetrahedra that lie over each other, so their volume cannot be drawn. Choose isosurfaces, or births and deaths that leave one mesh.</source>
+        <source>A range of accuracies has overlapping tetrahedra, so their volume cannot be drawn. Choose isosurfaces, or limits of appearance and disappearance that leave one mesh.</source>
         <translation>Ein Bereich von Genauigkeiten hat Tetraeder, die übereinander liegen, daher kann ihr Volumen nicht gezeichnet werden. Wählen Sie Isoflächen, oder Grenzen, die ein Netz übrig lassen.</translation>
     </message>
     <message>
@@ -7944,7 +7896,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Lesen des Modells</translation>
     </message>
     <message>
-        <source>Set XDG_CACHE_HOME to a folder that can be written in.</source>
+        <source>Set XDG_CACHE_HOME to a folder that can be written to.</source>
         <translation>Setzen Sie XDG_CACHE_HOME auf einen beschreibbaren Ordner.</translation>
     </message>
     <message>
@@ -7968,7 +7920,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Fehler im Raum wird nur in ganzen Gittern eingehalten, da ein Punkt in einem Tetraeder eines anderen Blocks liegen kann. Setzen Sie den Block auf „keine“.</translation>
     </message>
     <message>
-        <source>To keep the error in space, a build is ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
+        <source>To keep the error in space, a build must be ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
         <translation>Um den Fehler im Raum einzuhalten, wird ein Bau nach Fehler und Verwerfung geordnet, mit der normierten Auswahl. Lassen Sie die andere Wahl weg.</translation>
     </message>
     <message>
@@ -7980,7 +7932,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ ist ein gepacktes Modell. Entpacken Sie es zuerst mit „tan unpack“.</translation>
     </message>
     <message>
-        <source>section &apos;%1&apos; makes no sense</source>
+        <source>section &apos;%1&apos; is invalid</source>
         <translation>der Abschnitt „%1“ ergibt keinen Sinn</translation>
     </message>
     <message>
@@ -7996,7 +7948,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ ist nach Verfahren %2 gepackt, das diese Version nicht kennt. Installieren Sie eine neuere Version von TAn.</translation>
     </message>
     <message>
-        <source>its levels make no sense</source>
+        <source>its levels are invalid</source>
         <translation>seine Stufen ergeben keinen Sinn</translation>
     </message>
     <message>
@@ -8020,7 +7972,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dieses Netz kann nicht gepackt werden: Seine Felder gehören nicht zusammen, oder es hat mehr als %1 Tetraeder.</translation>
     </message>
     <message>
-        <source>What was received is no packed mesh of this version, or is damaged.</source>
+        <source>What was received is not a packed mesh of this version, or is damaged.</source>
         <translation>Was empfangen wurde, ist kein gepacktes Netz dieser Version oder ist beschädigt.</translation>
     </message>
     <message>
@@ -8028,7 +7980,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Netz hat %1 Tetraeder; höchstens %2 werden angenommen.</translation>
     </message>
     <message>
-        <source>Not enough memory for a packed mesh. Ask for a larger error or a part of it.</source>
+        <source>Not enough memory for a packed mesh. Choose a larger error or a part of it.</source>
         <translation>Nicht genug Speicher für ein gepacktes Netz. Verlangen Sie einen größeren Fehler oder einen Teil davon.</translation>
     </message>
     <message>
@@ -8056,11 +8008,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ kann nicht gepackt werden: Das meiste liegt in Abschnitten, die diese Version nicht kennt.</translation>
     </message>
     <message>
-        <source>what it holds is no history</source>
+        <source>its content is not a history</source>
         <translation>was es enthält, ist keine Geschichte</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
+        <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; gives details.</source>
         <translation>„%1“ kann nicht gepackt werden: Die Geschichte ist nicht die eines Netzes. „tan verify“ sagt mehr.</translation>
     </message>
     <message>
@@ -8068,7 +8020,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Packen</translation>
     </message>
     <message>
-        <source>its sites make no sense</source>
+        <source>its sites are invalid</source>
         <translation>seine Stützstellen ergeben keinen Sinn</translation>
     </message>
     <message>
@@ -8076,7 +8028,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein regelmäßiges Gitter aus %1 Punkten kann nicht wiederholt werden</translation>
     </message>
     <message>
-        <source>its text does not tell how it is built</source>
+        <source>its text does not tell how it was built</source>
         <translation>sein Text sagt nicht, wie es gebaut wird</translation>
     </message>
     <message>
@@ -8100,11 +8052,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ein Punkt liegt in keinem Tetraeder des Netzes.</translation>
     </message>
     <message>
-        <source>TAN_CACHE_MB is &apos;%1&apos;. Give the most megabytes that the cache folder may take.</source>
+        <source>TAN_CACHE_MB is &apos;%1&apos;. Give the maximum size of the cache folder in megabytes.</source>
         <translation>TAN_CACHE_MB ist „%1“. Geben Sie an, wie viele Megabyte der Zwischenspeicher höchstens belegen darf.</translation>
     </message>
     <message>
-        <source>There is no cache folder, as this user has no home. Set XDG_CACHE_HOME to a folder.</source>
+        <source>There is no cache folder, because this user has no home folder. Set XDG_CACHE_HOME to a folder.</source>
         <translation>Es gibt keinen Zwischenspeicher, da dieser Benutzer kein Benutzerverzeichnis hat. Setzen Sie XDG_CACHE_HOME auf einen Ordner.</translation>
     </message>
     <message>
@@ -8112,19 +8064,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Warten auf eine Datei des Zwischenspeichers</translation>
     </message>
     <message>
-        <source>The cache folder &apos;%1&apos; has no room for %2 more: its limit is %3, and what is in use stays. Set TAN_CACHE_MB to more megabytes.</source>
+        <source>The cache folder &apos;%1&apos; has no room for %2 more: its limit is %3, and files in use are kept. Set TAN_CACHE_MB to more megabytes.</source>
         <translation>Im Zwischenspeicher „%1“ ist kein Platz für weitere %2: Seine Grenze ist %3, und was in Gebrauch ist, bleibt. Setzen Sie TAN_CACHE_MB auf mehr Megabyte.</translation>
     </message>
     <message>
-        <source>Not enough memory to look into the cache folder &apos;%1&apos;. Close other programs.</source>
+        <source>Not enough memory to read the cache folder &apos;%1&apos;. Close other programs.</source>
         <translation>Nicht genug Speicher, um den Zwischenspeicher „%1“ durchzusehen. Schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
+        <source>&apos;%1&apos; sends more than %2, the most that is accepted.</source>
         <translation>„%1“ sendet mehr als %2; mehr wird nicht angenommen.</translation>
     </message>
     <message>
-        <source>Not enough memory for what the server sends. Ask for less.</source>
+        <source>Not enough memory for the server&apos;s answer. Request less.</source>
         <translation>Nicht genug Speicher für das, was der Server sendet. Verlangen Sie weniger.</translation>
     </message>
     <message>
@@ -8132,35 +8084,35 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Datei auf dem Server wurde geändert, während sie gelesen wurde. Öffnen Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>the server or a proxy packs what it sends (%1), so that parts of the file cannot be told. Download the file and open the copy.</source>
+        <source>the server or a proxy compresses what it sends (%1), so that parts of the file cannot be located. Download the file and open the copy.</source>
         <translation>Der Server oder ein Proxy packt, was er sendet (%1), sodass Teile der Datei nicht zu erkennen sind. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
     </message>
     <message>
-        <source>the server does not say how long the file is. Download the file and open the copy.</source>
+        <source>the server does not state the length of the file. Download the file and open the copy.</source>
         <translation>Der Server sagt nicht, wie lang die Datei ist. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
     </message>
     <message>
-        <source>its server gives files as a whole only, not in parts (range requests). Download the file and open the copy, or put it on a server that knows ranges.</source>
+        <source>its server delivers files only as a whole, not in parts (range requests). Download the file and open the copy, or put it on a server that supports ranges.</source>
         <translation>Ihr Server liefert Dateien nur als Ganzes, nicht in Teilen (Bereichsanfragen). Laden Sie die Datei herunter und öffnen Sie die Kopie, oder legen Sie sie auf einen Server, der Bereiche kennt.</translation>
     </message>
     <message>
-        <source>the server gives another part of the file than it was asked for. Download the file and open the copy.</source>
+        <source>the server sends a different part of the file from the one requested. Download the file and open the copy.</source>
         <translation>Der Server liefert einen anderen Teil der Datei als den verlangten. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
     </message>
     <message>
-        <source>what answers there is no web server. Check the address and its port.</source>
+        <source>the program that answers there is not a web server. Check the address and its port.</source>
         <translation>Was dort antwortet, ist kein Webserver. Prüfen Sie die Adresse und ihren Port.</translation>
     </message>
     <message>
-        <source>the connection was cut again and again, by the server or by a proxy on the way. Try it later, or download the file and open the copy.</source>
+        <source>the connection was lost again and again, because of the server or a proxy on the way. Try again later, or download the file and open the copy.</source>
         <translation>Die Verbindung wurde immer wieder getrennt, vom Server oder von einem Proxy auf dem Weg. Versuchen Sie es später, oder laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
     </message>
     <message>
-        <source>the server wants a name and a password. Give them in the address, https://NAME:PASSWORD@..., or download the file.</source>
+        <source>the server requires a name and a password. Give them in the address, https://NAME:PASSWORD@..., or download the file.</source>
         <translation>Der Server verlangt Namen und Passwort. Geben Sie sie in der Adresse an, https://NAME:PASSWORT@..., oder laden Sie die Datei herunter.</translation>
     </message>
     <message>
-        <source>the proxy wants a name and a password. Set https_proxy to an address with both.</source>
+        <source>the proxy requires a name and a password. Set https_proxy to an address with both.</source>
         <translation>Der Proxy verlangt Namen und Passwort. Setzen Sie https_proxy auf eine Adresse mit beiden.</translation>
     </message>
     <message>
@@ -8168,23 +8120,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Diese Datei gibt es auf dem Server nicht (%1). Prüfen Sie die Adresse.</translation>
     </message>
     <message>
-        <source>the server is busy (%1). Try it later.</source>
+        <source>the server is busy (%1). Try again later.</source>
         <translation>Der Server ist ausgelastet (%1). Versuchen Sie es später.</translation>
     </message>
     <message>
-        <source>the server fails (%1). Try it later, or tell whoever runs it.</source>
+        <source>the server failed (%1). Try again later, or tell its operator.</source>
         <translation>Der Server hat einen Fehler (%1). Versuchen Sie es später, oder sagen Sie es seinem Betreiber.</translation>
     </message>
     <message>
-        <source>the server answers with status %1 in place of data. Check the address.</source>
+        <source>the server answers with status %1 instead of data. Check the address.</source>
         <translation>Der Server antwortet mit Status %1 statt mit Daten. Prüfen Sie die Adresse.</translation>
     </message>
     <message>
-        <source>its host is not found. Check the address and the network.</source>
+        <source>its host was not found. Check the address and the network.</source>
         <translation>Ihr Rechner wurde nicht gefunden. Prüfen Sie die Adresse und das Netz.</translation>
     </message>
     <message>
-        <source>the proxy is not found. Check http_proxy and https_proxy.</source>
+        <source>the proxy was not found. Check http_proxy and https_proxy.</source>
         <translation>Der Proxy wurde nicht gefunden. Prüfen Sie http_proxy und https_proxy.</translation>
     </message>
     <message>
@@ -8192,7 +8144,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Unter diesem Rechner und Port antwortet nichts. Prüfen Sie die Adresse und das Netz.</translation>
     </message>
     <message>
-        <source>the server leads from one address to another and to no file. Check the address.</source>
+        <source>the server redirects from one address to another and never to a file. Check the address.</source>
         <translation>Der Server führt von einer Adresse zur nächsten und zu keiner Datei. Prüfen Sie die Adresse.</translation>
     </message>
     <message>
@@ -8200,11 +8152,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dem Zertifikat des Rechners ist nicht zu trauen (%1). Prüfen Sie die Adresse und die Uhr dieses Rechners; lesen Sie nichts von dort, wenn Sie den Grund nicht kennen.</translation>
     </message>
     <message>
-        <source>there is no safe connection to its host (%1). Check whether the address begins with http:// or https://.</source>
+        <source>a secure connection to its host cannot be made (%1). Check whether the address begins with http:// or https://.</source>
         <translation>Zu diesem Rechner gibt es keine sichere Verbindung (%1). Prüfen Sie, ob die Adresse mit http:// oder https:// beginnt.</translation>
     </message>
     <message>
-        <source>the server leads to an address that is not safe to follow. Give the address of the file itself.</source>
+        <source>the server redirects to an address that is not safe to follow. Give the address of the file itself.</source>
         <translation>Der Server führt zu einer Adresse, der zu folgen nicht sicher ist. Geben Sie die Adresse der Datei selbst an.</translation>
     </message>
     <message>
@@ -8212,7 +8164,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Datei ist leer. Prüfen Sie die Adresse.</translation>
     </message>
     <message>
-        <source>The cache folder gives other bytes than were written to it. Check its disk, or set XDG_CACHE_HOME to a folder on another one.</source>
+        <source>The cache folder returns other bytes than were written to it. Check its disk, or set XDG_CACHE_HOME to a folder on another one.</source>
         <translation>Der Zwischenspeicher liefert andere Bytes, als in ihn geschrieben wurden. Prüfen Sie seine Platte, oder setzen Sie XDG_CACHE_HOME auf einen Ordner auf einer anderen.</translation>
     </message>
     <message>
@@ -8220,7 +8172,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Lesen von „%1“</translation>
     </message>
     <message>
-        <source>it ends before what was looked for. It is no whole model: ask whoever put it there.</source>
+        <source>it ends too early. It is not a complete model: ask the person who put it there.</source>
         <translation>Sie endet vor dem, was gesucht wurde. Das ist kein ganzes Modell: Fragen Sie, wer es dort abgelegt hat.</translation>
     </message>
     <message>
@@ -8228,7 +8180,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Lesen aus dem Netz</translation>
     </message>
     <message>
-        <source>nothing came from the server for %1 seconds, or too slowly. Check the network, or try it later.</source>
+        <source>nothing arrived from the server for %1 seconds, or too slowly. Check the network, or try again later.</source>
         <translation>Vom Server kam %1 Sekunden lang nichts, oder zu langsam. Prüfen Sie das Netz, oder versuchen Sie es später.</translation>
     </message>
     <message>
@@ -8244,7 +8196,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Was ein unterbrochener Bau in „%1“ hinterlassen hat, ist beschädigt. Beginnen Sie den Bau von vorn.</translation>
     </message>
     <message>
-        <source>What an interrupted build left in &apos;%1&apos; is of other data, of other options, or of another version of TAn. Give the same ones, or build from the beginning.</source>
+        <source>What an interrupted build left in &apos;%1&apos; belongs to other data, other options, or another version of TAn. Give the same ones, or build from the beginning.</source>
         <translation>Was ein unterbrochener Bau in „%1“ hinterlassen hat, gehört zu anderen Daten, anderen Optionen oder einer anderen Version von TAn. Geben Sie dieselben an, oder beginnen Sie den Bau von vorn.</translation>
     </message>
     <message>
@@ -8252,7 +8204,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Alle Blöcke werden grob verfeinert</translation>
     </message>
     <message>
-        <source>Taking up what was done</source>
+        <source>Restoring the interrupted build</source>
         <translation>Bereits Getanes wird übernommen</translation>
     </message>
     <message>
@@ -8260,7 +8212,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie führt eine fehlerhafte Zelle auf, die ihr Gitter nicht hat</translation>
     </message>
     <message>
-        <source>it lists a faulty cell that is none</source>
+        <source>it lists a faulty cell that is not faulty</source>
         <translation>sie führt eine fehlerhafte Zelle auf, die keine ist</translation>
     </message>
     <message>
@@ -8268,15 +8220,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Eine Datei „%1“ gibt es nicht. Eine Adresse auf einem Server beginnt mit http:// oder https://.</translation>
     </message>
     <message>
-        <source>The file of &apos;%1&apos; is of a version of TAn that did not write where its coarse meshes end, so it cannot be left at the server. Build it again, or copy it there with &apos;tan pack&apos; and &apos;tan unpack&apos;.</source>
+        <source>The file of &apos;%1&apos; was made by a version of TAn that did not record where its coarse meshes end, so it cannot be left at the server. Build it again, or copy it there with &apos;tan pack&apos; and &apos;tan unpack&apos;.</source>
         <translation>Die Datei von „%1“ ist von einer Version von TAn, die nicht schrieb, wo ihre groben Netze enden; sie kann also nicht auf dem Server bleiben. Bauen Sie sie neu, oder schreiben Sie sie dort mit „tan pack“ und „tan unpack“ neu.</translation>
     </message>
     <message>
-        <source>A server cannot be asked for a range of accuracies whose two ends have warpings of their own. Give both the same.</source>
+        <source>A server cannot extract a range of accuracies whose two ends have different warpings. Give both the same.</source>
         <translation>Einen Server kann man nicht nach einem Bereich von Genauigkeiten fragen, dessen Enden eigene Verwerfungen haben. Geben Sie beiden dieselbe.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; finds no meshes (status %2): only a server of TAn (&apos;tan serve&apos;) of this version does. Let the model be fetched from there.</source>
+        <source>&apos;%1&apos; does not extract meshes (status %2): only a TAn server (&apos;tan serve&apos;) of this version does. Download the model from there instead.</source>
         <translation>„%1“ bestimmt keine Netze (Status %2): Das tut nur ein Server von TAn („tan serve“) dieser Version. Lassen Sie das Modell von dort holen.</translation>
     </message>
     <message>
@@ -8284,11 +8236,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Server von „%1“ meldet: %2</translation>
     </message>
     <message>
-        <source>What &apos;%1&apos; says of its model cannot be read. It may be a server of another version of TAn.</source>
+        <source>What &apos;%1&apos; says of its model cannot be read. The server may run another version of TAn.</source>
         <translation>Was „%1“ über sein Modell sagt, ist nicht lesbar. Vielleicht ist es ein Server einer anderen Version von TAn.</translation>
     </message>
     <message>
-        <source>What says where which error is allowed is too long for a question to a server: %1 of at most %2 characters. Use fewer regions, isovalues or points of the transfer function.</source>
+        <source>The error field is too long for a server request: %1 of at most %2 characters. Use fewer regions, isovalues or points of the transfer function.</source>
         <translation>Was sagt, wo welcher Fehler erlaubt ist, ist zu lang für eine Frage an einen Server: %1 von höchstens %2 Zeichen. Nehmen Sie weniger Bereiche, Isowerte oder Punkte der Transferfunktion.</translation>
     </message>
     <message>
@@ -8296,7 +8248,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Modell „%1“ wurde auf seinem Server geändert. Öffnen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>The sites make more than they should.</source>
+        <source>The sites yield more than they should.</source>
         <translation>Die Stützstellen ergeben mehr, als sie sollten.</translation>
     </message>
     <message>
@@ -8312,7 +8264,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das ganze Modell wird entpackt: %1</translation>
     </message>
     <message>
-        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <source>The server of &apos;%1&apos; requires a token. Give the one issued by its operator; on the command line with &apos;--token-file&apos;.</source>
         <translation>Der Server von „%1“ antwortet nur dem, der sein Token hat. Geben Sie das an, das sein Betreiber festgelegt hat; auf der Befehlszeile mit „--token-file“.</translation>
     </message>
     <message>
@@ -8332,15 +8284,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Anfrage an den Server</translation>
     </message>
     <message>
-        <source>the server gives a web page or a list in place of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
+        <source>the server sends a web page or a list instead of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
         <translation>Der Server liefert eine Webseite oder eine Liste statt Daten. Öffnen Sie die Adresse in einem Browser: Vielleicht müssen Sie sich anmelden, oder dort eine Datei wählen und deren Adresse angeben.</translation>
     </message>
     <message>
-        <source>the server answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <source>the server requires a token. Give the one issued by its operator; on the command line with &apos;--token-file&apos;.</source>
         <translation>Der Server antwortet nur dem, der sein Token hat. Geben Sie das an, das sein Betreiber festgelegt hat; auf der Befehlszeile mit „--token-file“.</translation>
     </message>
     <message>
-        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has expired.</source>
+        <source>the server does not allow it (403). Ask its operator, or check whether the address has expired.</source>
         <translation>Der Server erlaubt es nicht (403). Fragen Sie seinen Betreiber, oder prüfen Sie, ob die Adresse abgelaufen ist.</translation>
     </message>
     <message>
@@ -8356,7 +8308,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dieses TAn macht kein Netz aus den Punkten von „%1“: Es wurde ohne CGAL (TAN_CGAL) gebaut. Nehmen Sie eines, das es hat, oder Daten mit einem Gitter oder mit Zellen.</translation>
     </message>
     <message>
-        <source>The history has more than %1 sites. Ask for a larger error, or build in blocks.</source>
+        <source>The history has more than %1 sites. Choose a larger error, or build in blocks.</source>
         <translation>Die Geschichte hat mehr als %1 Stützstellen. Verlangen Sie einen größeren Fehler, oder bauen Sie in Blöcken.</translation>
     </message>
     <message>
@@ -8364,7 +8316,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Abschnitt „%1“ enthält unmögliche Zahlen</translation>
     </message>
     <message>
-        <source>Cannot write &apos;%1&apos;: section &apos;%2&apos; was planned with %3 bytes, which does not fit what it holds. This is a fault of TAn: please report it.</source>
+        <source>Cannot write &apos;%1&apos;: section &apos;%2&apos; was planned with %3 bytes, which does not match its content. This is a fault of TAn: please report it.</source>
         <translation>„%1“ kann nicht geschrieben werden: Abschnitt „%2“ war mit %3 Bytes geplant, was nicht zu seinem Inhalt passt. Das ist ein Fehler von TAn: Bitte melden Sie ihn.</translation>
     </message>
     <message>
@@ -8372,15 +8324,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Es gibt keinen Ordner für Zwischendateien: %1.</translation>
     </message>
     <message>
-        <source>The model cannot be packed into &apos;%1&apos;: the errors that it claims make no sense. &apos;tan verify&apos; tells more.</source>
+        <source>The model cannot be packed into &apos;%1&apos;: the errors that it claims are invalid. &apos;tan verify&apos; gives details.</source>
         <translation>Das Modell kann nicht in „%1“ gepackt werden: Die Fehler, die es angibt, ergeben keinen Sinn. „tan verify“ sagt mehr.</translation>
     </message>
     <message>
-        <source>The mesh has %1 tetrahedra, too many for the memory of this machine. Ask for a larger error or a part of it.</source>
+        <source>The mesh has %1 tetrahedra, too many for the memory of this machine. Choose a larger error or a part of it.</source>
         <translation>Das Netz hat %1 Tetraeder, zu viele für den Arbeitsspeicher dieses Rechners. Verlangen Sie einen größeren Fehler oder einen Teil davon.</translation>
     </message>
     <message>
-        <source>something lies before section &apos;%1&apos;</source>
+        <source>something precedes section &apos;%1&apos;</source>
         <translation>vor Abschnitt „%1“ liegt etwas</translation>
     </message>
     <message>
@@ -8388,7 +8340,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dieses TAn macht kein Netz aus verstreuten Punkten: Es wurde ohne CGAL (TAN_CGAL) gebaut. Nehmen Sie eines, das es hat, oder Daten mit einem Gitter oder mit Zellen.</translation>
     </message>
     <message>
-        <source>Cannot use the cache folder &apos;%1&apos;: %2. Set XDG_CACHE_HOME to a folder that is yours alone.</source>
+        <source>Cannot use the cache folder &apos;%1&apos;: %2. Set XDG_CACHE_HOME to a folder that only you can use.</source>
         <translation>Der Zwischenspeicher „%1“ ist nicht benutzbar: %2. Setzen Sie XDG_CACHE_HOME auf einen Ordner, der Ihnen allein gehört.</translation>
     </message>
     <message>
@@ -8412,7 +8364,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ antwortet nicht: %2</translation>
     </message>
     <message>
-        <source>nothing came for %1 seconds, or too slowly. Check the network, and whether the server runs.</source>
+        <source>nothing arrived for %1 seconds, or too slowly. Check the network, and whether the server is running.</source>
         <translation>%1 Sekunden lang kam nichts, oder es kam zu langsam. Prüfen Sie das Netz, und ob der Server läuft.</translation>
     </message>
     <message>
@@ -8424,11 +8376,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Server sagt, dass die Datei %1 hat, mehr als jedes Modell. Prüfen Sie die Adresse.</translation>
     </message>
     <message>
-        <source>it is not the address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
+        <source>it is not the address of a file. Write it as https://HOST/PATH, with spaces as %1.</source>
         <translation>Das ist keine Adresse einer Datei. Schreiben Sie sie als https://RECHNER/PFAD, und Leerzeichen darin als %1.</translation>
     </message>
     <message>
-        <source>This TAn was built without OpenGL (TAN_GL). Draw with the processor.</source>
+        <source>This TAn was built without OpenGL (TAN_GL). Use the CPU back end.</source>
         <translation>Dieses TAn wurde ohne OpenGL (TAN_GL) gebaut. Lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
@@ -8440,7 +8392,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das System kann keinen Thread für den Server starten: %1. %2</translation>
     </message>
     <message>
-        <source>The system takes no more connections: %1. %2</source>
+        <source>The system accepts no more connections: %1. %2</source>
         <translation>Das System nimmt keine Verbindungen mehr an: %1. %2</translation>
     </message>
     <message>
@@ -8448,7 +8400,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Datei wird gerade geändert. Fragen Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The server cannot look for its models now: %1. Ask again.</source>
+        <source>The server cannot read its models now: %1. Ask again.</source>
         <translation>Der Server kann jetzt nicht nach seinen Modellen suchen: %1. Fragen Sie noch einmal.</translation>
     </message>
     <message>
@@ -8460,11 +8412,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ gehört einem anderen Benutzer, der jedes Programm dorthin legen könnte. Kopieren Sie, wem Sie trauen, in einen eigenen Ordner.</translation>
     </message>
     <message>
-        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Remove that right (chmod o-w), and see what is in it.</source>
+        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Remove that permission (chmod o-w), and check its content.</source>
         <translation>Jeder Benutzer dieses Rechners kann in „%1“ schreiben und könnte jedes Programm dorthin legen. Entziehen Sie dieses Recht (chmod o-w), und sehen Sie nach, was darin ist.</translation>
     </message>
     <message>
-        <source>the array &apos;%1&apos; has no number anywhere: it cannot be computed from this solution. %2</source>
+        <source>the array &apos;%1&apos; is not a number anywhere: it cannot be computed from this solution. %2</source>
         <translation>Das Feld „%1“ hat nirgends eine Zahl: Es kann aus dieser Lösung nicht berechnet werden. %2</translation>
     </message>
     <message>
@@ -8476,7 +8428,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Fokus ist ausgeschaltet: Er liegt nicht im Gebiet.</translation>
     </message>
     <message>
-        <source>The window is off: it is not within the domain.</source>
+        <source>The crop box is off: it is not within the domain.</source>
         <translation>Das Fenster ist ausgeschaltet: Es liegt nicht im Gebiet.</translation>
     </message>
     <message>
@@ -8500,7 +8452,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Transferfunktion hat keinen Punkt innerhalb der Werte des Modells, daher wird die übliche gezeigt.</translation>
     </message>
     <message>
-        <source>All values are shown: the model has none of the chosen ones.</source>
+        <source>All values are shown: the model has none of the selected ones.</source>
         <translation>Alle Werte werden gezeigt: Das Modell hat keinen der gewählten.</translation>
     </message>
     <message>
@@ -8508,7 +8460,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Es gibt hier keine Darstellungsart „%1“, daher wird als „%2“ gezeigt. Vielleicht gehört sie zu einem Plugin, das nicht installiert ist.</translation>
     </message>
     <message>
-        <source>The model &apos;%1&apos; has changed since the session was saved: it was built anew, or replaced.</source>
+        <source>The model &apos;%1&apos; has changed since the session was saved: it was rebuilt or replaced.</source>
         <translation>Das Modell „%1“ hat sich seit dem Speichern der Sitzung geändert: Es wurde neu gebaut oder ersetzt.</translation>
     </message>
     <message>
@@ -8516,11 +8468,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Diese Datei kann nicht als Transferfunktion gelesen werden. TAn liest seine eigenen und die Vorlagen von ParaView in JSON sowie die Farbtabellen von ParaView in XML, aber keine Listen von Farben.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; holds a surface. TAn reads volumes: values everywhere in a body, not only on its skin.</source>
+        <source>&apos;%1&apos; holds a surface. TAn reads volumes: values throughout a body, not only on its surface.</source>
         <translation>„%1“ enthält eine Fläche. TAn liest Volumen: Werte überall in einem Körper, nicht nur auf seiner Haut.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens pictures that it has saved with their session.</source>
+        <source>&apos;%1&apos; is a picture. TAn reads volumes, including stacks of TIFF pictures, and opens pictures that it has saved with their session.</source>
         <translation>„%1“ ist ein Bild. TAn liest Volumen, darunter Stapel von TIFF-Bildern, und öffnet Bilder, die es mit ihrer Sitzung gespeichert hat.</translation>
     </message>
     <message>
@@ -8528,7 +8480,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>TAn liest Dateien wie %1; das Handbuch nennt alle. Abtastwerte allein, ohne Kopf, werden als Rohdatei gelesen.</translation>
     </message>
     <message>
-        <source>What &apos;%1&apos; says of its model is impossible: %2. Tell whoever runs the server, or fetch the model and look at it with &apos;tan verify&apos;.</source>
+        <source>What &apos;%1&apos; says of its model is impossible: %2. Tell its operator, or download the model and check it with &apos;tan verify&apos;.</source>
         <translation>Was „%1“ von seinem Modell sagt, ist unmöglich: %2. Sagen Sie es dem Betreiber des Servers, oder holen Sie das Modell und prüfen Sie es mit „tan verify“.</translation>
     </message>
     <message>
@@ -8572,11 +8524,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein Netz hält das %1-fache des Fehlers ein</translation>
     </message>
     <message>
-        <source>a tetrahedron lives at errors that are not numbers from 0</source>
+        <source>a tetrahedron exists at errors that are not numbers of at least 0</source>
         <translation>ein Tetraeder lebt bei Fehlern, die keine Zahlen ab 0 sind</translation>
     </message>
     <message>
-        <source>the libcurl of this machine does not do what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
+        <source>the libcurl of this machine does not support what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
         <translation>die libcurl dieses Rechners kann nicht, was TAn braucht (%1). Prüfen Sie die Adresse und SSL_CERT_FILE, und installieren Sie eine libcurl mit HTTPS ab 7.85.</translation>
     </message>
     <message>
@@ -8596,7 +8548,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat einen Abschnitt „%1“, den nur ein regelmäßiges Gitter hat</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; makes no sense. Copy the file again, or build it again.</source>
+        <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; is invalid. Copy the file again, or build it again.</source>
         <translation>„%1“ ist beschädigt: Ihr Abschnitt „%2“ ergibt keinen Sinn. Kopieren Sie die Datei neu, oder erstellen Sie sie neu.</translation>
     </message>
     <message>
@@ -8604,11 +8556,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Modell wird kopiert</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would lie elsewhere than they were meant. Build it again from data that say where they lie.</source>
+        <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would then lie elsewhere than intended. Build it again from data that state where they lie.</source>
         <translation>„%1“ wurde mit Gewichten an bestimmten Stellen erstellt („%2“), die dann anderswo lägen, als sie gemeint waren. Erstellen Sie es neu aus Daten, die sagen, wo sie liegen.</translation>
     </message>
     <message>
-        <source>The model cannot lie there: %1</source>
+        <source>The model cannot be placed there: %1</source>
         <translation>Das Modell kann dort nicht liegen: %1</translation>
     </message>
     <message>
@@ -8628,7 +8580,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um die Abweichung zu messen. Schließen Sie andere Programme, oder verringern Sie die Genauigkeit des Netzes.</translation>
     </message>
     <message>
-        <source>its section &apos;%1&apos; makes no sense</source>
+        <source>its section &apos;%1&apos; is invalid</source>
         <translation>ihr Abschnitt „%1“ ergibt keinen Sinn</translation>
     </message>
     <message>
@@ -8648,7 +8600,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ hat Koordinaten in einfacher Genauigkeit, die diese Fläche nicht fassen kann: Sie ist zu groß oder zu klein. Schreiben Sie eine .vtp- oder .ply-Datei.</translation>
     </message>
     <message>
-        <source>Cannot write &apos;%1&apos;: whoever was to read it has ended. See what that program says.</source>
+        <source>Cannot write &apos;%1&apos;: the program that reads it has ended. Look at its messages.</source>
         <translation>„%1“ kann nicht geschrieben werden: Das Programm, das es lesen sollte, wurde beendet. Sehen Sie nach, was jenes Programm meldet.</translation>
     </message>
     <message>
@@ -8656,7 +8608,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ kann nicht geschrieben werden: %2.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would be a second file beside &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
+        <source>&apos;%1&apos; would be a second file next to &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
         <translation>„%1“ wäre eine zweite Datei neben „%2“. Geben Sie der Ausgabe einen Namen statt „-“.</translation>
     </message>
     <message>
@@ -8672,19 +8624,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>muss ein Name mit einer Zahl wie „%03d“ sein, dann die Nummern der ersten und der letzten Datei und die Schrittweite.</translation>
     </message>
     <message>
-        <source>names %1 files, which is not the number that its sizes ask for. Correct the numbers of the first and the last file.</source>
+        <source>names %1 files, which is not the number that its sizes require. Correct the numbers of the first and the last file.</source>
         <translation>nennt %1 Dateien, was nicht die Zahl ist, die ihre Größen verlangen. Berichtigen Sie die Nummern der ersten und der letzten Datei.</translation>
     </message>
     <message>
-        <source>is followed by the names of %1 files, which is not the number that its sizes ask for. Each stands in a line of its own.</source>
+        <source>is followed by the names of %1 files, which is not the number that its sizes require. Each is on a line of its own.</source>
         <translation>ist gefolgt von den Namen von %1 Dateien, was nicht die Zahl ist, die ihre Größen verlangen. Jeder steht in einer eigenen Zeile.</translation>
     </message>
     <message>
-        <source>one of its axes, of size %1, runs through time. A volume has three in space: take out one time step.</source>
+        <source>one of its axes, of size %1, is time. A volume has three axes in space: take out one time step.</source>
         <translation>eine ihrer Achsen, der Größe %1, läuft durch die Zeit. Ein Volumen hat drei im Raum: Nehmen Sie einen Zeitschritt heraus.</translation>
     </message>
     <message>
-        <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
+        <source>Its header calls its orientation &apos;%1&apos;, but by its matrix it is &apos;%2&apos;. The matrix was used.</source>
         <translation>Ihr Kopf nennt die Ausrichtung „%1“, die nach ihrer Matrix „%2“ ist. Die Matrix wurde genommen.</translation>
     </message>
     <message>
@@ -8692,23 +8644,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Direction ist „%1“ und nicht neun Zahlen.</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
+        <source>In &apos;%1&apos; x, y and z are smaller than in the data by %2, %3 and %4, because single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
         <translation>In „%1“ sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist; der erste Knoten der Datei addiert diese Zahlen.</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
+        <source>In &apos;%1&apos; x, y and z are smaller than in the data by %2, %3 and %4, because single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
         <translation>In „%1“ sind x, y und z um %2, %3 und %4 kleiner als in den Daten, weil einfache Genauigkeit so weit vom Ursprung zu grob ist: Addieren Sie diese Zahlen, um Orte der Daten zu erhalten.</translation>
     </message>
     <message>
-        <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or fetch the model.</source>
+        <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or download the model.</source>
         <translation>Die Abweichung wird vom feinsten Netz aus gemessen, das auf dem Server bleibt. Speichern Sie ohne sie, oder holen Sie das Modell.</translation>
     </message>
     <message>
-        <source>The deviation is that of whole surfaces. Show all values, and cut off what lies outside of the crop box, or save without it.</source>
+        <source>The deviation is that of whole surfaces. Show all values, and cut off what lies outside the crop box, or save without it.</source>
         <translation>Die Abweichung ist die ganzer Flächen. Zeigen Sie alle Werte, und schneiden Sie ab, was außerhalb des Fensters liegt, oder speichern Sie ohne sie.</translation>
     </message>
     <message>
-        <source>What lives in a range of errors lies over each other, so it makes no solid. Show the mesh of one error.</source>
+        <source>The tetrahedra of a range of errors overlap, so they make no solid. Show the mesh of one error.</source>
         <translation>Was in einem Bereich von Fehlern lebt, liegt übereinander und ergibt deshalb keinen Körper. Zeigen Sie das Netz eines einzigen Fehlers.</translation>
     </message>
     <message>
@@ -8732,11 +8684,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Längeneinheit</translation>
     </message>
     <message>
-        <source>Files that do not tell it: the unit of coordinates, as in mm. It is shown, and converts nothing.</source>
+        <source>Files that do not state it: the unit of coordinates, such as mm. It is displayed; nothing is converted.</source>
         <translation>Dateien, die sie nicht angeben: die Einheit der Koordinaten, etwa mm. Sie wird angezeigt und rechnet nichts um.</translation>
     </message>
     <message>
-        <source>The model lies as the directions of its data say, and was seen without them, as TAn up to version 0.1 read such data: its places were other ones. The camera shows all of it; choose regions anew.</source>
+        <source>The model is placed by the directions of its data, but its view was saved without them, because TAn up to version 0.1 read such data differently: its places were other ones. The camera shows all of it; choose regions again.</source>
         <translation>Das Modell liegt so, wie die Richtungen seiner Daten es sagen, und wurde ohne sie gesehen, wie TAn bis zur Version 0.1 solche Daten las: Seine Orte waren andere. Die Kamera zeigt alles davon; wählen Sie Bereiche neu.</translation>
     </message>
     <message>
@@ -8744,15 +8696,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sein Ursprung %1 und sein Abstand %2 sind nicht endlich oder zu groß oder zu klein, um damit zu rechnen. Prüfen Sie beide.</translation>
     </message>
     <message>
-        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5; else 1 is assumed.</source>
+        <source>Files that do not state it, including raw ones: the distance between neighbouring points along x, y and z, as in 1x1x2.5; by default 1.</source>
         <translation>Dateien, die ihn nicht nennen, darunter Rohdaten: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5; sonst wird 1 angenommen.</translation>
     </message>
     <message>
-        <source>Files that do not tell it: the position of the first point, as in 10,20,-5; else 0 is assumed.</source>
+        <source>Files that do not state it: the position of the first point, as in 10,20,-5; by default 0.</source>
         <translation>Dateien, die ihn nicht nennen: der Ort des ersten Punktes, etwa 10,20,-5; sonst wird 0 angenommen.</translation>
     </message>
     <message>
-        <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
+        <source>The file does not state its spacing: %1 is assumed. Give it with &apos;--spacing&apos; or in Import Options, or afterwards with &apos;tan set-frame&apos;.</source>
         <translation>Die Datei gibt ihren Abstand nicht an: %1 wird angenommen. Geben Sie ihn mit „--spacing“ oder unter Importoptionen an, oder nachträglich mit „tan set-frame“.</translation>
     </message>
     <message>
@@ -8760,11 +8712,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>nennt %1 Dateien. Verteilen Sie die Abtastwerte auf weniger.</translation>
     </message>
     <message>
-        <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs take them as right-handed: they show the mirror image.</source>
+        <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs treat them as right-handed: they show the mirror image.</source>
         <translation>Ihr Raum „%1“ ist linkshändig. Seine Koordinaten bleiben, und Bilder und andere Programme nehmen sie als rechtshändig: Sie zeigen das Spiegelbild.</translation>
     </message>
     <message>
-        <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
+        <source>Its units differ from axis to axis: %1. Its numbers were used as they are, without a unit.</source>
         <translation>Ihre Einheiten sind von Achse zu Achse verschieden: %1. Ihre Zahlen wurden genommen, wie sie sind, ohne Einheit.</translation>
     </message>
     <message>
@@ -8772,15 +8724,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Öffnungen werden gesucht</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; one triangle is left out, as two of its corners are the same in single precision.</source>
+        <source>In &apos;%1&apos; one triangle is left out, because two of its corners coincide in single precision.</source>
         <translation>In „%1“ fehlt ein Dreieck, da zwei seiner Ecken in einfacher Genauigkeit gleich sind.</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; %2 triangles are left out, as two corners of each are the same in single precision.</source>
+        <source>In &apos;%1&apos; %2 triangles are left out, because two corners of each coincide in single precision.</source>
         <translation>In „%1“ fehlen %2 Dreiecke, da je zwei ihrer Ecken in einfacher Genauigkeit gleich sind.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; does not have the triangles&apos; values (%2), as many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
+        <source>&apos;%1&apos; does not contain the triangles&apos; values (%2), because many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
         <translation>„%1“ hat die Werte der Dreiecke (%2) nicht, da viele Programme keine PLY-Datei mit solchen Werten lesen können. Um sie zu behalten, schreiben Sie eine .vtp-Datei.</translation>
     </message>
     <message>
@@ -8800,7 +8752,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Abweichung vom feinsten Netz, an vielen Orten gemessen: größte %2 (Mittel %3), und die von jenem zu diesem: größte %4 (Mittel %5).</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give &apos;--unit&apos; when you build the model.</source>
+        <source>&apos;%1&apos; is not a model of a regular lattice: each of its points has its own position. Spacing, origin and unit can be set afterwards for a lattice only; for other data give &apos;--unit&apos; when you build the model.</source>
         <translation>„%1“ ist kein Modell eines regelmäßigen Gitters: Seine Punkte liegen, wo die Daten es sagen, jeder für sich. Nur bei einem regelmäßigen Gitter lassen sich Abstand, Ursprung und Einheit nachträglich setzen; bei anderen Daten geben Sie „--unit“ beim Bau des Modells an.</translation>
     </message>
     <message>
@@ -8808,7 +8760,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ für „%2“ ist nicht verständlich. Geben Sie drei Zahlen an, entlang x, y und z, etwa %3.</translation>
     </message>
     <message>
-        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
+        <source>it states its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; changes it in the model of a lattice.</source>
         <translation>sie nennt ihr %1 selbst. Lassen Sie „--%1“ weg; „tan set-frame“ gibt dem Modell eines regelmäßigen Gitters ein anderes.</translation>
     </message>
     <message>
@@ -8840,19 +8792,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Polyeder, die weggelassen wurden, weil ihre Seiten kein Volumen umschließen: %1.</translation>
     </message>
     <message>
-        <source>The share of cells that may be faulty is %1; it has to be from 0 to 1.</source>
+        <source>The share of cells that may be faulty is %1; it must be from 0 to 1.</source>
         <translation>Der Anteil der Zellen, die fehlerhaft sein dürfen, ist %1; er muss von 0 bis 1 sein.</translation>
     </message>
     <message>
-        <source>Faces of polyhedra have more points than are named (%1 in all, the first is of cell %2). The file is damaged.</source>
+        <source>Faces of polyhedra have more points than are listed (%1 in all, the first is of cell %2). The file is damaged.</source>
         <translation>Seiten von Polyedern haben mehr Punkte, als genannt sind (%1 insgesamt, die erste gehört zu Zelle %2). Die Datei ist beschädigt.</translation>
     </message>
     <message>
-        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than %3. The first is cell %4 at (%5, %6, %7): %8. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %9&apos;.</source>
+        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than %3. The first is cell %4 at (%5, %6, %7): %8. Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %9&apos;.</source>
         <translation>Mindestens %1 der %2 Zellen des Netzes sind fehlerhaft, mehr als %3. Die erste ist Zelle %4 bei (%5, %6, %7): %8. Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %9“.</translation>
     </message>
     <message>
-        <source>%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <source>%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %7&apos;.</source>
         <translation>%1 Zellen sind gefaltet oder so verzogen, dass keine Tetraeder sie füllen, mehr als %2; die erste ist Zelle %3 bei (%4, %5, %6). Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %7“.</translation>
     </message>
     <message>
@@ -8860,7 +8812,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zelle %1 bei (%2, %3, %4)</translation>
     </message>
     <message>
-        <source>%1 of the mesh&apos;s %2 cells are polyhedra in which no point sees all of their faces, more than %3; the first is %4. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %5&apos;.</source>
+        <source>%1 of the mesh&apos;s %2 cells are polyhedra in which no point sees all of their faces, more than %3; the first is %4. Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %5&apos;.</source>
         <translation>%1 der %2 Zellen des Netzes sind Polyeder, in denen kein Punkt alle ihre Seiten sieht, mehr als %3; die erste ist %4. Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %5“.</translation>
     </message>
     <message>
@@ -8868,7 +8820,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 der %2 Zellen des Netzes sind Polyeder, die von keinen Tetraedern zwischen ihren eigenen Punkten gefüllt werden, mehr als %3; die erste ist %4. Mit „--polyhedra centre“ bekommen sie einen Punkt in der Mitte; mit „--faulty %5“ werden sie weggelassen.</translation>
     </message>
     <message>
-        <source>The faces of %1 of the mesh&apos;s %2 cells do not enclose a volume; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <source>The faces of %1 of the mesh&apos;s %2 cells do not enclose a volume; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %7&apos;.</source>
         <translation>Die Seiten von %1 der %2 Zellen des Netzes umschließen kein Volumen; die erste ist Zelle %3 bei (%4, %5, %6). Reparieren Sie das Netz in dem Programm, das es erzeugt hat, oder lassen Sie zu, dass mehr Zellen weggelassen werden, etwa mit „--faulty %7“.</translation>
     </message>
     <message>
@@ -8876,7 +8828,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zonen werden verbunden</translation>
     </message>
     <message>
-        <source>The zone &apos;%1&apos; is no structured grid with a value for each point.</source>
+        <source>The zone &apos;%1&apos; is not a structured grid with a value for each point.</source>
         <translation>Die Zone „%1“ ist kein strukturiertes Gitter mit einem Wert für jeden Punkt.</translation>
     </message>
     <message>
@@ -8900,7 +8852,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre %1 Zonen wurden in ein Netz gesetzt, in dem keine zwei von ihnen eine Seite gemeinsam haben.</translation>
     </message>
     <message>
-        <source>Faces of zones that lie against another zone whose points there are others: %1. The mesh has a seam there, across which it does not hang together.</source>
+        <source>Faces of zones that meet another zone with different points there: %1. The mesh has a seam there, and is not connected across it.</source>
         <translation>Seiten von Zonen, die an einer anderen Zone liegen, deren Punkte dort andere sind: %1. Das Netz hat dort eine Naht, über die hinweg es nicht zusammenhängt.</translation>
     </message>
     <message>
@@ -8952,7 +8904,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Fehlerhafte Zellen</translation>
     </message>
     <message>
-        <source>Meshes: the largest share of cells, or of their volume, that may be left out because they overlap others or are turned over, as in 5%; a mesh with more of them is refused.</source>
+        <source>Meshes: the largest share of cells, or of their volume, that may be left out because they overlap others or are inverted, as in 5%; a mesh with more of them is refused.</source>
         <translation>Netze: der größte Anteil der Zellen oder ihres Volumens, der weggelassen werden darf, weil sie andere überlappen oder umgestülpt sind, etwa 5%; ein Netz mit mehr davon wird abgelehnt.</translation>
     </message>
     <message>
@@ -8964,7 +8916,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Polyeder</translation>
     </message>
     <message>
-        <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; gives those that cannot be cut so a point in their middle.</source>
+        <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; adds a point in the middle of those that cannot be cut in that way.</source>
         <translation>Netze mit Polyedern: „Ecken“ zerlegt jedes in Tetraeder zwischen seinen eigenen Punkten; „Mitte“ gibt denen, bei denen das nicht geht, einen Punkt in der Mitte.</translation>
     </message>
     <message>
@@ -8984,7 +8936,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein MINC-Volumen</translation>
     </message>
     <message>
-        <source>Convert it to NIfTI, by &apos;mnc2nii&apos; of the MINC tools.</source>
+        <source>Convert it to NIfTI, with &apos;mnc2nii&apos; of the MINC tools.</source>
         <translation>Wandeln Sie es mit „mnc2nii“ aus den MINC-Werkzeugen in NIfTI um.</translation>
     </message>
     <message>
@@ -8992,7 +8944,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein Volumen von FreeSurfer</translation>
     </message>
     <message>
-        <source>Convert it to NIfTI, by &apos;mri_convert&apos; of FreeSurfer.</source>
+        <source>Convert it to NIfTI, with &apos;mri_convert&apos; of FreeSurfer.</source>
         <translation>Wandeln Sie es mit „mri_convert“ von FreeSurfer in NIfTI um.</translation>
     </message>
     <message>
@@ -9000,7 +8952,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein AVS-Feld</translation>
     </message>
     <message>
-        <source>Save it as VTK or NRRD in a program that reads it, or write a NRRD header (.nhdr) that names the numbers of a uniform one as its data file.</source>
+        <source>Save it as VTK or NRRD in a program that reads it, or write an NRRD header (.nhdr) that names the numbers of a uniform one as its data file.</source>
         <translation>Speichern Sie es in einem Programm, das es liest, als VTK oder NRRD, oder schreiben Sie bei einem gleichmäßigen einen NRRD-Kopf (.nhdr), der die Zahlen als seine Datendatei nennt.</translation>
     </message>
     <message>
@@ -9024,7 +8976,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>eine Datei im eigenen Format eines Mikroskops</translation>
     </message>
     <message>
-        <source>Export it as OME-TIFF, by Fiji or the microscope&apos;s program.</source>
+        <source>Export it as OME-TIFF, with Fiji or the microscope&apos;s program.</source>
         <translation>Exportieren Sie sie als OME-TIFF, mit Fiji oder dem Programm des Mikroskops.</translation>
     </message>
     <message>
@@ -9032,11 +8984,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dem Namen nach ist „%1“ %2, und das liest TAn nicht. %3</translation>
     </message>
     <message>
-        <source>%1 needs more memory for it than the %2 that programs may take here. Raise the limit (ulimit -v).</source>
+        <source>%1 needs more memory for it than the %2 that programs may use here. Raise the limit (ulimit -v).</source>
         <translation>%1 braucht dafür mehr Speicher als die %2, die Programme hier belegen dürfen. Heben Sie die Begrenzung an (ulimit -v).</translation>
     </message>
     <message>
-        <source>There are not enough memory, processes or open files to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
+        <source>There is not enough memory, or there are not enough processes or open files, to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
         <translation>Speicher, Prozesse oder offene Dateien reichen nicht, um die %1-Leser zu starten (%2). Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
     </message>
     <message>
@@ -9052,15 +9004,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die %1-Leser sind nicht installiert: %2. %3</translation>
     </message>
     <message>
-        <source>The %1 readers are installed badly: %2. %3</source>
+        <source>The %1 readers are not installed correctly: %2. %3</source>
         <translation>Die %1-Leser sind fehlerhaft installiert: %2. %3</translation>
     </message>
     <message>
-        <source>the system ended %1, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <source>the system ended %1, which happens when memory runs out. Close other programs, or take a part of the file.</source>
         <translation>das System hat %1 beendet, wie es das tut, wenn der Speicher ausgeht. Schließen Sie andere Programme, oder nehmen Sie einen Teil der Datei.</translation>
     </message>
     <message>
-        <source>%1 has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <source>%1 has waited for its disk for minutes. Check whether the disk answers, or copy the file to another one.</source>
         <translation>%1 wartet seit Minuten auf den Datenträger. Prüfen Sie, ob er antwortet, oder kopieren Sie die Datei auf einen anderen.</translation>
     </message>
     <message>
@@ -9112,23 +9064,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Seiten des Polyeders %1 sind beschädigt.</translation>
     </message>
     <message>
-        <source>Nodes in the faces of quadratic cells were not used: those of %1 cells.</source>
+        <source>Nodes in the faces of quadratic cells were not used: in %1 cells.</source>
         <translation>Knoten in den Seiten quadratischer Zellen wurden nicht benutzt: die von %1 Zellen.</translation>
     </message>
     <message>
-        <source>Of the Lagrange cells of order %1 (%2) only the corners were used, with straight edges.</source>
+        <source>For the Lagrange cells of order %1 (%2) only the corners were used, with straight edges.</source>
         <translation>Von den Lagrange-Zellen der Ordnung %1 (%2) wurden nur die Ecken benutzt, mit geraden Kanten.</translation>
     </message>
     <message>
-        <source>Of the Lagrange cells that are not of one order in all directions (%1) only the corners were used, with straight edges.</source>
+        <source>For the Lagrange cells whose order differs by direction (%1) only the corners were used, with straight edges.</source>
         <translation>Von den Lagrange-Zellen, die nicht in allen Richtungen dieselbe Ordnung haben (%1), wurden nur die Ecken benutzt, mit geraden Kanten.</translation>
     </message>
     <message>
-        <source>It says that it is of the time %1.</source>
+        <source>It states the time %1.</source>
         <translation>Sie gibt an, dass sie zum Zeitpunkt %1 gehört.</translation>
     </message>
     <message>
-        <source>this TAn was built without GDCM, which reads DICOM. Build it anew after &apos;apt install libgdcm-dev&apos;, or convert the file to NRRD.</source>
+        <source>this TAn was built without GDCM, which reads DICOM. Rebuild it after &apos;apt install libgdcm-dev&apos;, or convert the file to NRRD.</source>
         <translation>dieses TAn wurde ohne GDCM gebaut, das DICOM liest. Bauen Sie es nach „apt install libgdcm-dev“ neu, oder wandeln Sie die Datei in NRRD um.</translation>
     </message>
     <message>
@@ -9184,7 +9136,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie kann nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>it is no DICOM file, or ends too early. Copy the file again.</source>
+        <source>it is not a DICOM file, or ends too early. Copy the file again.</source>
         <translation>sie ist keine DICOM-Datei oder endet zu früh. Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -9192,11 +9144,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>Its slices lie unevenly, %1 to %2 mm apart; each was left where it lies.</source>
+        <source>Its slices are spaced unevenly, %1 to %2 mm apart; each was left where it lies.</source>
         <translation>Ihre Schichten liegen ungleichmäßig, mit Abständen von %1 bis %2 mm; jede blieb, wo sie liegt.</translation>
     </message>
     <message>
-        <source>Missing behind slice %1, between %2 and %3: %4.</source>
+        <source>Missing after slice %1, between %2 and %3: %4.</source>
         <translation>Es fehlen hinter Schicht %1, zwischen %2 und %3: %4.</translation>
     </message>
     <message>
@@ -9208,31 +9160,31 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Pixel von %1 x %2 mm, wie am Detektor (ImagerPixelSpacing)</translation>
     </message>
     <message>
-        <source>pixels 1 x 1 mm, as the file does not tell their size</source>
+        <source>pixels 1 x 1 mm, because the file does not state their size</source>
         <translation>Pixel von 1 x 1 mm, da die Datei ihre Größe nicht angibt</translation>
     </message>
     <message>
-        <source>its pixels are not all there. Copy the file again.</source>
+        <source>some of its pixels are missing. Copy the file again.</source>
         <translation>ihre Pixel sind nicht alle da. Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>GDCM cannot unpack its pixels (%1). They are damaged, or of a kind that it does not know: unpack them by the program that wrote them.</source>
+        <source>GDCM cannot unpack its pixels (%1). They are damaged, or of a kind that it does not support: unpack them with the program that wrote them.</source>
         <translation>GDCM kann ihre Pixel nicht entpacken (%1). Sie sind beschädigt oder von einer Art, die es nicht kennt: Entpacken Sie sie mit dem Programm, das sie geschrieben hat.</translation>
     </message>
     <message>
-        <source>it is the table of contents of a disk (DICOMDIR). Open one of the pictures that lie in the folders beside it.</source>
+        <source>it is the table of contents of a disk (DICOMDIR). Open one of the pictures in the folders next to it.</source>
         <translation>sie ist das Inhaltsverzeichnis eines Datenträgers (DICOMDIR). Öffnen Sie eines der Bilder, die in den Ordnern daneben liegen.</translation>
     </message>
     <message>
-        <source>it is a segmentation, whose pictures are the outlines of things and not of numbers. Export it as NRRD, for instance by 3D Slicer.</source>
+        <source>it is a segmentation, whose pictures are outlines of objects, not numbers. Export it as NRRD, for instance with 3D Slicer.</source>
         <translation>sie ist eine Segmentierung, deren Bilder Umrisse von Dingen enthalten und keine Zahlen. Exportieren Sie sie als NRRD, etwa mit 3D Slicer.</translation>
     </message>
     <message>
-        <source>its pixels are floating point numbers (FloatPixelData), which TAn does not read of DICOM files. Export it as NRRD, for instance by 3D Slicer.</source>
+        <source>its pixels are floating-point numbers (FloatPixelData), which TAn does not read from DICOM files. Export it as NRRD, for instance with 3D Slicer.</source>
         <translation>ihre Pixel sind Gleitkommazahlen (FloatPixelData), die TAn aus DICOM-Dateien nicht liest. Exportieren Sie sie als NRRD, etwa mit 3D Slicer.</translation>
     </message>
     <message>
-        <source>it holds no picture (%1). If it is to have one, it is cut short: copy it again. Else open a picture of the series that it belongs to.</source>
+        <source>it holds no picture (%1). If it should have one, it is cut short: copy it again. Otherwise open a picture of the series that it belongs to.</source>
         <translation>sie enthält kein Bild (%1). Wenn sie eines haben soll, ist sie abgeschnitten: Kopieren Sie sie noch einmal. Sonst öffnen Sie ein Bild der Serie, zu der sie gehört.</translation>
     </message>
     <message>
@@ -9240,7 +9192,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Bilder</translation>
     </message>
     <message>
-        <source>the file &apos;%1&apos; of its series: it is no DICOM file, or ends too early. Copy the file again.</source>
+        <source>the file &apos;%1&apos; of its series: it is not a DICOM file, or ends too early. Copy the file again.</source>
         <translation>die Datei „%1“ ihrer Serie: Sie ist keine DICOM-Datei oder endet zu früh. Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -9248,7 +9200,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Datei „%1“ ihrer Serie: %2</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; beside it was not read: %2</source>
+        <source>The file &apos;%1&apos; next to it was not read: %2</source>
         <translation>Die Datei „%1“ daneben wurde nicht gelesen: %2</translation>
     </message>
     <message>
@@ -9260,11 +9212,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Bilder sind farbig (%1), und TAn liest einen Wert für jeden Punkt. Exportieren Sie sie in Graustufen.</translation>
     </message>
     <message>
-        <source>each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI by dcm2niix.</source>
+        <source>each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI with dcm2niix.</source>
         <translation>jedes ihrer Bilder ist ein Mosaik von Schichten (Siemens). Wandeln Sie sie mit dcm2niix in NIfTI um.</translation>
     </message>
     <message>
-        <source>its pictures are moments of a film and not slices of a volume.</source>
+        <source>its pictures are frames of a film and not slices of a volume.</source>
         <translation>ihre Bilder sind Zeitpunkte eines Films und keine Schichten eines Volumens.</translation>
     </message>
     <message>
@@ -9272,7 +9224,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Pixel haben %1 Bits, und TAn liest solche mit 8, 16 und 32. Schreiben Sie sie mit 16.</translation>
     </message>
     <message>
-        <source>it says that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or export it again.</source>
+        <source>it states that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or export it again.</source>
         <translation>sie gibt an, dass %1 von %2 Bits eines Pixels zählen, bis Bit %3. Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -9280,15 +9232,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Bilder sind dafür gedacht, kleine Werte hell zu zeigen (MONOCHROME1); die Werte sind so, wie die Datei sie hat.</translation>
     </message>
     <message>
-        <source>Pixels outside of the picture have the value %1 (PixelPaddingValue), and are values as others.</source>
+        <source>Pixels outside the picture have the value %1 (PixelPaddingValue), and are treated as ordinary values.</source>
         <translation>Pixel außerhalb des Bildes haben den Wert %1 (PixelPaddingValue) und sind Werte wie andere.</translation>
     </message>
     <message>
-        <source>It has a table (ModalityLUT) that turns stored numbers into values; the stored numbers are taken.</source>
+        <source>It has a table (ModalityLUT) that converts stored numbers into values; the stored numbers are used.</source>
         <translation>Sie hat eine Tabelle (ModalityLUT), die gespeicherte Zahlen in Werte umsetzt; genommen werden die gespeicherten Zahlen.</translation>
     </message>
     <message>
-        <source>It says that its pictures were compressed with loss.</source>
+        <source>It states that its pictures were compressed with loss.</source>
         <translation>Sie gibt an, dass ihre Bilder verlustbehaftet komprimiert wurden.</translation>
     </message>
     <message>
@@ -9296,11 +9248,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 von %2: %3</translation>
     </message>
     <message>
-        <source>Beside it lies series %1: %2. Choose it with &apos;series&apos;.</source>
+        <source>Next to it is series %1: %2. Choose it with &apos;series&apos;.</source>
         <translation>Daneben liegt Serie %1: %2. Wählen Sie sie mit „series“.</translation>
     </message>
     <message>
-        <source>%1 more series lie beside it.</source>
+        <source>%1 more series are next to it.</source>
         <translation>%1 weitere Serien liegen daneben.</translation>
     </message>
     <message>
@@ -9316,11 +9268,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>its values are scaled beyond all numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
+        <source>its values are scaled beyond the range of numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
         <translation>ihre Werte sind über alle Zahlen hinaus skaliert (RescaleSlope). Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>%1 pictures of its series lie on one place, such as &apos;%2&apos; and &apos;%3&apos;, and nothing says which of them belong together. Put the slices of one volume alone into a folder.</source>
+        <source>%1 pictures of its series lie at one place, such as &apos;%2&apos; and &apos;%3&apos;, and nothing tells which of them belong together. Put the slices of one volume alone into a folder.</source>
         <translation>%1 Bilder ihrer Serie liegen am selben Ort, etwa „%2“ und „%3“, und nichts sagt, welche davon zusammengehören. Legen Sie die Schichten eines Volumens allein in einen Ordner.</translation>
     </message>
     <message>
@@ -9332,7 +9284,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Datei „%1“ ihrer Serie gibt nicht an, wo sie liegt (ImagePositionPatient), und andere tun es. Nehmen Sie sie aus dem Ordner, oder exportieren Sie die Serie noch einmal.</translation>
     </message>
     <message>
-        <source>it is a single picture, and no other slices of its series lie beside it. TAn reads volumes: put the files of the series into one folder and open one of them.</source>
+        <source>it is a single picture, and no other slices of its series are next to it. TAn reads volumes: put the files of the series into one folder and open one of them.</source>
         <translation>sie ist ein einzelnes Bild, und keine anderen Schichten ihrer Serie liegen daneben. TAn liest Volumen: Legen Sie die Dateien der Serie in einen Ordner, und öffnen Sie eine davon.</translation>
     </message>
     <message>
@@ -9344,7 +9296,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>mit anderer Größe oder Richtung</translation>
     </message>
     <message>
-        <source>all pictures of its series lie on one place. TAn reads volumes: it needs slices.</source>
+        <source>all pictures of its series lie at one place. TAn reads volumes: it needs slices.</source>
         <translation>alle Bilder ihrer Serie liegen am selben Ort. TAn liest Volumen: Es braucht Schichten.</translation>
     </message>
     <message>
@@ -9356,15 +9308,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Kanal</translation>
     </message>
     <message>
-        <source>Of pictures with several channels: one, by name or number from 1; without it the first.</source>
+        <source>Pictures with several channels: one of them, by name or number from 1; by default the first.</source>
         <translation>Bei Bildern mit mehreren Kanälen: einer, nach Name oder Nummer ab 1; sonst der erste.</translation>
     </message>
     <message>
-        <source>Of pictures in colour: the number of one colour, from 0, or &apos;magnitude&apos;.</source>
+        <source>Colour pictures: the number of one colour, from 0, or &apos;magnitude&apos;.</source>
         <translation>Bei farbigen Bildern: die Nummer einer Farbe, ab 0, oder „magnitude“ für den Betrag.</translation>
     </message>
     <message>
-        <source>Of pictures at several times, or of several volumes on one place: which one, from 1; 0 takes the first, of DICOM files that of the file.</source>
+        <source>Pictures at several times, or several volumes at one place: which one, from 1; 0 takes the first, or for DICOM files the one of the file.</source>
         <translation>Bei Bildern zu mehreren Zeiten oder mehreren Volumen an einem Ort: welches, ab 1; 0 nimmt das erste, bei DICOM-Dateien das der Datei.</translation>
     </message>
     <message>
@@ -9372,7 +9324,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie ist weder DICOM noch TIFF. Lassen Sie TAn den Leser wählen.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libgdcm-dev libtiff-dev&apos;), or convert the file to NRRD.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libgdcm-dev libtiff-dev&apos;), or convert the file to NRRD.</source>
         <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: bauen Sie es nach „apt install libgdcm-dev libtiff-dev“ neu), oder wandeln Sie die Datei in NRRD um.</translation>
     </message>
     <message>
@@ -9392,7 +9344,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat %1 Kanäle und beschreibt %2</translation>
     </message>
     <message>
-        <source>a plane lies behind its %1 slices and %2 times</source>
+        <source>a plane lies beyond its %1 slices and %2 times</source>
         <translation>eine Ebene liegt hinter ihren %1 Schichten und %2 Zeiten</translation>
     </message>
     <message>
@@ -9404,7 +9356,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1</translation>
     </message>
     <message>
-        <source>it has no images; the file that has them may be another one</source>
+        <source>it has no images; they may be in another file</source>
         <translation>sie hat keine Bilder; die Datei, die sie hat, ist vielleicht eine andere</translation>
     </message>
     <message>
@@ -9428,11 +9380,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Reihenfolge ihrer Dimensionen ist „%1“</translation>
     </message>
     <message>
-        <source>this TAn was built without libtiff, which reads TIFF. Build it anew after &apos;apt install libtiff-dev&apos;, or convert the file to NRRD.</source>
+        <source>this TAn was built without libtiff, which reads TIFF. Rebuild it after &apos;apt install libtiff-dev&apos;, or convert the file to NRRD.</source>
         <translation>dieses TAn wurde ohne libtiff gebaut, das TIFF liest. Bauen Sie es nach „apt install libtiff-dev“ neu, oder wandeln Sie die Datei in NRRD um.</translation>
     </message>
     <message>
-        <source>libtiff says: %1. The file is damaged, or of a kind that libtiff does not know: copy or export it again.</source>
+        <source>libtiff says: %1. The file is damaged, or of a kind that libtiff does not support: copy or export it again.</source>
         <translation>libtiff sagt: %1. Die Datei ist beschädigt oder von einer Art, die libtiff nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -9440,7 +9392,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie ist in Stücke ohne Größe geteilt.</translation>
     </message>
     <message>
-        <source>its pieces are of no size that can be.</source>
+        <source>its pieces have an impossible size.</source>
         <translation>ihre Stücke haben eine unmögliche Größe.</translation>
     </message>
     <message>
@@ -9460,11 +9412,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre %1 Zeitpunkte als Schichten</translation>
     </message>
     <message>
-        <source>its OME description names each plane many times. The file is damaged: export it again.</source>
+        <source>its OME description lists each plane many times. The file is damaged: export it again.</source>
         <translation>ihre OME-Beschreibung nennt jede Ebene viele Male. Die Datei ist beschädigt: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its OME description says of slice %1 not where it is. Export the file again.</source>
+        <source>its OME description does not tell where slice %1 is. Export the file again.</source>
         <translation>ihre OME-Beschreibung sagt von Schicht %1 nicht, wo sie steht. Exportieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -9476,15 +9428,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält %1 Bilder; die anderen werden nicht gelesen. Wählen Sie eines mit „series“.</translation>
     </message>
     <message>
-        <source>ImageJ&apos;s description says that it holds %1 slices, and their pixels are not all there. It is cut short: copy the file again.</source>
+        <source>ImageJ&apos;s description claims %1 slices, but some of their pixels are missing. It is cut short: copy the file again.</source>
         <translation>Nach der Beschreibung von ImageJ enthält sie %1 Schichten, deren Pixel aber nicht alle da sind. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>ImageJ&apos;s description names %1 planes, and there are %2 pages; each is taken for a slice.</source>
+        <source>ImageJ&apos;s description lists %1 planes, and there are %2 pages; each is read as a slice.</source>
         <translation>Die Beschreibung von ImageJ nennt %1 Ebenen, und es gibt %2 Seiten; jede wird als Schicht genommen.</translation>
     </message>
     <message>
-        <source>The numbers of its files, from %1 to %2, do not follow each other; the slices are taken to lie evenly.</source>
+        <source>The numbers of its files, from %1 to %2, are not consecutive; the slices are taken to be evenly spaced.</source>
         <translation>Die Nummern ihrer Dateien, von %1 bis %2, folgen nicht lückenlos aufeinander; angenommen wird, dass die Schichten gleichmäßig liegen.</translation>
     </message>
     <message>
@@ -9492,19 +9444,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Unter ihren nummerierten Dateien fehlen Schichten: %1 (%2). Die Lücken bleiben, und über sie hinweg werden die Werte interpoliert.</translation>
     </message>
     <message>
-        <source>It has pages of its own; the %1 files beside it that are numbered as it is are not read.</source>
+        <source>It has pages of its own; the %1 files next to it with the same kind of number are not read.</source>
         <translation>Sie hat eigene Seiten; die %1 Dateien neben ihr, die wie sie nummeriert sind, werden nicht gelesen.</translation>
     </message>
     <message>
-        <source>its description names page %1, and it has %2. Export it again.</source>
+        <source>its description refers to page %1, and it has %2. Export it again.</source>
         <translation>ihre Beschreibung nennt Seite %1, und die Datei hat %2. Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>page %1 is of another size or type than the first slice. The slices of one volume are of one size.</source>
+        <source>page %1 has another size or type than the first slice. The slices of one volume have one size.</source>
         <translation>Seite %1 hat eine andere Größe oder einen anderen Typ als die erste Schicht. Die Schichten eines Volumens haben alle dieselbe Größe.</translation>
     </message>
     <message>
-        <source>its pixels have %1 components, and number %2 is asked for. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
+        <source>its pixels have %1 components, and number %2 was requested. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
         <translation>ihre Pixel haben %1 Komponenten, und verlangt ist Nummer %2. Wählen Sie eine von 0 bis %3, oder „magnitude“.</translation>
     </message>
     <message>
@@ -9536,19 +9488,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Bilder sollen kleine Werte hell zeigen; die Werte sind so, wie sie in der Datei stehen.</translation>
     </message>
     <message>
-        <source>its samples have %1 bits and the format %2 (SampleFormat), which TAn does not read. Write whole numbers or floating point numbers of 32 bits.</source>
+        <source>its samples have %1 bits and the format %2 (SampleFormat), which TAn does not read. Write whole numbers or floating-point numbers of 32 bits.</source>
         <translation>ihre Abtastwerte haben %1 Bit und das Format %2 (SampleFormat), was TAn nicht liest. Schreiben Sie ganze Zahlen oder Gleitkommazahlen mit 32 Bit.</translation>
     </message>
     <message>
-        <source>ImageJ&apos;s calibration of the values is not used: they are as they are stored.</source>
+        <source>ImageJ&apos;s calibration of the values is not used: the stored values are.</source>
         <translation>Die Kalibrierung der Werte durch ImageJ wird nicht benutzt: Sie sind so, wie sie gespeichert sind.</translation>
     </message>
     <message>
-        <source>It says %1 pixels per inch, as pictures without a scale do; that is not used.</source>
+        <source>It states %1 pixels per inch, as pictures without a scale do; that is not used.</source>
         <translation>Sie nennt %1 Pixel pro Zoll, wie Bilder ohne Maßstab es tun; das wird nicht benutzt.</translation>
     </message>
     <message>
-        <source>slices 1 %1 apart, as ImageJ takes it without &apos;spacing&apos;</source>
+        <source>slices 1 %1 apart, as ImageJ assumes without &apos;spacing&apos;</source>
         <translation>Schichten im Abstand von 1 %1, wie ImageJ es ohne „spacing“ annimmt</translation>
     </message>
     <message>
@@ -9584,11 +9536,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihr %1, „%2“, ist nicht zu verstehen. Berichtigen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>The file does not tell the byte order of its numbers: that of this computer was assumed.</source>
+        <source>The file does not state the byte order of its numbers: that of this computer was assumed.</source>
         <translation>Die Datei nennt die Bytefolge ihrer Zahlen nicht: Die dieses Rechners wurde angenommen.</translation>
     </message>
     <message>
-        <source>Its bytes from 0 to 255 became the numbers from %1 to %2, as it says.</source>
+        <source>Its bytes from 0 to 255 were converted to the numbers from %1 to %2, as it states.</source>
         <translation>Aus ihren Bytes von 0 bis 255 wurden die Zahlen von %1 bis %2, wie sie es angibt.</translation>
     </message>
     <message>
@@ -9624,11 +9576,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie endet in ihrem Kopf, nach Zeile %1. Sie ist abgeschnitten.</translation>
     </message>
     <message>
-        <source>line %1 of it is not %2, as a Gaussian cube has it there. Correct the line, or write the file again.</source>
+        <source>line %1 of it is not %2, which a Gaussian cube has there. Correct the line, or write the file again.</source>
         <translation>in Zeile %1 steht nicht das Erwartete (%2), wie es ein Gaussian-Cube dort hat. Berichtigen Sie die Zeile, oder schreiben Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>an atom (its number, charge and place)</source>
+        <source>an atom (its number, charge and position)</source>
         <translation>ein Atom (seine Nummer, seine Ladung und sein Ort)</translation>
     </message>
     <message>
@@ -9636,11 +9588,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Zahl der Atome ist negativ, und auf die Atome folgt keine Liste von Orbitalen. Berichtigen Sie sie, oder schreiben Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>the list behind its atoms does not have the numbers of %1 orbitals. Correct it, or write the file again.</source>
+        <source>the list after its atoms does not have the numbers of %1 orbitals. Correct it, or write the file again.</source>
         <translation>die Liste hinter ihren Atomen enthält nicht die Nummern von %1 Orbitalen. Berichtigen Sie sie, oder schreiben Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>line 3 of it ends with &apos;%1&apos;, and a number of values at each point is wanted there. Correct it, or leave it out.</source>
+        <source>line 3 of it ends with &apos;%1&apos;, where a number of values at each point is expected. Correct it, or leave it out.</source>
         <translation>ihre Zeile 3 endet mit „%1“, und verlangt ist dort die Zahl der Werte an jedem Punkt. Berichtigen Sie die Angabe, oder lassen Sie sie weg.</translation>
     </message>
     <message>
@@ -9656,7 +9608,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie nennt %1 Atome, die nicht gezeigt werden.</translation>
     </message>
     <message>
-        <source>its header asks for %1 values at each point, and at most %2 are read. Write fewer orbitals into a file.</source>
+        <source>its header requires %1 values at each point, and at most %2 are read. Write fewer orbitals into a file.</source>
         <translation>ihr Kopf verlangt %1 Werte an jedem Punkt, und höchstens %2 werden gelesen. Schreiben Sie weniger Orbitale in eine Datei.</translation>
     </message>
     <message>
@@ -9692,7 +9644,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Werte sind vom Typ „%1“, der nicht gelesen wird. Exportieren Sie reelle Zahlen.</translation>
     </message>
     <message>
-        <source>its array does not say where its data are. Export it again.</source>
+        <source>its array does not state where its data are. Export it again.</source>
         <translation>ihr Array sagt nicht, wo seine Daten stehen. Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -9708,7 +9660,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie ist nicht als OpenDX-Datei zu verstehen: %1. Schreiben Sie sie noch einmal, als ein Feld mit regelmäßigen Positionen.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; behind &apos;%2&apos; is no whole number</source>
+        <source>&apos;%1&apos; after &apos;%2&apos; is not a whole number</source>
         <translation>„%1“ hinter „%2“ ist keine ganze Zahl</translation>
     </message>
     <message>
@@ -9716,7 +9668,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>auf „data file“ folgt kein Name</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; behind &apos;data&apos; says no place</source>
+        <source>&apos;%1&apos; after &apos;data&apos; is not a position</source>
         <translation>„%1“ hinter „data“ nennt keinen Ort</translation>
     </message>
     <message>
@@ -9736,7 +9688,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>eines ihrer Arrays sollte %1 Elemente haben, und die Datei endet vorher. Sie ist abgeschnitten, oder die Zahl ist falsch.</translation>
     </message>
     <message>
-        <source>&apos;--%1&apos; chooses among several volumes or components, and &apos;%2&apos; has one number for each point. Leave it out.</source>
+        <source>&apos;--%1&apos; selects among several volumes or components, and &apos;%2&apos; has one number for each point. Leave it out.</source>
         <translation>„--%1“ wählt unter mehreren Volumen oder Komponenten, und „%2“ hat eine Zahl für jeden Punkt. Lassen Sie die Option weg.</translation>
     </message>
     <message>
@@ -9756,11 +9708,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Matrix dreht den Raum in ihre weiteren Achsen. Schreiben Sie ein einzelnes Volumen daraus.</translation>
     </message>
     <message>
-        <source>Its header gives the same by two names, which differ: %1 was taken, and %2 (%3) was not.</source>
+        <source>Its header gives the same quantity under two names, with different values: %1 was used, and %2 (%3) was not.</source>
         <translation>Ihr Kopf gibt dasselbe unter zwei Namen verschieden an: %1 wurde genommen, und %2 (%3) nicht.</translation>
     </message>
     <message>
-        <source>it holds no image: its ObjectType is &apos;%1&apos;. TAn reads images alone of this format.</source>
+        <source>it holds no image: its ObjectType is &apos;%1&apos;. TAn reads only images of this format.</source>
         <translation>sie enthält kein Bild: Ihr ObjectType ist „%1“. TAn liest von diesem Format nur Bilder.</translation>
     </message>
     <message>
@@ -9768,11 +9720,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat %1 Dimensionen, und ein Volumen hat drei. Schreiben Sie ihre Bilder als ein Volumen oder einen Teil davon mit drei Dimensionen.</translation>
     </message>
     <message>
-        <source>Its header does not say in which order the bytes of a number are: that of this machine was taken, %1 endian.</source>
+        <source>Its header does not state the byte order of its numbers: that of this machine was assumed, %1 endian.</source>
         <translation>Ihr Kopf sagt nicht, in welcher Folge die Bytes einer Zahl stehen: Die dieses Rechners wurde genommen, %1 endian.</translation>
     </message>
     <message>
-        <source>Its header says how intensities follow from samples (times %1, plus %2), which was not applied.</source>
+        <source>Its header states how intensities follow from samples (times %1, plus %2), which was not applied.</source>
         <translation>Ihr Kopf sagt, wie Intensitäten aus den Abtastwerten folgen (mal %1, plus %2); das wurde nicht angewandt.</translation>
     </message>
     <message>
@@ -9780,23 +9732,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr CenterOfRotation wurde nicht benutzt: Ein Abtastwert liegt bei Offset plus ihren Richtungen mal ihren Abständen, wie in ITK.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and the header of a map alone has %2. It is no map, or cut short: copy the file again.</source>
+        <source>it has %1 bytes, and the header of a map alone has %2. It is cut short, or not a map: copy the file again.</source>
         <translation>sie hat %1 Bytes, und der Kopf einer Karte allein hat %2. Sie ist keine Karte oder abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>Its cell angles are %1, which no cell has; right angles were taken.</source>
+        <source>Its cell angles are %1, which no cell has; right angles were used.</source>
         <translation>Ihre Zellwinkel sind %1, die keine Zelle haben kann; rechte Winkel wurden genommen.</translation>
     </message>
     <message>
-        <source>Its header says that its columns, rows and sections run along the axes %1, %2 and %3, which cannot be; x, y and z were taken.</source>
+        <source>Its header states that its columns, rows and sections run along the axes %1, %2 and %3, which is impossible; x, y and z were used.</source>
         <translation>Nach ihrem Kopf laufen ihre Spalten, Zeilen und Schnitte entlang der Achsen %1, %2 und %3, was nicht sein kann; x, y und z wurden genommen.</translation>
     </message>
     <message>
-        <source>Its ORIGIN is no finite number and was not used.</source>
+        <source>Its ORIGIN is not a finite number and was not used.</source>
         <translation>Ihr ORIGIN ist keine endliche Zahl und wurde nicht benutzt.</translation>
     </message>
     <message>
-        <source>By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at %2; its ORIGIN was taken.</source>
+        <source>By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at %2; its ORIGIN was used.</source>
         <translation>Nach ihrem NXSTART, NYSTART und NZSTART (%1) läge der erste Abtastwert bei %2; ihr ORIGIN wurde genommen.</translation>
     </message>
     <message>
@@ -9808,15 +9760,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Kopf hat eine Matrix, die die Karte dreht (LSKFLG); sie wurde nicht benutzt.</translation>
     </message>
     <message>
-        <source>Its bytes were taken as unsigned, from 0 to 255, as IMOD&apos;s flag says.</source>
+        <source>Its bytes were read as unsigned, from 0 to 255, as IMOD&apos;s flag states.</source>
         <translation>Ihre Bytes wurden ohne Vorzeichen genommen, von 0 bis 255, wie das Kennzeichen von IMOD es sagt.</translation>
     </message>
     <message>
-        <source>Its bytes were taken as unsigned, from 0 to 255, since its header says that the largest value is %1.</source>
+        <source>Its bytes were read as unsigned, from 0 to 255, because its header states that the largest value is %1.</source>
         <translation>Ihre Bytes wurden ohne Vorzeichen genommen, von 0 bis 255, weil nach ihrem Kopf der größte Wert %1 ist.</translation>
     </message>
     <message>
-        <source>its samples have four bits each (mode 101), which is not read. Write it with bytes (mode 0), for instance by IMOD&apos;s &apos;newstack -mode 0&apos;.</source>
+        <source>its samples have four bits each (mode 101), which is not read. Write it with bytes (mode 0), for instance with IMOD&apos;s &apos;newstack -mode 0&apos;.</source>
         <translation>ihre Abtastwerte haben je vier Bit (Modus 101), was nicht gelesen wird. Schreiben Sie sie mit Bytes (Modus 0), etwa mit „newstack -mode 0“ von IMOD.</translation>
     </message>
     <message>
@@ -9828,19 +9780,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Abtastwerte sind komplexe Zahlen (Modus %1), wie die einer Fouriertransformierten: Ihre Orte sind nicht die eines Körpers.</translation>
     </message>
     <message>
-        <source>The machine stamp of its header does not say in which order its bytes are: the one in which its numbers make sense was taken, %1 endian.</source>
+        <source>The machine stamp of its header does not state the byte order: the one in which its numbers are plausible was used, %1 endian.</source>
         <translation>Die Maschinenkennung in ihrem Kopf sagt nicht, in welcher Folge ihre Bytes stehen: Die, in der ihre Zahlen einen Sinn ergeben, wurde genommen, %1 endian.</translation>
     </message>
     <message>
-        <source>Its header says that it is a stack of %1 pictures, and no volume (space group 0, MZ 1); it was read as a volume.</source>
+        <source>Its header states that it is a stack of %1 pictures and not a volume (space group 0, MZ 1); it was read as a volume.</source>
         <translation>Nach ihrem Kopf ist sie ein Stapel aus %1 Bildern und kein Volumen (Raumgruppe 0, MZ 1); sie wurde als Volumen gelesen.</translation>
     </message>
     <message>
-        <source>its header says that it has %1 x %2 x %3 points, behind an extension of %4 bytes. It is damaged, or no map: copy or export it again.</source>
+        <source>its header claims %1 x %2 x %3 points, after an extension of %4 bytes. It is damaged, or not a map: copy or export it again.</source>
         <translation>nach ihrem Kopf hat sie %1 x %2 x %3 Punkte, hinter einer Erweiterung von %4 Bytes. Sie ist beschädigt oder keine Karte: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>it does not begin as the headers of NIfTI and Analyze 7.5 do. It is of another format, or damaged.</source>
+        <source>it does not begin like a header of NIfTI or Analyze 7.5. It is of another format, or damaged.</source>
         <translation>sie beginnt nicht wie die Köpfe von NIfTI und Analyze 7.5. Sie hat ein anderes Format oder ist beschädigt.</translation>
     </message>
     <message>
@@ -9880,7 +9832,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre qform legte sie an einen anderen Ort, bis zu %1 entfernt; sie wurde nicht benutzt.</translation>
     </message>
     <message>
-        <source>Its pixdim says that samples are %1 x %2 x %3 apart, which was not used.</source>
+        <source>Its pixdim states that samples are %1 x %2 x %3 apart, which was not used.</source>
         <translation>Nach ihrem pixdim haben die Abtastwerte die Abstände %1 x %2 x %3; das wurde nicht benutzt.</translation>
     </message>
     <message>
@@ -9888,7 +9840,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>nur Abstände (pixdim)</translation>
     </message>
     <message>
-        <source>Its header says neither where it lies nor which side of it is the left one: it has no sform and no qform.</source>
+        <source>Its header states neither where it lies nor which side of it is the left one: it has no sform and no qform.</source>
         <translation>Ihr Kopf sagt weder, wo sie liegt, noch welche ihrer Seiten die linke ist: Sie hat keine sform und keine qform.</translation>
     </message>
     <message>
@@ -9896,7 +9848,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Abstände, und der Ursprung, wie SPM ihn schreibt</translation>
     </message>
     <message>
-        <source>Its header, of Analyze 7.5, does not say which side of it is the left one. Convert it to NIfTI with a program that knows where it comes from.</source>
+        <source>Its header, of Analyze 7.5, does not state which side of it is the left one. Convert it to NIfTI with a program that knows where it comes from.</source>
         <translation>Ihr Kopf, von Analyze 7.5, sagt nicht, welche ihrer Seiten die linke ist. Wandeln Sie sie mit einem Programm in NIfTI um, das weiß, woher sie kommt.</translation>
     </message>
     <message>
@@ -9904,11 +9856,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Code für die Ausrichtung, %1, wurde nicht benutzt.</translation>
     </message>
     <message>
-        <source>Its sform leads nowhere (its steps lie in a plane, or are no finite numbers); it was not used.</source>
+        <source>Its sform is unusable (its steps lie in a plane, or are not finite numbers); it was not used.</source>
         <translation>Ihre sform führt nirgendwohin (ihre Schritte liegen in einer Ebene oder sind keine endlichen Zahlen); sie wurde nicht benutzt.</translation>
     </message>
     <message>
-        <source>Its qform leads nowhere (its numbers are not finite, or too large or small); it was not used.</source>
+        <source>Its qform is unusable (its numbers are not finite, or too large or small); it was not used.</source>
         <translation>Ihre qform führt nirgendwohin (ihre Zahlen sind nicht endlich oder zu groß oder zu klein); sie wurde nicht benutzt.</translation>
     </message>
     <message>
@@ -9920,7 +9872,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>qform, Koordinaten %1</translation>
     </message>
     <message>
-        <source>its samples are floating-point numbers of 128 bits, which are not read: what they are differs from machine to machine. Write them with 64 bits.</source>
+        <source>its samples are floating-point numbers of 128 bits, which are not read: their layout differs from machine to machine. Write them with 64 bits.</source>
         <translation>ihre Abtastwerte sind Gleitkommazahlen mit 128 Bit, die nicht gelesen werden: Was sie bedeuten, ist von Rechner zu Rechner verschieden. Schreiben Sie sie mit 64 Bit.</translation>
     </message>
     <message>
@@ -9928,15 +9880,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Abtastwerte sind einzelne Bits, die nicht gelesen werden. Schreiben Sie sie als Bytes.</translation>
     </message>
     <message>
-        <source>its samples are of the type %1, which NIfTI does not know. The file is damaged: copy or export it again.</source>
+        <source>its samples are of the type %1, which NIfTI does not define. The file is damaged: copy or export it again.</source>
         <translation>ihre Abtastwerte sind vom Typ %1, den NIfTI nicht kennt. Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its header says that it has %1 dimensions. It is damaged: copy or export it again.</source>
+        <source>its header claims %1 dimensions. It is damaged: copy or export it again.</source>
         <translation>nach ihrem Kopf hat sie %1 Dimensionen. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its header says that it has %1 points along its dimension %2. It is damaged: copy or export it again.</source>
+        <source>its header claims %1 points along its dimension %2. It is damaged: copy or export it again.</source>
         <translation>nach ihrem Kopf hat sie %1 Punkte entlang ihrer Dimension %2. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -9944,23 +9896,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält %1-mal so viele Abtastwerte entlang ihrer letzten Dimensionen; die ersten wurden gelesen.</translation>
     </message>
     <message>
-        <source>The samples were multiplied by %1, as SPM means it by the header&apos;s first unused field.</source>
+        <source>The samples were multiplied by %1, which SPM stores in the header&apos;s first unused field.</source>
         <translation>Die Abtastwerte wurden mit %1 multipliziert, wie SPM es mit dem ersten unbenutzten Feld des Kopfes meint.</translation>
     </message>
     <message>
-        <source>The samples were multiplied by %1, and %2 was added, as the header of the file asks.</source>
+        <source>The samples were multiplied by %1, and %2 was added, as the header of the file requires.</source>
         <translation>Die Abtastwerte wurden mit %1 multipliziert, und %2 wurde addiert, wie der Kopf der Datei es verlangt.</translation>
     </message>
     <message>
-        <source>its header says that its samples begin at byte %1, where they cannot be. It is damaged: copy or export it again.</source>
+        <source>its header states that its samples begin at byte %1, which is impossible. It is damaged: copy or export it again.</source>
         <translation>nach ihrem Kopf beginnen ihre Abtastwerte bei Byte %1, wo sie nicht stehen können. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its samples are in a file &apos;%1&apos;, which is missing. Copy it into the folder of this one: the two belong together.</source>
+        <source>its samples are in a file &apos;%1&apos;, which is missing. Copy it into the same folder: the two belong together.</source>
         <translation>ihre Abtastwerte stehen in einer Datei „%1“, die fehlt. Kopieren Sie sie in den Ordner dieser Datei: Die beiden gehören zusammen.</translation>
     </message>
     <message>
-        <source>its header is not that of a NumPy array: %1. Save the array again by numpy.save().</source>
+        <source>its header is not that of a NumPy array: %1. Save the array again with numpy.save().</source>
         <translation>ihr Kopf ist nicht der eines NumPy-Arrays: %1. Speichern Sie das Array noch einmal mit numpy.save().</translation>
     </message>
     <message>
@@ -9976,11 +9928,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„descr“, „fortran_order“ oder „shape“ fehlt</translation>
     </message>
     <message>
-        <source>its first bytes are others</source>
+        <source>its first bytes are different</source>
         <translation>die ersten Bytes sind andere</translation>
     </message>
     <message>
-        <source>it has version %1 of NumPy&apos;s format, and versions 1 to 3 are read. Save it again by numpy.save() of an earlier NumPy.</source>
+        <source>it has version %1 of NumPy&apos;s format, and versions 1 to 3 are read. Save it again with numpy.save() of an earlier NumPy.</source>
         <translation>sie hat Version %1 des NumPy-Formats, und gelesen werden die Versionen 1 bis 3. Speichern Sie sie noch einmal mit numpy.save() eines früheren NumPy.</translation>
     </message>
     <message>
@@ -9988,11 +9940,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>das Ende fehlt</translation>
     </message>
     <message>
-        <source>its elements are records of several fields. Save one field by itself: numpy.save(name, array[&apos;field&apos;]).</source>
+        <source>its elements are records of several fields. Save one field on its own: numpy.save(name, array[&apos;field&apos;]).</source>
         <translation>ihre Elemente sind Datensätze aus mehreren Feldern. Speichern Sie ein Feld für sich: numpy.save(name, array[&apos;field&apos;]).</translation>
     </message>
     <message>
-        <source>its elements are objects of Python, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
+        <source>its elements are Python objects, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
         <translation>ihre Elemente sind Python-Objekte, die nur Python lesen kann. Speichern Sie ein Array aus Zahlen: array.astype(&apos;float32&apos;).</translation>
     </message>
     <message>
@@ -10012,31 +9964,31 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>space directions</translation>
     </message>
     <message>
-        <source>Its samples stand for numbers from %1 to %2 (&apos;old min&apos;, &apos;old max&apos;), from which they were quantized; they are taken as they are stored.</source>
+        <source>Its samples stand for numbers from %1 to %2 (&apos;old min&apos;, &apos;old max&apos;), from which they were quantized; they are used as stored.</source>
         <translation>Ihre Abtastwerte stehen für Zahlen von %1 bis %2 („old min“, „old max“), aus denen sie quantisiert wurden; sie werden genommen, wie sie gespeichert sind.</translation>
     </message>
     <message>
-        <source>Its spacings and the ends of its axes are not used: its space directions say where it lies.</source>
+        <source>Its spacings and the ends of its axes are not used: its space directions state where it lies.</source>
         <translation>Ihre Abstände und die Enden ihrer Achsen werden nicht benutzt: Ihre space directions sagen, wo sie liegt.</translation>
     </message>
     <message>
-        <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as of a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
+        <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as for a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
         <translation>ihre Abtastwerte sind von einem Typ, der nach dem Format 4 Bytes hat, und für %2 Abtastwerte gibt es %1 Bytes: so viele wie bei einem Typ von 8 Bytes. Schreiben Sie sie als MET_INT oder MET_LONG_LONG.</translation>
     </message>
     <message>
-        <source>%1 bytes behind its samples were not read.</source>
+        <source>%1 bytes after its samples were not read.</source>
         <translation>%1 Bytes hinter ihren Abtastwerten wurden nicht gelesen.</translation>
     </message>
     <message>
-        <source>its header asks for more samples than any file holds. It is damaged: copy or export it again.</source>
+        <source>its header requires more samples than any file holds. It is damaged: copy or export it again.</source>
         <translation>ihr Kopf verlangt mehr Abtastwerte, als irgendeine Datei enthält. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>it has one time step, and number %1 was asked for. Leave &apos;--time&apos; out.</source>
+        <source>it has one time step, and number %1 was requested. Leave &apos;--time&apos; out.</source>
         <translation>sie hat einen Zeitschritt, und verlangt war Nummer %1. Lassen Sie „--time“ weg.</translation>
     </message>
     <message>
-        <source>it has %1 time steps, and number %2 was asked for. Give one from 1 to %1.</source>
+        <source>it has %1 time steps, and number %2 was requested. Give one from 1 to %1.</source>
         <translation>sie hat %1 Zeitschritte, und verlangt ist Nummer %2. Geben Sie einen von 1 bis %1 an.</translation>
     </message>
     <message>
@@ -10048,7 +10000,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält %1 Volumen; die anderen werden nicht gelesen.</translation>
     </message>
     <message>
-        <source>it has one number for each sample, and component &apos;%1&apos; was asked for. Leave &apos;--component&apos; out.</source>
+        <source>it has one number for each sample, and component &apos;%1&apos; was requested. Leave &apos;--component&apos; out.</source>
         <translation>sie hat eine Zahl je Abtastwert, und verlangt ist Komponente „%1“. Lassen Sie „--component“ weg.</translation>
     </message>
     <message>
@@ -10072,11 +10024,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 ...</translation>
     </message>
     <message>
-        <source>Files with several sets of values (Gaussian cube, OpenDX): one, by name or by number from 1; nothing takes the first.</source>
+        <source>Files with several sets of values (Gaussian cube, OpenDX): one of them, by name or by number from 1; by default the first.</source>
         <translation>Dateien mit mehreren Sätzen von Werten (Gaussian-Cube, OpenDX): einer, nach Name oder Nummer ab 1; ohne Angabe der erste.</translation>
     </message>
     <message>
-        <source>it has no array &apos;%1&apos;, but a single one. Leave &apos;--array&apos; out.</source>
+        <source>it has only one array, and not &apos;%1&apos;. Leave &apos;--array&apos; out.</source>
         <translation>sie hat kein Feld „%1“, sondern nur ein einziges. Lassen Sie „--array“ weg.</translation>
     </message>
     <message>
@@ -10108,11 +10060,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Quader von Werten (*.bov)</translation>
     </message>
     <message>
-        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;, or write the mesh as .vtu.</source>
+        <source>Install Python and meshio with &apos;apt install python3-meshio&apos;, or write the mesh as .vtu.</source>
         <translation>Installieren Sie Python und meshio mit „apt install python3-meshio“, oder schreiben Sie das Netz als .vtu.</translation>
     </message>
     <message>
-        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;.</source>
+        <source>Install Python and meshio with &apos;apt install python3-meshio&apos;.</source>
         <translation>Installieren Sie Python und meshio mit „apt install python3-meshio“.</translation>
     </message>
     <message>
@@ -10120,7 +10072,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Exportieren Sie sie noch einmal, als .vtu, wenn das Programm es kann.</translation>
     </message>
     <message>
-        <source>it is of no format that TAn leaves to meshio. Let TAn choose the reader.</source>
+        <source>its format is not one that TAn leaves to meshio. Let TAn choose the reader.</source>
         <translation>sie hat kein Format, das TAn meshio überlässt. Lassen Sie TAn den Leser wählen.</translation>
     </message>
     <message>
@@ -10148,16 +10100,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Medit-Netz (*.mesh *.meshb)</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos;, which does not lie in its folder. Move the files together.</source>
+        <source>it refers to the file &apos;%1&apos;, which is not in its folder. Put the files into one folder.</source>
         <translation>sie nennt die Datei „%1“, die nicht in ihrem Ordner liegt. Verschieben Sie die Dateien gemeinsam.</translation>
     </message>
     <message>
         <source>it holds a mesh, and no values at its points or cells. Export the results with the mesh, as .vtu if the program can.</source>
         <translation>sie enthält ein Netz, aber keine Werte an dessen Punkten oder Zellen. Exportieren Sie die Ergebnisse mit dem Netz, als .vtu, wenn das Programm es kann.</translation>
-    </message>
-    <message>
-        <source>it has no array &apos;%1&apos;; there are %2.</source>
-        <translation>sie hat kein Feld „%1“; es gibt %2.</translation>
     </message>
     <message>
         <source>its array &apos;%1&apos; has the components 0 to %2, and no component %3.</source>
@@ -10168,23 +10116,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>eine ihrer Zellen hat eine Ecke, die keiner ihrer %1 Punkte ist. Sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>its points lie in a plane. A mesh of three dimensions is wanted.</source>
+        <source>its points lie in a plane. A three-dimensional mesh is needed.</source>
         <translation>ihre Punkte liegen in einer Ebene. Gebraucht wird ein Netz mit drei Dimensionen.</translation>
     </message>
     <message>
-        <source>%1 cells of the kind &apos;%2&apos; were left out: TAn knows none like them.</source>
+        <source>%1 cells of the kind &apos;%2&apos; were left out: TAn does not support them.</source>
         <translation>%1 Zellen der Art „%2“ wurden weggelassen: Solche kennt TAn nicht.</translation>
     </message>
     <message>
-        <source>meshio, which reads such files, is not installed. Install it by &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
+        <source>meshio, which reads such files, is not installed. Install it with &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
         <translation>meshio, das solche Dateien liest, ist nicht installiert. Installieren Sie es mit „apt install python3-meshio“ (andere Systeme: „pip install meshio“), oder schreiben Sie das Netz als .vtu.</translation>
     </message>
     <message>
-        <source>meshio needs the Python module &apos;%1&apos; for it. Install it by &apos;apt install python3-%1&apos;, or write the mesh as .vtu.</source>
+        <source>meshio needs the Python module &apos;%1&apos; for it. Install it with &apos;apt install python3-%1&apos;, or write the mesh as .vtu.</source>
         <translation>meshio braucht dafür das Python-Modul „%1“. Installieren Sie es mit „apt install python3-%1“, oder schreiben Sie das Netz als .vtu.</translation>
     </message>
     <message>
-        <source>the system says: %1. See that the file and those that it names can be read.</source>
+        <source>the system says: %1. Check that the file and those that it refers to can be read.</source>
         <translation>das System meldet: %1. Sorgen Sie dafür, dass die Datei und die, die sie nennt, gelesen werden können.</translation>
     </message>
     <message>
@@ -10196,15 +10144,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ für „index“ ist nicht zu verstehen. Geben Sie den Namen jeder Dimension mit einer Nummer ab 1 an, wie in member=3,type=1.</translation>
     </message>
     <message>
-        <source>its list &apos;%1&apos; is missing or shorter than its elements ask for. It is damaged: export it again.</source>
+        <source>its list &apos;%1&apos; is missing or shorter than its elements require. It is damaged: export it again.</source>
         <translation>ihre Liste „%1“ fehlt oder ist kürzer, als ihre Elemente verlangen. Sie ist beschädigt: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its list &apos;%1&apos; names number %2, and there are %3. It is damaged: export it again.</source>
+        <source>its list &apos;%1&apos; contains number %2, and there are %3. It is damaged: export it again.</source>
         <translation>ihre Liste „%1“ nennt Nummer %2, und es gibt %3. Sie ist beschädigt: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has not %2 values at time step %3. It is damaged or was not written to its end: export it again.</source>
+        <source>its variable &apos;%1&apos; does not have %2 values at time step %3. It is damaged or was not written completely: export it again.</source>
         <translation>ihre Variable „%1“ hat zum Zeitschritt %3 nicht %2 Werte. Sie ist beschädigt oder wurde nicht zu Ende geschrieben: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -10216,7 +10164,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Koordinaten „%1“ sind nicht die von %2 Knoten. Sie ist beschädigt: Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>it names a variable number %1 at its nodes and has no values of it. Export it again.</source>
+        <source>it lists a variable number %1 at its nodes but has no values of it. Export it again.</source>
         <translation>sie nennt eine Variable Nummer %1 an ihren Knoten und hat keine Werte davon. Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -10224,7 +10172,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 und %2 weitere</translation>
     </message>
     <message>
-        <source>it has no part &apos;%1&apos;. There is: %2.</source>
+        <source>it has no part &apos;%1&apos;. Available: %2.</source>
         <translation>sie hat keinen Teil „%1“. Es gibt: %2.</translation>
     </message>
     <message>
@@ -10232,7 +10180,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat keine Elemente. Schreiben Sie sie mit einem Netz.</translation>
     </message>
     <message>
-        <source>its elements are of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <source>its elements are of a shape that TAn does not support: %1. Divide them into simpler ones.</source>
         <translation>ihre Elemente haben eine Form, die TAn nicht kennt: %1. Zerlegen Sie sie in einfachere.</translation>
     </message>
     <message>
@@ -10248,7 +10196,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>verschoben um „%1“</translation>
     </message>
     <message>
-        <source>It has displacements (&apos;%1&apos;); its nodes stay where they were before. &apos;displace&apos; moves them.</source>
+        <source>It has displacements (&apos;%1&apos;); its nodes are not moved by them. &apos;displace&apos; moves them.</source>
         <translation>Sie hat Verschiebungen („%1“); ihre Knoten bleiben, wo sie vorher waren. „displace“ verschiebt sie.</translation>
     </message>
     <message>
@@ -10260,7 +10208,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 ihrer Blöcke haben Linien oder Flächen und werden weggelassen.</translation>
     </message>
     <message>
-        <source>%1 of its blocks have elements of a shape that TAn does not know (&apos;%2&apos;) and are left out.</source>
+        <source>%1 of its blocks have elements of a shape that TAn does not support (&apos;%2&apos;) and are left out.</source>
         <translation>%1 ihrer Blöcke haben Elemente einer Form, die TAn nicht kennt („%2“), und werden weggelassen.</translation>
     </message>
     <message>
@@ -10268,7 +10216,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat keine Verschiebungen, deren Namen mit „disp“ beginnen. Lassen Sie „displace“ weg.</translation>
     </message>
     <message>
-        <source>%1 elements have nodes besides those of linear and quadratic shapes, which were left out.</source>
+        <source>%1 elements have nodes beyond those of linear and quadratic shapes, which were left out.</source>
         <translation>%1 Elemente haben außer den Knoten linearer und quadratischer Formen weitere, die weggelassen wurden.</translation>
     </message>
     <message>
@@ -10292,11 +10240,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat keine Variable „%1“ mit drei Dimensionen im Raum. Wählen Sie eine von diesen: %2.</translation>
     </message>
     <message>
-        <source>it is a mesh by the conventions %1, which are not read. Convert it to .vtu, for instance with ParaView.</source>
+        <source>it is a mesh that follows the conventions %1, which are not read. Convert it to .vtu, for instance with ParaView.</source>
         <translation>sie ist ein Netz nach den Konventionen %1, die nicht gelesen werden. Wandeln Sie sie in .vtu um, etwa mit ParaView.</translation>
     </message>
     <message>
-        <source>it holds no variables but coordinates. Write it with values.</source>
+        <source>it holds no variables other than coordinates. Write it with values.</source>
         <translation>sie enthält keine Variablen außer Koordinaten. Schreiben Sie sie mit Werten.</translation>
     </message>
     <message>
@@ -10316,7 +10264,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat keinen Zeitschritt: Entlang ihrer Dimension „%1“ wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>it has %1 numbers along &apos;%2&apos;, and %3 is asked for with &apos;index&apos;.</source>
+        <source>it has %1 numbers along &apos;%2&apos;, and %3 was requested with &apos;index&apos;.</source>
         <translation>sie hat %1 Nummern entlang „%2“, und mit „index“ wird %3 verlangt.</translation>
     </message>
     <message>
@@ -10324,7 +10272,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 %2 von %3</translation>
     </message>
     <message>
-        <source>its variable %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <source>its variable %1 has no further dimension &apos;%2&apos;, which was requested with &apos;index&apos;.</source>
         <translation>ihre Variable %1 hat keine weitere Dimension „%2“, die mit „index“ verlangt wird.</translation>
     </message>
     <message>
@@ -10336,7 +10284,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, Zeit %2 (%3)</translation>
     </message>
     <message>
-        <source>%1, with which the NetCDF library fills what nobody wrote</source>
+        <source>%1, with which the NetCDF library fills what was never written</source>
         <translation>%1, womit die NetCDF-Bibliothek füllt, was niemand geschrieben hat</translation>
     </message>
     <message>
@@ -10348,7 +10296,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihrer Variablen „%1“</translation>
     </message>
     <message>
-        <source>it does not begin as NetCDF files do. It is of another format, or damaged.</source>
+        <source>it does not begin like a NetCDF file. It is of another format, or damaged.</source>
         <translation>sie beginnt nicht wie eine NetCDF-Datei. Sie hat ein anderes Format oder ist beschädigt.</translation>
     </message>
     <message>
@@ -10368,11 +10316,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihren Dimensionen</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has a dimension that no group around it has. It is damaged: copy or export it again.</source>
+        <source>its variable &apos;%1&apos; has a dimension that none of its enclosing groups has. It is damaged: copy or export it again.</source>
         <translation>ihre Variable „%1“ hat eine Dimension, die keine Gruppe um sie herum hat. Sie ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>Its longitudes &apos;%1&apos; begin anew within it: they were continued by whole turns of 360 degrees.</source>
+        <source>Its longitudes &apos;%1&apos; start again within it: they were continued in full turns of 360 degrees.</source>
         <translation>Ihre Längengrade „%1“ beginnen zwischendrin von vorn: Sie wurden um ganze Umdrehungen von 360 Grad fortgesetzt.</translation>
     </message>
     <message>
@@ -10380,7 +10328,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nummern von „%1“</translation>
     </message>
     <message>
-        <source>Its coordinate &apos;%1&apos; counts downwards; it is z as it is, so that up is where z falls.</source>
+        <source>Its coordinate &apos;%1&apos; counts downwards; it is used as z unchanged, so that up is where z decreases.</source>
         <translation>Ihre Koordinate „%1“ zählt nach unten; sie ist z, wie sie ist, sodass oben ist, wo z kleiner wird.</translation>
     </message>
     <message>
@@ -10388,7 +10336,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, %2, %3</translation>
     </message>
     <message>
-        <source>It says which map projection its coordinates belong to (&apos;%1&apos;), which is not used.</source>
+        <source>It states which map projection its coordinates belong to (&apos;%1&apos;), which is not used.</source>
         <translation>Sie sagt, zu welcher Kartenprojektion ihre Koordinaten gehören („%1“); das wird nicht benutzt.</translation>
     </message>
     <message>
@@ -10412,7 +10360,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, %2, Höhe (PH + PHB) / 9.81 in m</translation>
     </message>
     <message>
-        <source>Of Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <source>Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Bei Exodus-Variablen mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
     </message>
     <message>
@@ -10420,11 +10368,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Weitere Dimensionen</translation>
     </message>
     <message>
-        <source>Of variables with more dimensions than space and time: the number along each, from 1, as in member=3; else the first is taken.</source>
+        <source>Variables with more dimensions than space and time: the number along each, from 1, as in member=3; by default the first.</source>
         <translation>Bei Variablen mit mehr Dimensionen als Raum und Zeit: die Nummer entlang jeder, ab 1, wie in member=3; sonst wird die erste genommen.</translation>
     </message>
     <message>
-        <source>Of Exodus files: one element block, by its name, its number from 1 or its id; without it all that have the values.</source>
+        <source>Exodus files: one element block, by its name, its number from 1 or its id; by default all that have the values.</source>
         <translation>Bei Exodus-Dateien: ein Elementblock, nach seinem Namen, seiner Nummer ab 1 oder seiner ID; ohne Angabe alle, die die Werte haben.</translation>
     </message>
     <message>
@@ -10432,11 +10380,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Verschieben</translation>
     </message>
     <message>
-        <source>Of Exodus files with displacements: moves the nodes by them.</source>
+        <source>Exodus files with displacements: moves the nodes by them.</source>
         <translation>Bei Exodus-Dateien mit Verschiebungen: verschiebt die Knoten um diese.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libnetcdf-dev&apos;), or convert the file to NRRD or VTU.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libnetcdf-dev&apos;), or convert the file to NRRD or VTU.</source>
         <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libnetcdf-dev“ neu), oder wandeln Sie die Datei in NRRD oder VTU um.</translation>
     </message>
     <message>
@@ -10444,7 +10392,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Installieren Sie die NetCDF-Bibliothek mit „apt install libnetcdf19“ (andere Systeme: netcdf-c).</translation>
     </message>
     <message>
-        <source>Copy or export it again; &apos;ncdump -h&apos; tells what is in it.</source>
+        <source>Copy or export it again; &apos;ncdump -h&apos; shows its content.</source>
         <translation>Kopieren oder exportieren Sie sie noch einmal; „ncdump -h“ zeigt, was darin ist.</translation>
     </message>
     <message>
@@ -10452,7 +10400,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>NetCDF (*.nc *.nc4 *.netcdf *.cdf *.ncdf)</translation>
     </message>
     <message>
-        <source>The solution says: Mach number %1, angle of attack %2, Reynolds number %3, time %4. They are not used.</source>
+        <source>The solution states: Mach number %1, angle of attack %2, Reynolds number %3, time %4. They are not used.</source>
         <translation>Die Lösung nennt: Mach-Zahl %1, Anstellwinkel %2, Reynolds-Zahl %3, Zeit %4. Das wird nicht benutzt.</translation>
     </message>
     <message>
@@ -10468,11 +10416,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält %1 Gitter; die anderen werden nicht gelesen.</translation>
     </message>
     <message>
-        <source>its %1 grids make no mesh together. %2 Or choose one of them: &apos;grid&apos; from 1 to %3.</source>
+        <source>its %1 grids do not make a mesh together. %2 Alternatively choose one of them: &apos;grid&apos; from 1 to %3.</source>
         <translation>ihre %1 Gitter ergeben zusammen kein Netz. %2 Oder wählen Sie eines davon: „grid“ von 1 bis %3.</translation>
     </message>
     <message>
-        <source>Which grid of a PLOT3D file that holds several, from 1; 0 joins all into one mesh.</source>
+        <source>Which grid of a PLOT3D file with several, from 1; 0 joins all into one mesh.</source>
         <translation>Welches Gitter einer PLOT3D-Datei, die mehrere enthält, ab 1; 0 verbindet alle zu einem Netz.</translation>
     </message>
     <message>
@@ -10480,7 +10428,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat Zahlen in %1 ihrer Spalten, und Punkte brauchen mindestens vier: x, y, z und einen Wert.</translation>
     </message>
     <message>
-        <source>which of its columns are x, y and z? It has %1. Name three of them by &apos;--positions&apos;, or in Import Options, as in --positions %2.</source>
+        <source>which of its columns are x, y and z? It has %1. Name three of them with &apos;--positions&apos;, or in Import Options, as in --positions %2.</source>
         <translation>welche ihrer Spalten sind x, y und z? Sie hat %1. Nennen Sie drei davon mit „--positions“ oder unter Importoptionen, wie in --positions %2.</translation>
     </message>
     <message>
@@ -10488,7 +10436,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Punkte ihrer %1 Teile wurden zusammengefügt.</translation>
     </message>
     <message>
-        <source>Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; &apos;automatic&apos; finds them by their names; if there are no names, it takes the first three.</source>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; &apos;automatic&apos; finds them by their names, or takes the first three if there are no names.</source>
         <translation>Tabellen von Punkten: die Spalten von x, y und z, nach Name oder Nummer, wie in a,b,c oder 1,2,3; „automatic“ findet sie an ihren Namen; gibt es keine Namen, nimmt es die ersten drei.</translation>
     </message>
     <message>
@@ -10496,11 +10444,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Abschnitt „%1“ wird nicht gelesen.</translation>
     </message>
     <message>
-        <source>Its coordinates are in different units (%1, %2, %3) and are taken as they stand.</source>
+        <source>Its coordinates are in different units (%1, %2, %3) and are used as they are.</source>
         <translation>Ihre Koordinaten haben verschiedene Einheiten (%1, %2, %3) und werden genommen, wie sie dastehen.</translation>
     </message>
     <message>
-        <source>Its depths (&apos;%1&apos;) are taken for z as they stand: if they are positive, the data stand on their head.</source>
+        <source>Its depths (&apos;%1&apos;) are used for z as they are: if they are positive, the data are upside down.</source>
         <translation>Ihre Tiefen („%1“) werden als z genommen, wie sie dastehen: Sind sie positiv, so stehen die Daten auf dem Kopf.</translation>
     </message>
     <message>
@@ -10508,11 +10456,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat keinen Abschnitt „[Data]“ und deshalb keine Punkte.</translation>
     </message>
     <message>
-        <source>line %1 says that %2 points follow, and there are more.</source>
+        <source>line %1 announces %2 points, and there are more.</source>
         <translation>Zeile %1 sagt, dass %2 Punkte folgen, und es sind mehr.</translation>
     </message>
     <message>
-        <source>line %1 says that %2 points follow, and there are %3. The copy may be incomplete: copy the file again.</source>
+        <source>line %1 announces %2 points, and there are %3. The copy may be incomplete: copy the file again.</source>
         <translation>Zeile %1 sagt, dass %2 Punkte folgen, und es sind %3. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
@@ -10524,7 +10472,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Feld „%1“ hat %2 Werte für %3 Punkte und wird nicht gelesen.</translation>
     </message>
     <message>
-        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in ParaView by the filter Tetrahedralize or Tessellate.</source>
+        <source>it has cells of a shape that TAn does not support: %1. Divide them into simpler ones, in ParaView with the filter Tetrahedralize or Tessellate.</source>
         <translation>sie hat Zellen einer Form, die TAn nicht kennt: %1. Zerlegen Sie sie in einfachere, in ParaView mit dem Filter Tetrahedralize oder Tessellate.</translation>
     </message>
     <message>
@@ -10552,7 +10500,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Patches ihrer Berandung werden nicht gelesen: %1.</translation>
     </message>
     <message>
-        <source>Its zones of cells are not told apart: %1.</source>
+        <source>Its zones of cells are not distinguished: %1.</source>
         <translation>Ihre Zonen von Zellen werden nicht unterschieden: %1.</translation>
     </message>
     <message>
@@ -10572,7 +10520,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Ordner von %1 Prozessoren</translation>
     </message>
     <message>
-        <source>Its case as a whole is not read: the folders of its processors go on to later times.</source>
+        <source>Its case as a whole is not read: the folders of its processors contain later times.</source>
         <translation>Ihr Fall als Ganzes wird nicht gelesen: Die Ordner seiner Prozessoren reichen bis zu späteren Zeiten.</translation>
     </message>
     <message>
@@ -10608,11 +10556,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>VTK findet nichts darin, was es lesen kann. Exportieren Sie sie in einem anderen Format (.vtu, .vti).</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos;, which does not lie in its folder or below it. Put it there, and write its name anew.</source>
+        <source>it refers to the file &apos;%1&apos;, which is not in its folder or below it. Put it there, and correct its name.</source>
         <translation>sie nennt die Datei „%1“, die nicht in ihrem Ordner oder darunter liegt. Legen Sie sie dort ab, und schreiben Sie ihren Namen neu.</translation>
     </message>
     <message>
-        <source>it has the time &apos;%1&apos;, which is no number.</source>
+        <source>it has the time &apos;%1&apos;, which is not a number.</source>
         <translation>sie hat die Zeit „%1“, die keine Zahl ist.</translation>
     </message>
     <message>
@@ -10628,7 +10576,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat keine Liste „files“.</translation>
     </message>
     <message>
-        <source>its file number %1 is not told by a &apos;name&apos; and a &apos;time&apos; as a number.</source>
+        <source>its file number %1 does not have a &apos;name&apos; and a &apos;time&apos; that is a number.</source>
         <translation>ihre Datei Nummer %1 ist nicht durch einen „name“ und eine „time“ als Zahl angegeben.</translation>
     </message>
     <message>
@@ -10636,11 +10584,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat %1 Bytes, mehr als eine Liste von Dateien hat.</translation>
     </message>
     <message>
-        <source>it is a list of files, and names none.</source>
+        <source>it is a list of files, but names none.</source>
         <translation>sie ist eine Liste von Dateien und nennt keine.</translation>
     </message>
     <message>
-        <source>its file &apos;%1&apos; is of none of VTK&apos;s own formats. Open that file by itself.</source>
+        <source>its file &apos;%1&apos; is not of VTK&apos;s own formats. Open that file on its own.</source>
         <translation>ihre Datei „%1“ hat keines der eigenen Formate von VTK. Öffnen Sie jene Datei für sich allein.</translation>
     </message>
     <message>
@@ -10648,7 +10596,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>VTK meldet: %1 TAn kann nicht feststellen, ob die Datei beschädigt ist oder von einer Art, die VTK nicht liest. Vergleichen Sie sie mit ihrem Original, oder exportieren Sie sie in einem anderen Format (.vtu, .vti).</translation>
     </message>
     <message>
-        <source>VTK reads it twice and finds other values: where the file has none, it gives what was in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export it again, or in another format (.vtu, .vti).</source>
+        <source>VTK reads different values each time: where the file has none, it returns what was in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export it again, or in another format (.vtu, .vti).</source>
         <translation>VTK liest sie zweimal und findet verschiedene Werte: Wo die Datei keine hat, liefert es, was im Arbeitsspeicher stand. Die Datei ist unvollständig oder von einer Art, die VTK falsch liest. Exportieren Sie sie noch einmal, oder in einem anderen Format (.vtu, .vti).</translation>
     </message>
     <message>
@@ -10656,7 +10604,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Listen von VTK-Dateien (*.pvd *.series)</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
         <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libvtk9-dev“ neu), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
     </message>
     <message>
@@ -10668,7 +10616,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Installieren Sie die NetCDF-Bibliothek mit „apt install libnetcdf19“.</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Take a smaller one.</source>
+        <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Choose a smaller one.</source>
         <translation>ihre Variable „%1“ hat %2 Werte, die nicht in die Hälfte des Speichers dieses Rechners passen. Nehmen Sie eine kleinere.</translation>
     </message>
     <message>
@@ -10676,7 +10624,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Bereich liegt nicht im Gitter, dessen Punktnummern er verlangt, nicht Koordinaten: entlang %1 ganze Zahlen von 0 bis %2.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a file of an OpenFOAM case, which is opened as a whole: by &apos;system/controlDict&apos; in its folder, or by an empty file whose name ends in &apos;.foam&apos; there.%2</source>
+        <source>&apos;%1&apos; is a file of an OpenFOAM case, which is opened as a whole: open &apos;system/controlDict&apos; in its folder, or an empty file there whose name ends in &apos;.foam&apos;.%2</source>
         <translation>„%1“ ist eine Datei eines OpenFOAM-Falls, der als Ganzes geöffnet wird: mit „system/controlDict“ in seinem Ordner oder mit einer leeren Datei dort, deren Name auf „.foam“ endet.%2</translation>
     </message>
     <message>
@@ -10696,11 +10644,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 braucht dafür mehr als %2 Speicher, was Dateien dieser Größe nicht brauchen. Die Datei ist vielleicht beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
     </message>
     <message>
-        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <source>%1 needs more than %2 seconds of processor time for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
         <translation>%1 braucht dafür mehr als %2 Sekunden Prozessorzeit, was Dateien dieser Größe nicht brauchen. Die Datei ist vielleicht beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti, .nrrd).</translation>
     </message>
     <message>
-        <source>%1&apos;s reader crashed, and TAn cannot tell why: the file may be damaged, or of a kind that %1 reads badly. %2</source>
+        <source>%1&apos;s reader crashed, and TAn cannot tell why: the file may be damaged, or of a kind that %1 reads incorrectly. %2</source>
         <translation>Der Leser von %1 ist abgestürzt, und TAn kann nicht sagen, warum: Die Datei ist vielleicht beschädigt oder von einer Art, die %1 schlecht liest. %2</translation>
     </message>
     <message>
@@ -10708,11 +10656,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat keine Werte, weder von Punkten noch von Zellen. Schreiben Sie sie mit welchen.</translation>
     </message>
     <message>
-        <source>it has polyhedra, but not their faces: these stand in the arrays &apos;faces&apos; and &apos;faceoffsets&apos; or, since VTK 9.4, &apos;face_connectivity&apos;, &apos;face_offsets&apos;, &apos;polyhedron_to_faces&apos; and &apos;polyhedron_offsets&apos;. Save it anew, or divide its cells into tetrahedra.</source>
+        <source>it has polyhedra, but not their faces: these are in the arrays &apos;faces&apos; and &apos;faceoffsets&apos; or, since VTK 9.4, &apos;face_connectivity&apos;, &apos;face_offsets&apos;, &apos;polyhedron_to_faces&apos; and &apos;polyhedron_offsets&apos;. Save it again, or divide its cells into tetrahedra.</source>
         <translation>sie hat Polyeder, aber nicht deren Seiten: Diese stehen in den Feldern „faces“ und „faceoffsets“ oder, seit VTK 9.4, „face_connectivity“, „face_offsets“, „polyhedron_to_faces“ und „polyhedron_offsets“. Speichern Sie sie neu, oder zerlegen Sie ihre Zellen in Tetraeder.</translation>
     </message>
     <message>
-        <source>the offsets of its faces do not rise, or lead beyond their points.</source>
+        <source>the offsets of its faces do not rise, or point beyond their points.</source>
         <translation>die Anfänge ihrer Seiten steigen nicht oder führen über deren Punkte hinaus.</translation>
     </message>
     <message>
@@ -10732,19 +10680,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Array, das genommen wird, nach seinem Pfad in der Datei, wie in /fields/density, oder nach seiner Nummer; „automatic“ nimmt das, welches die Datei zuerst zeigt (NeXus), sonst das größte.</translation>
     </message>
     <message>
-        <source>Of arrays with several time steps: which one, from 1.</source>
+        <source>Arrays with several time steps: which one, from 1.</source>
         <translation>Bei Arrays mit mehreren Zeitschritten: welcher, ab 1.</translation>
     </message>
     <message>
-        <source>Of arrays with several channels: the number of one, from 1; without it the first.</source>
+        <source>Arrays with several channels: the number of one, from 1; by default the first.</source>
         <translation>Bei Arrays mit mehreren Kanälen: die Nummer eines davon, ab 1; sonst der erste.</translation>
     </message>
     <message>
-        <source>Of arrays with more dimensions than space, time and channels: the number along each, from 1, as in d2=3; else the first is taken.</source>
+        <source>Arrays with more dimensions than space, time and channels: the number along each, from 1, as in d2=3; by default the first.</source>
         <translation>Bei Arrays mit mehr Dimensionen als Raum, Zeit und Kanälen: die Nummer entlang jeder davon, ab 1, wie in d2=3; sonst wird die erste genommen.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libhdf5-dev&apos;), or save the array as .npy, for instance with h5py and NumPy.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libhdf5-dev&apos;), or save the array as .npy, for instance with h5py and NumPy.</source>
         <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libhdf5-dev“ neu), oder speichern Sie das Array als .npy, etwa mit h5py und NumPy.</translation>
     </message>
     <message>
@@ -10752,11 +10700,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Installieren Sie die HDF5-Bibliothek mit „apt install libhdf5-103-1“ (andere Systeme: hdf5).</translation>
     </message>
     <message>
-        <source>Copy or export it again; &apos;h5dump -H&apos; tells what is in it.</source>
+        <source>Copy or export it again; &apos;h5dump -H&apos; shows its content.</source>
         <translation>Kopieren oder exportieren Sie sie noch einmal; „h5dump -H“ zeigt, was darin ist.</translation>
     </message>
     <message>
-        <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
+        <source>it has %1 %2, and number %3 was requested with &apos;%4&apos;.</source>
         <translation>sie hat %1 %2, und verlangt ist mit „%4“ Nummer %3.</translation>
     </message>
     <message>
@@ -10768,7 +10716,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nummern entlang „%1“</translation>
     </message>
     <message>
-        <source>its array %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <source>its array %1 has no further dimension &apos;%2&apos;, which was requested with &apos;index&apos;.</source>
         <translation>ihr Array %1 hat keine weitere Dimension „%2“, die mit „index“ verlangt wird.</translation>
     </message>
     <message>
@@ -10776,7 +10724,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Kanäle</translation>
     </message>
     <message>
-        <source>its array %1 has fewer than three dimensions of space: the others are of time or channels. TAn takes volumes: choose another array, or write one.</source>
+        <source>its array %1 has fewer than three dimensions of space: the others are time or channels. TAn reads volumes: choose another array, or write one.</source>
         <translation>ihr Array %1 hat weniger als drei Dimensionen im Raum: Die anderen sind solche der Zeit oder der Kanäle. TAn nimmt Volumen: Wählen Sie ein anderes Array, oder schreiben Sie eines.</translation>
     </message>
     <message>
@@ -10796,7 +10744,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, „%2“ in der Reihenfolge der Achsen des Arrays</translation>
     </message>
     <message>
-        <source>Its coordinates &apos;%1&apos; are the edges of bins: the middles were taken.</source>
+        <source>Its coordinates &apos;%1&apos; are the edges of bins: their midpoints were used.</source>
         <translation>Ihre Koordinaten „%1“ sind die Ränder von Intervallen: Genommen wurden deren Mitten.</translation>
     </message>
     <message>
@@ -10808,7 +10756,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Stücke (Chunks) ihres Arrays „%1“</translation>
     </message>
     <message>
-        <source>nothing was written to its array %1: all that it has is a fill value. Choose another array, or write this one.</source>
+        <source>nothing was written to its array %1: it holds only a fill value. Choose another array, or write this one.</source>
         <translation>in ihr Array %1 wurde nichts geschrieben: Alles, was es hat, ist ein Füllwert. Wählen Sie ein anderes Array, oder schreiben Sie dieses.</translation>
     </message>
     <message>
@@ -10824,7 +10772,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, %2, der Füllwert des Arrays</translation>
     </message>
     <message>
-        <source>0 in %1 of %2 chunks, which nobody wrote</source>
+        <source>0 in %1 of %2 chunks, which were never written</source>
         <translation>0 in %1 von %2 Stücken (Chunks), die nie geschrieben wurden</translation>
     </message>
     <message>
@@ -10832,11 +10780,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihr Array „%1“</translation>
     </message>
     <message>
-        <source>Its numbers of more than 64 bits became floating-point numbers of 53 bits.</source>
+        <source>Its numbers of more than 64 bits were converted to floating-point numbers, which are exact to 53 bits.</source>
         <translation>Aus ihren Zahlen mit mehr als 64 Bit wurden Gleitkommazahlen von 53 Bit.</translation>
     </message>
     <message>
-        <source>It holds more than %1 groups and arrays, or groups more than %2 deep: not all of them were looked at.</source>
+        <source>It holds more than %1 groups and arrays, or groups nested more than %2 levels deep: not all of them were examined.</source>
         <translation>Sie enthält mehr als %1 Gruppen und Arrays oder mehr als %2-fach verschachtelte Gruppen: Nicht alle davon wurden durchgesehen.</translation>
     </message>
     <message>
@@ -10844,7 +10792,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihren Verweisen in andere Dateien wird nicht gefolgt: %1.</translation>
     </message>
     <message>
-        <source>it is a file of %1, which TAn knows by its name. Give it the ending %2.</source>
+        <source>it is a file of %1, which TAn recognises by its name. Give it the ending %2.</source>
         <translation>sie ist eine Datei von %1, die TAn an ihrem Namen erkennt. Geben Sie ihr die Endung %2.</translation>
     </message>
     <message>
@@ -10868,7 +10816,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Werte ihres Arrays „%1“ liegen in anderen Dateien oder Arrays, die nicht geöffnet werden. Kopieren Sie sie in ein eigenes Array, etwa mit h5py.</translation>
     </message>
     <message>
-        <source>its array %1 holds no numbers that are read. Choose another one.</source>
+        <source>its array %1 holds no numbers that can be read. Choose another one.</source>
         <translation>ihr Array %1 enthält keine Zahlen, die gelesen werden. Wählen Sie ein anderes.</translation>
     </message>
     <message>
@@ -10884,11 +10832,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 (in anderen Dateien)</translation>
     </message>
     <message>
-        <source>its array &apos;%1&apos; does not tell how it is packed. The file is damaged: copy or export it again.</source>
+        <source>its array &apos;%1&apos; does not state how it is packed. The file is damaged: copy or export it again.</source>
         <translation>ihr Array „%1“ sagt nicht, wie es gepackt ist. Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its array &apos;%1&apos; is packed by the filter %2, which is no part of HDF5 and is not read. Write it with gzip or unpacked: &apos;h5repack -f GZIP=4 old.h5 new.h5&apos; does it where the filter is installed.</source>
+        <source>its array &apos;%1&apos; is packed with the filter %2, which is not part of HDF5 and is not read. Write it with gzip or unpacked: &apos;h5repack -f GZIP=4 old.h5 new.h5&apos; does so where the filter is installed.</source>
         <translation>ihr Array „%1“ ist mit dem Filter %2 gepackt, der kein Teil von HDF5 ist und nicht gelesen wird. Schreiben Sie es mit gzip oder ungepackt: „h5repack -f GZIP=4 old.h5 new.h5“ tut dies, wo der Filter installiert ist.</translation>
     </message>
     <message>
@@ -10896,11 +10844,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die HDF5-Bibliothek sagt über %1: %2. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>its size cannot be told: %1.</source>
+        <source>its size cannot be determined: %1.</source>
         <translation>ihre Größe ist nicht zu ermitteln: %1.</translation>
     </message>
     <message>
-        <source>it unpacks to more than %1, which pictures in so few bytes do not. It is damaged; if not, export it without compression.</source>
+        <source>it unpacks to more than %1, which pictures of so few bytes do not. It is damaged; if not, export it without compression.</source>
         <translation>entpackt ist sie größer als %1, was bei Bildern aus so wenigen Bytes nicht vorkommt. Sie ist beschädigt; wenn nicht, exportieren Sie sie ohne Kompression.</translation>
     </message>
     <message>
@@ -10920,15 +10868,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>its folder holds one series, and &apos;%1&apos; is asked for. Leave &apos;series&apos; out.</source>
+        <source>its folder holds one series, and &apos;%1&apos; was requested. Leave &apos;series&apos; out.</source>
         <translation>ihr Ordner enthält eine Serie, und verlangt ist „%1“. Lassen Sie „series“ weg.</translation>
     </message>
     <message>
-        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one with &apos;series&apos;, by its number from 1 or its description: %3.</source>
+        <source>its folder holds %1 series, and &apos;%2&apos; was requested. Choose one with &apos;series&apos;, by its number from 1 or its description: %3.</source>
         <translation>ihr Ordner enthält %1 Serien, und verlangt ist „%2“. Wählen Sie eine mit „series“, nach der Nummer von 1 an oder nach der Beschreibung: %3.</translation>
     </message>
     <message>
-        <source>Beside it lies series %1: %2.</source>
+        <source>Next to it is series %1: %2.</source>
         <translation>Daneben liegt Serie %1: %2.</translation>
     </message>
     <message>
@@ -10936,11 +10884,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Serie enthält %1 Volumen; die anderen werden nicht gelesen.</translation>
     </message>
     <message>
-        <source>Of a folder with several DICOM series, or an OME file with several images: which one, by number from 1, by its description or name, or by its SeriesInstanceUID; without it that of the file, or the first.</source>
+        <source>A folder with several DICOM series, or an OME file with several images: which one, by number from 1, by its description or name, or by its SeriesInstanceUID; by default that of the file, or the first.</source>
         <translation>Bei einem Ordner mit mehreren DICOM-Serien oder einer OME-Datei mit mehreren Bildern: welche oder welches, nach der Nummer von 1 an, nach Beschreibung oder Name oder nach der SeriesInstanceUID; ohne Angabe das der Datei oder das erste.</translation>
     </message>
     <message>
-        <source>a piece of %1 has %2 bytes, which cannot hold the %3 that its size asks for.</source>
+        <source>a piece of %1 has %2 bytes, which cannot hold the %3 that its size requires.</source>
         <translation>ein Stück von %1 hat %2 Bytes, in denen die %3, die seine Größe verlangt, keinen Platz haben.</translation>
     </message>
     <message>
@@ -10948,7 +10896,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Beschreibung oder ihre Auflösung</translation>
     </message>
     <message>
-        <source>behind page %1 follows no page, or one that was there before.</source>
+        <source>page %1 is followed by no page, or by an earlier one.</source>
         <translation>hinter Seite %1 folgt keine Seite oder eine, die schon vorkam.</translation>
     </message>
     <message>
@@ -10980,11 +10928,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält %1 Bilder; die anderen werden nicht gelesen.</translation>
     </message>
     <message>
-        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, int64, uint64, float and double.</source>
+        <source>its type &apos;%1&apos; is not known. Use uint8, int8, uint16, int16, uint32, int32, int64, uint64, float or double.</source>
         <translation>ihr Typ „%1“ ist nicht bekannt. Es gibt uint8, int8, uint16, int16, uint32, int32, int64, uint64, float und double.</translation>
     </message>
     <message>
-        <source>its samples are matrices of %1 numbers (&apos;%2&apos;), of which the magnitude means nothing. Choose one of them by &apos;--component&apos;, from 0.</source>
+        <source>its samples are matrices of %1 numbers (&apos;%2&apos;), whose magnitude has no meaning. Choose one of them with &apos;--component&apos;, from 0.</source>
         <translation>ihre Abtastwerte sind Matrizen aus %1 Zahlen („%2“), deren Betrag nichts bedeutet. Wählen Sie eine davon mit „--component“, ab 0.</translation>
     </message>
     <message>
@@ -11000,11 +10948,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie nennt „%1“, was keine gewöhnliche Datei ist. Kopieren Sie den Inhalt erst in eine.</translation>
     </message>
     <message>
-        <source>its values &apos;%1&apos; name a node or an element %2, which it does not have.</source>
+        <source>its values &apos;%1&apos; refer to a node or an element %2, which it does not have.</source>
         <translation>ihre Werte „%1“ nennen einen Knoten oder ein Element %2, das sie nicht hat.</translation>
     </message>
     <message>
-        <source>Of &apos;%1&apos; it has %2 steps; the last one is read.</source>
+        <source>&apos;%1&apos; has %2 steps; the last one is read.</source>
         <translation>Von „%1“ hat sie %2 Schritte; der letzte wird gelesen.</translation>
     </message>
     <message>
@@ -11012,7 +10960,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1, %2 (%3 %4)</translation>
     </message>
     <message>
-        <source>Of NetCDF and Exodus files: the variable, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
+        <source>NetCDF and Exodus files: the variable, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
         <translation>Bei NetCDF- und Exodus-Dateien: die Variable, nach Name oder Nummer; „automatic“ nimmt die erste, die nicht konstant ist.</translation>
     </message>
     <message>
@@ -11032,27 +10980,27 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Datei „%1“ endet ohne Zeilenende: Wenn sie dort abgeschnitten wurde, ist ihre letzte Zahl falsch.</translation>
     </message>
     <message>
-        <source>cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: from VTK 9.4 on they are written in another way, which TAn reads in a single .vtu that is not packed, or packed by zlib. Save it as one.</source>
+        <source>cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: since VTK 9.4 they are written differently, which TAn reads in a single .vtu that is not compressed, or compressed with zlib. Save it as one.</source>
         <translation>Zelle %1 (ab 0) ist ein Polyeder, und VTK 9.1 findet keine Seiten davon: Ab VTK 9.4 werden sie auf andere Weise geschrieben, die TAn aus einer einzelnen .vtu liest, die nicht oder mit zlib gepackt ist. Speichern Sie die Daten so.</translation>
     </message>
     <message>
-        <source>VTK reads its places in single precision: they may be up to %1 from those in the file.</source>
+        <source>VTK reads its positions in single precision: they may be up to %1 from those in the file.</source>
         <translation>VTK liest ihre Positionen in einfacher Genauigkeit: Sie können um bis zu %1 von denen in der Datei abweichen.</translation>
     </message>
     <message>
-        <source>Its families (boundary conditions and the like) are not told apart: %1.</source>
+        <source>Its families (boundary conditions and the like) are not distinguished: %1.</source>
         <translation>Ihre Familien (Randbedingungen und dergleichen) werden nicht unterschieden: %1.</translation>
     </message>
     <message>
-        <source>its part &apos;%1&apos; has %2 points, and its size says another number.</source>
+        <source>its part &apos;%1&apos; has %2 points, and its size states another number.</source>
         <translation>ihr Teil „%1“ hat %2 Punkte, und seine Größe sagt eine andere Zahl.</translation>
     </message>
     <message>
-        <source>Its grids make no mesh together, and only the first one is read. %1</source>
+        <source>Its grids do not make a mesh together, and only the first one is read. %1</source>
         <translation>Ihre Gitter ergeben zusammen kein Netz, und nur das erste wird gelesen. %1</translation>
     </message>
     <message>
-        <source>Of files with several blocks or parts: one, by name or number from 1; without it all volumes that have the values, as one mesh.</source>
+        <source>Files with several blocks or parts: one, by name or number from 1; by default all volumes that have the values, as one mesh.</source>
         <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, nach Name oder Nummer ab 1; sonst alle Volumen, die die Werte haben, als ein Netz.</translation>
     </message>
     <message>
@@ -11068,7 +11016,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat %1 Achsen.</translation>
     </message>
     <message>
-        <source>its transformation &apos;%1&apos; stands in an array of its own, which TAn does not read.</source>
+        <source>its transformation &apos;%1&apos; is in a separate array, which TAn does not read.</source>
         <translation>ihre Transformation „%1“ steht in einem eigenen Array, das TAn nicht liest.</translation>
     </message>
     <message>
@@ -11128,7 +11076,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Stücke (Chunks) sind mit „%1“ gepackt</translation>
     </message>
     <message>
-        <source>its numbers went through the filter &apos;%1&apos;</source>
+        <source>its numbers were passed through the filter &apos;%1&apos;</source>
         <translation>ihre Zahlen gingen durch den Filter „%1“</translation>
     </message>
     <message>
@@ -11144,19 +11092,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Elemente sind vom Typ „%1“</translation>
     </message>
     <message>
-        <source>Write whole numbers, or floating point numbers of 16, 32 or 64 bits.</source>
+        <source>Write whole numbers, or floating-point numbers of 16, 32 or 64 bits.</source>
         <translation>Schreiben Sie ganze Zahlen oder Gleitkommazahlen mit 16, 32 oder 64 Bit.</translation>
     </message>
     <message>
-        <source>its codec &apos;%1&apos; stands in an unusual place</source>
+        <source>its codec &apos;%1&apos; is in an unusual place</source>
         <translation>ihr Codec „%1“ steht an einer ungewöhnlichen Stelle</translation>
     </message>
     <message>
-        <source>its chunks went through the codec &apos;%1&apos;</source>
+        <source>its chunks were passed through the codec &apos;%1&apos;</source>
         <translation>ihre Stücke (Chunks) gingen durch den Codec „%1“</translation>
     </message>
     <message>
-        <source>its shards are no whole number of chunks. It is damaged.</source>
+        <source>its shards are not a whole number of chunks. It is damaged.</source>
         <translation>ihre Shards bestehen nicht aus einer ganzen Zahl von Stücken (Chunks). Sie ist beschädigt.</translation>
     </message>
     <message>
@@ -11180,7 +11128,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie verwendet die Speicherumformung (storage transformer) „%1“</translation>
     </message>
     <message>
-        <source>Write it without.</source>
+        <source>Write it without one.</source>
         <translation>Schreiben Sie sie ohne.</translation>
     </message>
     <message>
@@ -11216,7 +11164,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Labels, die die Teile eines Bildes nummerieren, werden nicht gelesen.</translation>
     </message>
     <message>
-        <source>It holds %1 arrays besides (%2), which are not read. Choose one with &apos;array&apos;.</source>
+        <source>It holds %1 other arrays (%2), which are not read. Choose one with &apos;array&apos;.</source>
         <translation>Sie enthält außerdem %1 Arrays (%2), die nicht gelesen werden. Wählen Sie eines mit „array“.</translation>
     </message>
     <message>
@@ -11224,7 +11172,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 ihrer Gruppen und Arrays haben Metadaten, die nicht gelesen werden können.</translation>
     </message>
     <message>
-        <source>It has more groups and arrays than are looked at; &apos;array&apos; takes any of them by its path.</source>
+        <source>It has more groups and arrays than are listed; &apos;array&apos; takes any of them by its path.</source>
         <translation>Sie hat mehr Gruppen und Arrays, als durchgesehen werden; „array“ nimmt jedes davon nach seinem Pfad.</translation>
     </message>
     <message>
@@ -11236,11 +11184,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie enthält %1 Arrays, und keines hat Zahlen entlang dreier oder mehr Achsen.</translation>
     </message>
     <message>
-        <source>it holds no array. Open the folder in which the arrays are, or copy it again.</source>
+        <source>it holds no array. Open the folder that contains the arrays, or copy it again.</source>
         <translation>sie enthält kein Array. Öffnen Sie den Ordner, in dem die Arrays sind, oder kopieren Sie diesen Ordner noch einmal.</translation>
     </message>
     <message>
-        <source>it has %1 of &apos;%2&apos;, and number %3 is asked for. Choose one from 1 to %1.</source>
+        <source>it has %1 of &apos;%2&apos;, and number %3 was requested. Choose one from 1 to %1.</source>
         <translation>sie hat %1 von „%2“, und verlangt ist Nummer %3. Wählen Sie eine von 1 bis %1.</translation>
     </message>
     <message>
@@ -11280,7 +11228,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihr Maßstab entlang einer Achse im Raum ist 0. Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>Its attributes %1 are not used: values are as they are stored.</source>
+        <source>Its attributes %1 are not used: the stored values are.</source>
         <translation>Ihre Attribute %1 werden nicht benutzt: Die Werte sind so, wie sie gespeichert sind.</translation>
     </message>
     <message>
@@ -11292,7 +11240,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Stufe „%1“ hat %2 Achsen, und beschrieben sind %3. Exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>its level &apos;%1&apos; is not there. The copy is not complete: copy the folder again, or choose another level with &apos;part&apos;.</source>
+        <source>its level &apos;%1&apos; is missing. The copy is not complete: copy the folder again, or choose another level with &apos;part&apos;.</source>
         <translation>ihre Stufe „%1“ ist nicht da. Die Kopie ist nicht vollständig: Kopieren Sie den Ordner noch einmal, oder wählen Sie mit „part“ eine andere Stufe.</translation>
     </message>
     <message>
@@ -11300,7 +11248,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie ist beschädigt: %1. Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>it unpacks to more than the %1 bytes that it should</source>
+        <source>it unpacks to more than the expected %1 bytes</source>
         <translation>entpackt hat sie mehr als die %1 Bytes, die es sein sollten</translation>
     </message>
     <message>
@@ -11312,11 +11260,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zstandard meldet „%1“</translation>
     </message>
     <message>
-        <source>it does not begin as Blosc writes, or is cut short</source>
+        <source>it does not begin like Blosc data, or is cut short</source>
         <translation>sie beginnt nicht so, wie Blosc schreibt, oder ist abgeschnitten</translation>
     </message>
     <message>
-        <source>it unpacks to %1 bytes, more than the %2 that it should</source>
+        <source>it unpacks to %1 bytes, more than the expected %2</source>
         <translation>entpackt hat sie %1 Bytes, mehr als die %2, die es sein sollten</translation>
     </message>
     <message>
@@ -11328,11 +11276,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Prüfsumme ist falsch</translation>
     </message>
     <message>
-        <source>its differences of numbers of 16 bits (the filter &apos;delta&apos;) are not read. Write it without.</source>
+        <source>its differences of numbers of 16 bits (the filter &apos;delta&apos;) are not read. Write it without them.</source>
         <translation>ihre Differenzen von Zahlen mit 16 Bit (der Filter „delta“) werden nicht gelesen. Schreiben Sie sie ohne.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, more than its %2 bytes of numbers can become</source>
+        <source>it has %1 bytes, more than its %2 bytes of numbers can yield</source>
         <translation>sie hat %1 Bytes, mehr, als aus ihren %2 Bytes an Zahlen werden kann</translation>
     </message>
     <message>
@@ -11348,23 +11296,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie kann nicht gelesen werden (%1). Prüfen Sie den Namen und die Rechte.</translation>
     </message>
     <message>
-        <source>it names &apos;%1&apos;, which is no path inside the folder. Only what lies in the folder is read.</source>
+        <source>it refers to &apos;%1&apos;, which is not a path inside the folder. Only what is in the folder is read.</source>
         <translation>sie nennt „%1“, was kein Pfad innerhalb des Ordners ist. Nur was im Ordner liegt, wird gelesen.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is a link to what is not there. Copy the folder with what its links lead to.</source>
+        <source>its &apos;%1&apos; is a link to something that does not exist. Copy the folder together with the targets of its links.</source>
         <translation>ihr Eintrag „%1“ ist ein Verweis auf etwas, das nicht da ist. Kopieren Sie den Ordner mit dem, worauf seine Verweise führen.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is a link that leads out of the folder. Only what lies in the folder is read: put a copy in its place.</source>
+        <source>its &apos;%1&apos; is a link that leads out of the folder. Only what is in the folder is read: put a copy in its place.</source>
         <translation>ihr Eintrag „%1“ ist ein Verweis, der aus dem Ordner hinausführt. Nur was im Ordner liegt, wird gelesen: Legen Sie an seiner Stelle eine Kopie ab.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is no file. Copy or export it again.</source>
+        <source>its &apos;%1&apos; is not a file. Copy or export it again.</source>
         <translation>ihr Eintrag „%1“ ist keine Datei. Kopieren oder exportieren Sie den Ordner noch einmal.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is larger than metadata are (%2). It is damaged, or no Zarr.</source>
+        <source>its &apos;%1&apos; is larger than metadata are (%2). It is damaged, or not Zarr.</source>
         <translation>ihre Datei „%1“ ist größer, als Metadaten sind (%2). Sie ist beschädigt oder kein Zarr.</translation>
     </message>
     <message>
@@ -11372,7 +11320,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Datei „%1“ %2</translation>
     </message>
     <message>
-        <source>is no JSON: %1 at byte %2. Copy or export it again.</source>
+        <source>is not JSON: %1 at byte %2. Copy or export it again.</source>
         <translation>ist kein JSON: %1 bei Byte %2. Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
@@ -11384,15 +11332,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ihre Datei „%1“ wurde geändert, während sie gelesen wurde. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>none of the %1 files with its values is there, such as &apos;%2&apos;. The copy is not complete, or nobody has written them: copy or export it again.</source>
+        <source>none of the %1 files with its values exists, such as &apos;%2&apos;. The copy is not complete, or they were never written: copy or export it again.</source>
         <translation>keine der %1 Dateien mit ihren Werten ist da, etwa „%2“. Die Kopie ist nicht vollständig, oder sie wurden nie geschrieben: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>%1 of its %2 chunks are not there: as the format has it, their values are the fill value %3.</source>
+        <source>%1 of its %2 chunks are missing: as the format specifies, their values are the fill value %3.</source>
         <translation>%1 ihrer %2 Stücke (Chunks) sind nicht da: Wie es das Format vorsieht, gilt für ihre Werte der Füllwert %3.</translation>
     </message>
     <message>
-        <source>%1 of its %2 chunks are not there, and it has no fill value: %3 is assumed.</source>
+        <source>%1 of its %2 chunks are missing, and it has no fill value: %3 is assumed.</source>
         <translation>%1 ihrer %2 Stücke (Chunks) sind nicht da, und sie hat keinen Füllwert: %3 wird angenommen.</translation>
     </message>
     <message>
@@ -11412,7 +11360,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Prüfsumme des Verzeichnisses ihrer Stücke (Chunks) ist falsch</translation>
     </message>
     <message>
-        <source>the index of its chunks leads beyond its end</source>
+        <source>the index of its chunks points beyond its end</source>
         <translation>das Verzeichnis ihrer Stücke (Chunks) führt über ihr Ende hinaus</translation>
     </message>
     <message>
@@ -11420,11 +11368,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ für „index“ ist nicht zu verstehen. Geben Sie den Namen jeder Achse mit einer Nummer ab 1 an, wie in angle=3,type=1.</translation>
     </message>
     <message>
-        <source>Of Zarr groups: the array to take, or the image, by its path in the folder; &apos;automatic&apos; takes the first.</source>
+        <source>Zarr groups: the array to take, or the image, by its path in the folder; &apos;automatic&apos; takes the first.</source>
         <translation>Bei Zarr-Gruppen: das Array, das genommen wird, oder das Bild, nach seinem Pfad im Ordner; „automatic“ nimmt das erste.</translation>
     </message>
     <message>
-        <source>Of OME-Zarr with several images: one, by its path or number from 1; without it the first.</source>
+        <source>OME-Zarr with several images: one, by its path or number from 1; by default the first.</source>
         <translation>Bei OME-Zarr mit mehreren Bildern: eines, nach seinem Pfad oder seiner Nummer ab 1; sonst das erste.</translation>
     </message>
     <message>
@@ -11432,11 +11380,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Stufe</translation>
     </message>
     <message>
-        <source>Of OME-Zarr: the level of detail, by its path or by its number, 0 being the finest; without it that one.</source>
+        <source>OME-Zarr: the level of detail, by its path or by its number, 0 being the finest, which is the default.</source>
         <translation>Bei OME-Zarr: die Detailstufe, nach ihrem Pfad oder ihrer Nummer, wobei 0 die feinste ist; sonst diese.</translation>
     </message>
     <message>
-        <source>Of pictures at several times: which one, from 1; 0 takes the first.</source>
+        <source>Pictures at several times: which one, from 1; 0 takes the first.</source>
         <translation>Bei Bildern zu mehreren Zeiten: welches, ab 1; 0 nimmt das erste.</translation>
     </message>
     <message>
@@ -11444,15 +11392,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Weitere Achsen</translation>
     </message>
     <message>
-        <source>Of arrays with more axes than space, time and channels: the number along each, from 1, as in angle=3; an axis without a name is called by its number from 1. Else the first is taken.</source>
+        <source>Arrays with more axes than space, time and channels: the number along each, from 1, as in angle=3; an axis without a name is called by its number from 1. By default the first is taken.</source>
         <translation>Bei Arrays mit mehr Achsen als Raum, Zeit und Kanälen: die Nummer entlang jeder davon, ab 1, wie in angle=3; eine Achse ohne Namen heißt nach ihrer Nummer ab 1. Sonst wird die erste genommen.</translation>
     </message>
     <message>
-        <source>it is no folder of Zarr, nor a file that describes one (zarr.json, .zarray, .zattrs, .zgroup). Let TAn choose the reader.</source>
+        <source>it is neither a Zarr folder nor a file that describes one (zarr.json, .zarray, .zattrs, .zgroup). Let TAn choose the reader.</source>
         <translation>sie ist kein Zarr-Ordner und auch keine Datei, die einen beschreibt (zarr.json, .zarray, .zattrs, .zgroup). Lassen Sie TAn den Leser wählen.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libblosc-dev libzstd-dev&apos;), or save the array as NumPy&apos;s (.npy).</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libblosc-dev libzstd-dev&apos;), or save the array as NumPy&apos;s (.npy).</source>
         <translation>Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“, wo die Datei liegt (bei einem selbst gebauten TAn: Bauen Sie es nach „apt install libblosc-dev libzstd-dev“ neu), oder speichern Sie das Array im Format von NumPy (.npy).</translation>
     </message>
     <message>
@@ -11480,23 +11428,23 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Speichern Sie das Array mit der Option „-v7.3“ oder als NIfTI, mit niftiwrite().</translation>
     </message>
     <message>
-        <source>The scale &apos;%1&apos; is not understood. Give &apos;linear&apos;, &apos;log&apos;, or &apos;log:&apos; and the positive number that smaller values are taken as, as in log:1e-6.</source>
+        <source>The scale &apos;%1&apos; is not understood. Give &apos;linear&apos;, &apos;log&apos;, or &apos;log:&apos; and the positive number that replaces smaller values, as in log:1e-6.</source>
         <translation>Die Skala „%1“ ist nicht zu verstehen. Geben Sie „linear“, „log“ oder „log:“ mit der positiven Zahl an, als die kleinere Werte genommen werden, wie in log:1e-6.</translation>
     </message>
     <message>
-        <source>None of the %1 values is positive, so they have no logarithms. Take the scale linear.</source>
+        <source>None of the %1 values is positive, so they have no logarithms. Choose the linear scale.</source>
         <translation>Keiner der %1 Werte ist positiv, sie haben also keine Logarithmen. Nehmen Sie die lineare Skala.</translation>
     </message>
     <message>
-        <source>No value is larger than %1, which smaller ones are to be taken as: the largest is %2. Give a smaller number.</source>
+        <source>No value is larger than %1, which is to replace smaller ones: the largest is %2. Give a smaller number.</source>
         <translation>Kein Wert ist größer als %1, die Zahl, als die kleinere Werte genommen werden sollen: Der größte ist %2. Geben Sie eine kleinere Zahl an.</translation>
     </message>
     <message>
-        <source>%1 of %2 values are not positive, so they have no logarithm. The smallest positive value is %3: with the scale log:%3 smaller ones are taken as that value.</source>
+        <source>%1 of %2 values are not positive, so they have no logarithm. The smallest positive value is %3: with the scale log:%3 smaller ones are replaced by that value.</source>
         <translation>%1 von %2 Werten sind nicht positiv, sie haben also keinen Logarithmus. Der kleinste positive Wert ist %3: Mit der Skala log:%3 werden kleinere als dieser Wert genommen.</translation>
     </message>
     <message>
-        <source>%1 of %2 values are smaller than %3, and were taken as %3.</source>
+        <source>%1 of %2 values are smaller than %3, and were replaced by %3.</source>
         <translation>%1 von %2 Werten sind kleiner als %3 und wurden als %3 genommen.</translation>
     </message>
     <message>
@@ -11540,7 +11488,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>im Gitter und im Raum</translation>
     </message>
     <message>
-        <source>What is guaranteed is the error in the grid; the error in space, at the place where you look, may be larger.</source>
+        <source>The guarantee is for the error in the grid; the error in space, at the place where you look, may be larger.</source>
         <translation>Garantiert ist der Fehler im Gitter; der Fehler im Raum, an dem Ort, auf den Sie blicken, kann größer sein.</translation>
     </message>
     <message>
@@ -11552,19 +11500,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„tan verify“ misst den Fehler im Raum.</translation>
     </message>
     <message>
-        <source>The isovalue %1 is within the error that is shown, %2, of where the data end, %3: what is seen of its surface may be error alone.</source>
+        <source>The isovalue %1 is within the displayed error, %2, of the end of the data range, %3: what you see of its surface may be error alone.</source>
         <translation>Der Isowert %1 ist höchstens um den gezeigten Fehler, %2, vom Ende der Werte der Daten, %3, entfernt: Was von seiner Fläche zu sehen ist, kann bloßer Fehler sein.</translation>
     </message>
     <message>
-        <source>The isovalue %1 is within the error that is shown, %2, of %3, the value of most of the domain: what is seen of its surface may be error alone.</source>
+        <source>The isovalue %1 is within the displayed error, %2, of %3, the value of most of the domain: what you see of its surface may be error alone.</source>
         <translation>Der Isowert %1 ist höchstens um den gezeigten Fehler, %2, von %3 entfernt, dem Wert des größten Teils des Gebiets: Was von seiner Fläche zu sehen ist, kann bloßer Fehler sein.</translation>
     </message>
     <message>
-        <source>The transfer function shows values from %1 on, which is within the error that is shown, %2, of %3, the value of most of the domain: what is seen there may be error alone.</source>
+        <source>The transfer function shows values from %1 on, which is within the displayed error, %2, of %3, the value of most of the domain: what you see there may be error alone.</source>
         <translation>Die Transferfunktion zeigt Werte ab %1; das ist höchstens um den gezeigten Fehler, %2, von %3 entfernt, dem Wert des größten Teils des Gebiets: Was dort zu sehen ist, kann bloßer Fehler sein.</translation>
     </message>
     <message>
-        <source>The values that the transfer function shows about %1 are fewer than the error that is shown, %2: the mesh cannot tell them from others.</source>
+        <source>The values that the transfer function shows around %1 span less than the displayed error, %2: the mesh cannot distinguish them from others.</source>
         <translation>Der Bereich der Werte, den die Transferfunktion um %1 zeigt, ist schmaler als der gezeigte Fehler, %2: Das Netz kann diese Werte nicht von anderen unterscheiden.</translation>
     </message>
     <message>
@@ -11572,7 +11520,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Wählen Sie andere Werte.</translation>
     </message>
     <message>
-        <source>An error of at most %1 % would do, everywhere or for values near %2 alone.</source>
+        <source>An error of at most %1 % would be enough, everywhere or for values near %2 alone.</source>
         <translation>Ein Fehler von höchstens %1 % würde genügen, überall oder nur für Werte nahe %2.</translation>
     </message>
     <message>
@@ -11580,11 +11528,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Beleuchtet</translation>
     </message>
     <message>
-        <source>Lights surfaces in the colours of values, so that their shape is seen better; their colours are then no longer those of the colour bar.</source>
+        <source>Lights surfaces in the colours of values, so that their shape is easier to see; their colours then differ from those of the colour bar.</source>
         <translation>Beleuchtet Flächen in den Farben von Werten, sodass ihre Form besser zu sehen ist; ihre Farben sind dann nicht mehr die der Farbskala.</translation>
     </message>
     <message>
-        <source>The preset goes from 0 to 1, and is stretched over the values of the data, %1 to %2.</source>
+        <source>The preset covers 0 to 1, and is stretched over the values of the data, %1 to %2.</source>
         <translation>Die Vorlage geht von 0 bis 1 und wird über die Werte der Daten gespreizt, %1 bis %2.</translation>
     </message>
     <message>
@@ -11600,7 +11548,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie hat mehr Zeitschritte, als aufgelistet werden können. Geben Sie für „--time“ die Nummer eines davon an, ab 1.</translation>
     </message>
     <message>
-        <source>it has one time step, and tells no time. Leave &apos;--time&apos; out.</source>
+        <source>it has one time step, and states no time. Leave &apos;--time&apos; out.</source>
         <translation>sie hat einen Zeitschritt und nennt keine Zeit. Lassen Sie „--time“ weg.</translation>
     </message>
     <message>
@@ -11620,7 +11568,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>die Dimensionen des Arrays sind x, y, z</translation>
     </message>
     <message>
-        <source>the array&apos;s dimensions are x, y, z; give &apos;--axes zyx&apos; if they are z, y, x, as those of stacks of images are</source>
+        <source>the array&apos;s dimensions are x, y, z; give &apos;--axes zyx&apos; if they are z, y, x, as in stacks of images</source>
         <translation>die Dimensionen des Arrays sind x, y, z; geben Sie „--axes zyx“ an, wenn sie z, y, x sind, wie die von Bildstapeln</translation>
     </message>
     <message>
@@ -11632,7 +11580,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>NumPy-Arrays: ob sie als array[x, y, z] indiziert sind oder als array[z, y, x], wie Bildstapel von scikit-image, imageio und tifffile.</translation>
     </message>
     <message>
-        <source>&apos;--%1&apos; says how a NumPy array is indexed, and &apos;%2&apos; is none. Leave it out.</source>
+        <source>&apos;--%1&apos; says how a NumPy array is indexed, and &apos;%2&apos; is not one. Leave it out.</source>
         <translation>„--%1“ sagt, wie ein NumPy-Array indiziert ist, und „%2“ ist keines. Lassen Sie die Option weg.</translation>
     </message>
     <message>
@@ -11644,11 +11592,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Keiner der Isowerte liegt innerhalb der Werte des Modells, %1 bis %2, daher sind ihre Flächen leer.</translation>
     </message>
     <message>
-        <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is none.</source>
+        <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is not one.</source>
         <translation>Nur krummlinige Gitter können in dem einen oder dem anderen Raum vergröbert werden, und „%1“ ist keines.</translation>
     </message>
     <message>
-        <source>The grid &apos;%1&apos; cannot be taken as a mesh: %2 Refine it instead.</source>
+        <source>The grid &apos;%1&apos; cannot be used as a mesh: %2 Refine it instead.</source>
         <translation>Das Gitter „%1“ kann nicht als Netz genommen werden: %2 Verfeinern Sie es stattdessen.</translation>
     </message>
     <message>
@@ -11656,7 +11604,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Gitter hat %1 Zellen, deren Netz bis zu %2 Speicher braucht, von %3. Verfeinern Sie es stattdessen, oder nehmen Sie einen Teil davon oder weniger Abtastwerte.</translation>
     </message>
     <message>
-        <source>%1 of its points lie on the place of another one and have another value.</source>
+        <source>%1 of its points lie at the same place as another and have another value.</source>
         <translation>%1 seiner Punkte liegen am Ort eines anderen und haben einen anderen Wert.</translation>
     </message>
     <message>
@@ -11664,11 +11612,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 seiner Zellen sind gefaltet, überlappen andere oder sind so verzogen, dass keine Tetraeder sie füllen.</translation>
     </message>
     <message>
-        <source>%1 of its points belong to cells without volume alone.</source>
+        <source>%1 of its points belong only to cells without volume.</source>
         <translation>%1 seiner Punkte gehören nur zu Zellen ohne Volumen.</translation>
     </message>
     <message>
-        <source>it has %1 points, and %2 is the most.</source>
+        <source>it has %1 points, and the limit is %2.</source>
         <translation>es hat %1 Punkte, und höchstens %2 sind möglich.</translation>
     </message>
     <message>
@@ -11676,19 +11624,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 Ecken seiner Zellen sind gefaltet.</translation>
     </message>
     <message>
-        <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
+        <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, or by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and supports blocks.</source>
         <translation>Für Gitter, deren Punkte irgendwo liegen: „im physikalischen Raum“ baut dort, wo sie liegen, durch Vergröberung aus dem Netz der Zellen des Gitters, durch Verfeinerung (von rechtwinkligen Gittern) aus den Punkten allein; „im Rechenraum“ nach ihren Indizes, wie im Aufsatz, was weniger Speicher braucht und Blöcke erlaubt.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error in space, where the points lie.</source>
+        <source>A curvilinear grid: decimation uses the mesh of its cells, and needs the fewest tetrahedra for an error in space, where the points lie.</source>
         <translation>Ein krummliniges Gitter: Die Vergröberung nimmt das Netz seiner Zellen und braucht die wenigsten Tetraeder für einen Fehler im Raum, also dort, wo die Punkte liegen.</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;grid&apos; keeps the error in the grid, at the points&apos; indices, as the paper did; &apos;space&apos; also the error in space, where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps both of grids of up to a million points that are refined as a whole, by both thresholds.</source>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error in the grid, at the points&apos; indices, as the paper did; &apos;space&apos; also the error in space, where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps both for grids of up to a million points that are refined as a whole, using both thresholds.</source>
         <translation>Für krummlinige Daten: „im Gitter“ hält den Fehler im Gitter ein, bei den Indizes der Punkte, wie im Aufsatz; „im Raum“ auch den Fehler im Raum, dort, wo die Punkte liegen, also den, den Sie sehen. Das braucht mehr Knoten und Zeit und das ganze Gitter im Speicher. „automatisch“ hält beide bei Gittern bis zu einer Million Punkten ein, die als Ganzes und nach beiden Schwellen verfeinert werden.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: refinement in computational space bounds the error in the grid and the warping, also where cells of the grid are folded, and can bound the error in space.</source>
+        <source>A curvilinear grid: refinement in computational space bounds the error in the grid and the warping, even where cells of the grid are folded, and can bound the error in space.</source>
         <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt den Fehler im Gitter und die Verwerfung, auch wo Zellen des Gitters gefaltet sind, und kann den Fehler im Raum begrenzen.</translation>
     </message>
     <message>
@@ -11696,19 +11644,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>es ist eine Liste von EnSight-Fällen, die VTK 9.1 nicht liest. Öffnen Sie einen der Fälle, die sie nennt.</translation>
     </message>
     <message>
-        <source>its files name each other more than %1 deep.</source>
+        <source>its files refer to each other more than %1 levels deep.</source>
         <translation>ihre Dateien nennen einander mehr als %1 Ebenen tief.</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos;, which names it in turn.</source>
+        <source>it refers to the file &apos;%1&apos;, which refers back to it.</source>
         <translation>sie nennt die Datei „%1“, die wiederum sie nennt.</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos; twice for one time. Write each part once.</source>
+        <source>it lists the file &apos;%1&apos; twice for one time. Write each part once.</source>
         <translation>sie nennt die Datei „%1“ zweimal für einen Zeitpunkt. Schreiben Sie jeden Teil einmal.</translation>
     </message>
     <message>
-        <source>its chunks went through %1 codecs, more than %2</source>
+        <source>its chunks were passed through %1 codecs, more than %2</source>
         <translation>ihre Stücke (Chunks) gingen durch %1 Codecs, mehr als %2</translation>
     </message>
     <message>
@@ -11724,11 +11672,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>zyx</translation>
     </message>
     <message>
-        <source>%1 or a comment before it is longer than %2 bytes, and so not one of a table of points.</source>
+        <source>%1 or a comment before it is longer than %2 bytes, so this is not a table of points.</source>
         <translation>%1 oder ein Kommentar davor ist länger als %2 Bytes und so nicht aus einer Tabelle von Punkten.</translation>
     </message>
     <message>
-        <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
+        <source>%1 has %2 columns, and at most %3 are read. Write a file with only the columns of positions and values that you need.</source>
         <translation>%1 hat %2 Spalten, und höchstens %3 werden gelesen. Schreiben Sie eine Datei aus den Spalten der Orte und Werte, die Sie brauchen.</translation>
     </message>
     <message>
@@ -11752,11 +11700,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie hat %1 Detailstufen, von denen 0 die feinste ist; die anderen werden nicht gelesen. Wählen Sie eine durch ihr Feld, etwa „%2“.</translation>
     </message>
     <message>
-        <source>%1 has values whose bracket stands right behind the last one, of which VTK then leaves out a digit. Put an end of line before the bracket, or export the file again.</source>
+        <source>%1 has values whose closing bracket directly follows the last one, of which VTK then drops a digit. Put an end of line before the bracket, or export the file again.</source>
         <translation>%1 hat Werte, deren Klammer gleich hinter dem letzten steht, von dem VTK dann eine Ziffer auslässt. Setzen Sie ein Zeilenende vor die Klammer, oder exportieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>it names %1 files %2 times in all.</source>
+        <source>it lists %1 files %2 times in all.</source>
         <translation>sie nennt %1 Dateien insgesamt %2 Mal.</translation>
     </message>
     <message>
@@ -11768,7 +11716,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie hat mehr als %1 Zonen. Schreiben Sie Dateien mit weniger Zonen.</translation>
     </message>
     <message>
-        <source>Its chunks are unpacked whole, however little of them is wanted, which takes %1 MB of memory.</source>
+        <source>Its chunks are unpacked whole, however little of them is needed, which takes %1 MB of memory.</source>
         <translation>Seine Stücke (Chunks) werden ganz entpackt, so wenig auch von ihnen gebraucht wird; das braucht %1 MB Speicher.</translation>
     </message>
     <message>
@@ -11784,7 +11732,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Es wurde für eine frühere Version von TAn gebaut. Installieren Sie eine neuere Version des Plugins, oder bauen Sie es mit den Headern dieses TAn neu.</translation>
     </message>
     <message>
-        <source>it is no shared library for this machine.</source>
+        <source>it is not a shared library for this machine.</source>
         <translation>Es ist keine gemeinsam genutzte Bibliothek für diesen Rechner.</translation>
     </message>
     <message>
@@ -11812,11 +11760,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>sie muss ein Objekt sein, in geschweiften Klammern.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no plane: give x, y or z and a place, as in z=12.5, or nx,ny,nz,offset for the points with nx x + ny y + nz z = offset, the first three not all zero.</source>
+        <source>&apos;%1&apos; is not a plane: give x, y or z and a position, as in z=12.5, or nx,ny,nz,offset for the points with nx x + ny y + nz z = offset, the first three not all zero.</source>
         <translation>„%1“ ist keine Ebene: Geben Sie x, y oder z mit einer Stelle an, wie z=12.5, oder nx,ny,nz,Abstand für die Punkte mit nx x + ny y + nz z = Abstand, die ersten drei nicht alle null.</translation>
     </message>
     <message>
-        <source>The plane &apos;%1&apos; misses the data, which reach from %2 to %3 in its direction.</source>
+        <source>The plane &apos;%1&apos; misses the data, which extend from %2 to %3 in its direction.</source>
         <translation>Die Ebene „%1“ trifft die Daten nicht, die in ihrer Richtung von %2 bis %3 reichen.</translation>
     </message>
     <message>
@@ -11832,7 +11780,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Projektion</translation>
     </message>
     <message>
-        <source>Which value along each line of sight is shown: the largest (&apos;maximum&apos;), or the smallest (&apos;minimum&apos;).</source>
+        <source>Which value along each line of sight is shown: the largest (&apos;maximum&apos;) or the smallest (&apos;minimum&apos;).</source>
         <translation>Welcher Wert entlang jeder Sichtlinie gezeigt wird: der größte („Maximum“) oder der kleinste („Minimum“).</translation>
     </message>
     <message>
@@ -11852,7 +11800,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Achse</translation>
     </message>
     <message>
-        <source>The axis that the plane lies across; &apos;all&apos; shows three planes, one across each.</source>
+        <source>The axis perpendicular to the plane; &apos;all&apos; shows three planes, one for each axis.</source>
         <translation>Die Achse, zu der die Ebene senkrecht steht; „alle“ zeigt drei Ebenen, eine zu jeder.</translation>
     </message>
     <message>
@@ -11860,7 +11808,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Stelle</translation>
     </message>
     <message>
-        <source>Where the plane lies along its axis: at 0 where the data begin, at 100 where they end.</source>
+        <source>Where the plane lies along its axis: 0 where the data begin, 100 where they end.</source>
         <translation>Wo die Ebene entlang ihrer Achse liegt: bei 0, wo die Daten beginnen, bei 100, wo sie enden.</translation>
     </message>
     <message>
@@ -11868,20 +11816,76 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ebenen</translation>
     </message>
     <message>
-        <source>Planes in place of those across the axes: each by its axis and its place in the coordinates of the data, as in z=12.5, or of any direction: nx,ny,nz,offset, for the points with nx x + ny y + nz z = offset.</source>
+        <source>Planes instead of those perpendicular to the axes: each by its axis and its position in the coordinates of the data, as in z=12.5, or in any direction: nx,ny,nz,offset, for the points with nx x + ny y + nz z = offset.</source>
         <translation>Ebenen anstelle derer zu den Achsen: jede durch ihre Achse und ihre Stelle in den Koordinaten der Daten, wie z=12.5, oder in beliebiger Richtung: nx,ny,nz,Abstand, für die Punkte mit nx x + ny y + nz z = Abstand.</translation>
     </message>
     <message>
-        <source>Whether slices hide what lies behind (&apos;opaque&apos;), or each value is as opaque as the transfer &apos;function&apos; makes a layer of its unit of thickness.</source>
+        <source>Whether slices hide what is behind them (&apos;opaque&apos;), or each value is as opaque as the transfer &apos;function&apos; makes a layer of its unit of thickness.</source>
         <translation>Ob Schnitte verdecken, was dahinter liegt („deckend“), oder jeder Wert so deckend ist, wie die Transferfunktion („Funktion“) eine Schicht der Einheitsdicke macht.</translation>
     </message>
     <message>
-        <source>The slices are as at first: theirs are for another domain.</source>
+        <source>The slices have their default position: the saved ones are for another domain.</source>
         <translation>Die Schnitte sind wie am Anfang: ihre Ebenen gehören zu einem anderen Gebiet.</translation>
     </message>
     <message>
         <source>%</source>
         <translation>%</translation>
+    </message>
+    <message>
+        <source>%1 %2 at the target</source>
+        <translation>%1 %2 am Blickziel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>1 unit at the target</source>
+        <translation>1 Einheit am Blickziel</translation>
+    </message>
+    <message>
+        <source>1 unit</source>
+        <translation>1 Einheit</translation>
+    </message>
+    <message>
+        <source>%1 units at the target</source>
+        <translation>%1 Einheiten am Blickziel</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 Einheiten</translation>
+    </message>
+    <message>
+        <source>This system has no font to write into pictures. Install one, such as the package fonts-dejavu-core of Debian, or take the picture without annotations.</source>
+        <translation>Dieses System hat keine Schriftart, mit der in Bilder geschrieben werden kann. Installieren Sie eine, etwa das Paket fonts-dejavu-core von Debian, oder machen Sie das Bild ohne Beschriftung.</translation>
+    </message>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+    <message>
+        <source>There is no frame %1 in this film, which has %2 of them.</source>
+        <translation>Dieser Film hat kein Bild %1; es sind %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 in the focus, %3 outside</source>
+        <translation>%1 %2 im Fokus, %3 außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1, in space up to %2</source>
+        <translation>%1, im Raum bis %2</translation>
+    </message>
+    <message>
+        <source>%1 (in space up to %2)</source>
+        <translation>%1 (im Raum bis %2)</translation>
     </message>
 </context>
 <context>
@@ -11936,7 +11940,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Modelle (*.tan)</translation>
     </message>
     <message>
-        <source>All that can be opened (%1)</source>
+        <source>All supported files (%1)</source>
         <translation>Alles, was sich öffnen lässt (%1)</translation>
     </message>
     <message>
@@ -11948,11 +11952,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sitzungen (*.tansession)</translation>
     </message>
     <message>
-        <source>Pictures with their sessions (*.png)</source>
+        <source>Pictures saved by TAn (*.png)</source>
         <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
     <message>
-        <source>Datasets packed by gzip (*.gz)</source>
+        <source>Datasets compressed with gzip (*.gz)</source>
         <translation>Mit gzip gepackte Datensätze (*.gz)</translation>
     </message>
 </context>
@@ -11995,7 +11999,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Dragging turns the model freely, in any direction, instead of around the up axis</source>
+        <source>Dragging turns the model freely in any direction, instead of around the up axis</source>
         <translation>Ziehen dreht das Modell frei in jede Richtung, statt um die Achse, die nach oben zeigt</translation>
     </message>
     <message>
@@ -12029,7 +12033,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>W&amp;ählen</translation>
     </message>
     <message>
-        <source>Pick the value at the pointer, or in the middle of the picture</source>
+        <source>Pick the value at the pointer, or in the centre of the picture</source>
         <translation>Wählt den Wert am Zeiger oder in der Bildmitte</translation>
     </message>
     <message>
@@ -12061,7 +12065,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Erst ein Modell öffnen</translation>
     </message>
     <message>
-        <source>Click a place in the picture first, or pick one</source>
+        <source>Click or pick a place in the picture first</source>
         <translation>Erst eine Stelle im Bild anklicken oder wählen</translation>
     </message>
 </context>
@@ -12076,7 +12080,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it offers its view</source>
         <translation>Programm, Modell, Genauigkeit, Kamera, Transferfunktion und Isowerte, sodass das Bild noch einmal gemacht werden kann: Beim Öffnen wird seine Ansicht angeboten</translation>
     </message>
     <message>
@@ -12092,7 +12096,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Schl&amp;ießen</translation>
     </message>
     <message>
-        <source>Put it on the clipboard</source>
+        <source>Copy it to the clipboard</source>
         <translation>In die Zwischenablage legen</translation>
     </message>
 </context>
@@ -12159,7 +12163,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Eigene</translation>
     </message>
     <message>
-        <source>Annotations and lines take as much of the picture as they do of the view</source>
+        <source>Annotations and lines take up the same share of the picture as of the view</source>
         <translation>Beschriftung und Linien nehmen so viel vom Bild ein wie von der Ansicht</translation>
     </message>
     <message>
@@ -12195,7 +12199,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Proportionen beibehalten</translation>
     </message>
     <message>
-        <source>Width and height follow each other, so that nothing is added or cut off</source>
+        <source>Width and height change together, so that nothing is added or cut off</source>
         <translation>Breite und Höhe folgen einander, sodass nichts hinzukommt oder abgeschnitten wird</translation>
     </message>
 </context>
@@ -12226,7 +12230,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
     </message>
     <message>
-        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space turns a plugin on or off.</source>
         <translation>Was gefunden wurde, und warum etwas nicht benutzt wird. Die Leertaste schaltet ein Plugin ein oder aus.</translation>
     </message>
     <message>
@@ -12269,7 +12273,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <source>Opacity of the selected points: percentage of light absorbed per unit distance</source>
         <translation>Deckkraft der ausgewählten Punkte: Prozent des Lichts, das auf der Einheitslänge verschluckt wird</translation>
     </message>
     <message>
@@ -12285,7 +12289,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Einheitslänge</translation>
     </message>
     <message>
-        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <source>The thickness of a layer to which the opacities apply, in data units: a smaller one makes everything denser</source>
         <translation>Die Dicke, in den Einheiten der Daten, bei der eine Schicht die Deckkraft hat: weniger macht alles dichter</translation>
     </message>
     <message>
@@ -12331,7 +12335,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Gruppe</translation>
     </message>
     <message>
-        <source>In the units of the data</source>
+        <source>In data units</source>
         <translation>In den Einheiten der Daten</translation>
     </message>
     <message>
@@ -12386,15 +12390,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Vorlagen</translation>
     </message>
     <message>
-        <source>Keep the transfer function as it is now, for this and for other models</source>
+        <source>Keep the current transfer function for this and other models</source>
         <translation>Die Transferfunktion, wie sie jetzt ist, für dieses und andere Modelle behalten</translation>
     </message>
     <message>
-        <source>Delete the chosen preset, if it is one of your own</source>
+        <source>Delete the selected preset, if it is one of your own</source>
         <translation>Die gewählte Vorlage löschen, wenn es eine eigene ist</translation>
     </message>
     <message>
-        <source>One of your own</source>
+        <source>Your own preset</source>
         <translation>Eine eigene</translation>
     </message>
     <message>
@@ -12433,7 +12437,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Den Fokus zum Zielpunkt der Kamera bewegen</translation>
     </message>
     <message>
-        <source>&amp;Window</source>
+        <source>Crop Bo&amp;x</source>
         <translation>&amp;Fenster</translation>
     </message>
     <message>
@@ -12441,7 +12445,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
     </message>
     <message>
-        <source>Switch on a focus first</source>
+        <source>Turn on a focus first</source>
         <translation>Erst einen Fokus einschalten</translation>
     </message>
     <message>
@@ -12460,7 +12464,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
 <context>
     <name>tetra::RegionPanel</name>
     <message>
-        <source>Only a &amp;window</source>
+        <source>&amp;Only a crop box</source>
         <translation>Nur ein &amp;Fenster</translation>
     </message>
     <message>
@@ -12468,7 +12472,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
     </message>
     <message>
-        <source>Bounds of the window, in data coordinates</source>
+        <source>Corners of the crop box, in data coordinates</source>
         <translation>Grenzen des Fensters, in den Koordinaten der Daten</translation>
     </message>
     <message>
@@ -12496,11 +12500,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Rand</translation>
     </message>
     <message>
-        <source>Make the window as large as the domain</source>
+        <source>Make the crop box as large as the domain</source>
         <translation>Das Fenster so groß machen wie das Gebiet</translation>
     </message>
     <message>
-        <source>In the units of the data: %1 to %2</source>
+        <source>In data units: %1 to %2</source>
         <translation>In der Einheit der Daten: %1 bis %2</translation>
     </message>
     <message>
@@ -12532,11 +12536,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Größter</translation>
     </message>
     <message>
-        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <source>Show only tetrahedra that can contain a value in a range. Isosurfaces of other values disappear, or are shown only in part.</source>
         <translation>Nur Tetraeder zeigen, die einen Wert eines Bereichs enthalten können. Isoflächen anderer Werte sind nicht oder nur teilweise zu sehen.</translation>
     </message>
     <message>
-        <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
+        <source>How tetrahedra at the border of the crop box are treated: cut exactly there, or kept or left out whole</source>
         <translation>Wie das Fenster endet: Tetraeder an seiner Grenze werden genau dort geschnitten oder ganz behalten oder ganz weggelassen</translation>
     </message>
     <message>
@@ -12544,11 +12548,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Alle Tetraeder in einem Bereich von &amp;Fehlern</translation>
     </message>
     <message>
-        <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
+        <source>Overlay the tetrahedra of every mesh between two errors, as surfaces. The crop box does not cut them.</source>
         <translation>Statt eines Netzes die Tetraeder aller Netze zwischen zwei Fehlern zeigen, übereinander, als Flächen. Ein Fenster lässt sie ganz.</translation>
     </message>
     <message>
-        <source>in percent of the value range; 100 is no limit</source>
+        <source>in percent of the value range; 100 means no limit</source>
         <translation>in Prozent des Wertebereichs; 100 ist keine Grenze</translation>
     </message>
     <message>
@@ -12576,47 +12580,47 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Netz dieses Fehlers ist das gröbste des Bereichs, in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Bor&amp;n above</source>
+        <source>&amp;Appear above</source>
         <translation>E&amp;ntstanden über</translation>
     </message>
     <message>
-        <source>Born above</source>
+        <source>Appear above</source>
         <translation>Entstanden über</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
+        <source>Only tetrahedra that first appear above this error, in percent of the value range</source>
         <translation>Nur Tetraeder, die ab einem Fehler über diesem in Netzen sind, in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Born &amp;up to</source>
+        <source>Appear &amp;up to</source>
         <translation>Entstanden &amp;bis</translation>
     </message>
     <message>
-        <source>Born up to</source>
+        <source>Appear up to</source>
         <translation>Entstanden bis</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in no mesh of a larger error than this, %1</source>
+        <source>Only tetrahedra that first appear at or below this error, %1</source>
         <translation>Nur Tetraeder, die in keinem Netz eines größeren Fehlers sind, %1</translation>
     </message>
     <message>
-        <source>Replace&amp;d from</source>
+        <source>&amp;Disappear from</source>
         <translation>Ersetzt a&amp;b</translation>
     </message>
     <message>
-        <source>Replaced from</source>
+        <source>Disappear from</source>
         <translation>Ersetzt ab</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
+        <source>Only tetrahedra that are replaced at this error or a larger one, in percent of the value range</source>
         <translation>Nur Tetraeder, die bei diesem Fehler oder vorher ersetzt werden, in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Re&amp;placed up to</source>
+        <source>Disap&amp;pear up to</source>
         <translation>Erset&amp;zt bis</translation>
     </message>
     <message>
-        <source>Replaced up to</source>
+        <source>Disappear up to</source>
         <translation>Ersetzt bis</translation>
     </message>
     <message>
@@ -12639,7 +12643,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation> Bilder/s</translation>
     </message>
     <message>
-        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the picture at rest is always complete.</source>
+        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the still picture is always complete.</source>
         <translation>Die Bildrate, die in Bewegung gehalten wird. Ist der Rechner zu langsam, werden die Bilder kleiner und aus weniger Tetraedern gezeichnet; das ruhende Bild ist immer vollständig.</translation>
     </message>
     <message>
@@ -12659,7 +12663,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Was bei Bewegung gezeichnet wird</translation>
     </message>
     <message>
-        <source>What to draw while something moves. The picture at rest is always complete.</source>
+        <source>What to draw while something moves. The still picture is always complete.</source>
         <translation>Was gezeichnet wird, während sich etwas bewegt. Das Bild in Ruhe ist immer vollständig.</translation>
     </message>
     <message>
@@ -12703,7 +12707,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Zeit bis zum vollen Bild</translation>
     </message>
     <message>
-        <source>When nothing has moved for this long, in milliseconds, the full picture is drawn.</source>
+        <source>The full picture is drawn when nothing has moved for this long, in milliseconds.</source>
         <translation>Wenn sich so lange nichts bewegt hat, in Millisekunden, wird das volle Bild gezeichnet.</translation>
     </message>
     <message>
@@ -12734,7 +12738,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Skala</translation>
     </message>
     <message>
-        <source>Linear takes the values as they are. Logarithmic takes their logarithms to base 10, for values over many powers of ten: errors are factors then, the same at large and at small values</source>
+        <source>Linear uses the values as they are. Logarithmic uses their logarithms to base 10, for values spanning many powers of ten: errors are then factors, the same for large and small values</source>
         <translation>Linear nimmt die Werte, wie sie sind. Logarithmisch nimmt ihre Logarithmen zur Basis 10, für Werte über viele Zehnerpotenzen: Fehler sind dann Faktoren, dieselben bei großen und bei kleinen Werten</translation>
     </message>
     <message>
@@ -12754,14 +12758,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>alle Werte sind positiv</translation>
     </message>
     <message>
-        <source>What smaller values are taken as, zero and negative ones too: they have no logarithm. Empty: all values have to be positive</source>
+        <source>Values smaller than this are replaced by it, including zero and negative ones, which have no logarithm. Leave empty if all values are positive</source>
         <translation>Der Wert, als der kleinere genommen werden, auch null und negative: Sie haben keinen Logarithmus. Leer: Alle Werte müssen positiv sein</translation>
     </message>
 </context>
 <context>
     <name>tetra::SceneService</name>
     <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <source>No renderer plugin could be loaded, so models cannot be shown. %1</source>
         <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
     </message>
 </context>
@@ -12772,11 +12776,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Sitzung konnte nicht ganz beibehalten werden.</translation>
     </message>
     <message>
-        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <source>The session %1 is not changed; saving will ask for another file name.</source>
         <translation>Die Sitzung %1 bleibt, wie sie ist; beim Speichern wird nach einem anderen Dateinamen gefragt.</translation>
     </message>
     <message>
-        <source>It is shown as the session says.</source>
+        <source>The view saved in the session is applied.</source>
         <translation>Es wird so gezeigt, wie die Sitzung sagt.</translation>
     </message>
     <message>
@@ -12845,7 +12849,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Körper speichern</translation>
     </message>
     <message>
-        <source>The isosurfaces shown are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as a 3D printer needs it.</source>
+        <source>The displayed isosurfaces are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as 3D printing requires.</source>
         <translation>Die gezeigten Isoflächen werden dort geschlossen, wo sie auf die Berandung des Netzes treffen, sodass jede die Fläche eines Körpers ist, wie ein 3D-Drucker sie braucht.</translation>
     </message>
     <message>
@@ -12865,11 +12869,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Wo der Körper liegt: auf welcher Seite der Isofläche</translation>
     </message>
     <message>
-        <source>Save of each surface only the part with the largest area</source>
+        <source>Save only the part of each surface with the largest area</source>
         <translation>Von jeder Fläche nur den Teil mit dem größten Flächeninhalt speichern</translation>
     </message>
     <message>
-        <source>Also measure how far the surfaces are from those of the finest mesh; that takes as long as to show the model at error 0</source>
+        <source>Also measure how far the surfaces are from those of the finest mesh; this takes as long as showing the model at error 0</source>
         <translation>Auch messen, wie weit die Flächen von denen des feinsten Netzes entfernt sind; das dauert so lange, wie das Modell bei Fehler 0 zu zeigen</translation>
     </message>
     <message>
@@ -12904,7 +12908,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Fehlerhafte Zellen zeigen</translation>
     </message>
     <message>
-        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and those of a grid that are folded or have no volume</source>
+        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and the cells of a grid that are folded or have no volume</source>
         <translation>Über dem Bild die Zellen umreißen, die weggelassen wurden, weil mit ihnen etwas nicht stimmt, und die eines Gitters, die gefaltet sind oder kein Volumen haben</translation>
     </message>
     <message>
@@ -12912,7 +12916,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dieses Modell führt keine fehlerhaften Zellen auf: Seine Daten haben keine, oder eine frühere Version von TAn hat es gebaut</translation>
     </message>
     <message>
-        <source>What the mesh of each error costs: its error in percent of the range of values and in their units or as a factor, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <source>What the mesh of each error costs: its error in percent of the value range and in units of the values or as a factor, its size, the time to extract it, measured on this computer, and the memory that it occupies. Choose a row to see that mesh.</source>
         <translation>Was das Netz jedes Fehlers kostet: der Fehler in Prozent des Wertebereichs und in den Einheiten der Werte oder als Faktor, die Größe, die Zeit für die Extraktion, wie hier gemessen, und der Speicher, den es belegt. Eine Zeile wählen, um dieses Netz zu sehen.</translation>
     </message>
 </context>
@@ -12943,7 +12947,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Speicher, den das Programm belegt, eingeblendete Dateien eingeschlossen</translation>
     </message>
     <message>
-        <source>Rendering back end: OpenGL or the processor</source>
+        <source>Rendering back end: OpenGL or the CPU</source>
         <translation>Gezeichnet von: OpenGL oder dem Prozessor</translation>
     </message>
     <message>
@@ -12983,11 +12987,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Gewählter Wert und sein Ort, in den Einheiten der Daten. Ein Klick anderswo wählt einen anderen, Esc nimmt die Markierung weg.</translation>
     </message>
     <message>
-        <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
+        <source>Time to draw the last picture; during movement, the frame rate, and the reduced size and number of tetrahedra</source>
         <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bildrate, die verringerte Bildgröße und die verringerte Zahl der Tetraeder</translation>
     </message>
     <message>
-        <source>The server finds the mesh, or the picture is being drawn</source>
+        <source>The server is extracting the mesh, or the picture is being drawn</source>
         <translation>Der Server bestimmt das Netz, oder das Bild wird gezeichnet</translation>
     </message>
     <message>
@@ -13056,11 +13060,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Lo&amp;garithmisch</translation>
     </message>
     <message>
-        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <source>Give the point two sides: one colour and opacity for the values below it, another for those above</source>
         <translation>Dem Punkt zwei Seiten geben: was unter seinem Wert liegt, endet dort, und was darüber liegt, beginnt</translation>
     </message>
     <message>
-        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are visible</source>
         <translation>Die Häufigkeit der Werte logarithmisch zeigen, damit man auch seltene sieht</translation>
     </message>
     <message>
@@ -13080,7 +13084,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: TAn&apos;s own, or ParaView presets (JSON or XML)</source>
         <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
     </message>
     <message>
@@ -13108,7 +13112,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <source>Save the transfer function as a JSON file, which “tan render” also accepts</source>
         <translation>Die Transferfunktion als JSON-Datei speichern, die auch „tan render“ nimmt</translation>
     </message>
     <message>
@@ -13152,11 +13156,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>A&amp;lles zeigen</translation>
     </message>
     <message>
-        <source>Value, opacity, colour and how often it occurs, at the pointer</source>
+        <source>Value, opacity, colour and frequency of occurrence, at the pointer</source>
         <translation>Wert, Deckkraft, Farbe und Häufigkeit unter dem Mauszeiger</translation>
     </message>
     <message>
-        <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
+        <source>Add a point after the selected one; or click the curve, or double-click the plot</source>
         <translation>Einen Punkt nach dem ausgewählten hinzufügen; oder auf die Kurve klicken, oder doppelt in das Diagramm</translation>
     </message>
     <message>
@@ -13214,10 +13218,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Logarithmic: by &amp;factors</source>
         <translation>Logarithmisch: nach &amp;Faktoren</translation>
-    </message>
-    <message>
-        <source>Which of the rendering mode&apos;s transfer functions is edited</source>
-        <translation>Welche der Transferfunktionen der Darstellungsart bearbeitet wird</translation>
     </message>
     <message>
         <source>Transfer function to edit</source>
@@ -13346,7 +13346,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Kamera aus einer JSON-Datei laden</translation>
     </message>
     <message>
-        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <source>Save the camera as a JSON file, which “tan render --camera” also accepts</source>
         <translation>Die Kamera als JSON-Datei speichern, die auch „tan render --camera“ nimmt</translation>
     </message>
     <message>
@@ -13398,7 +13398,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Richtung um die senkrechte Achse, in Grad</translation>
     </message>
     <message>
-        <source>Height above the plane across the up axis, in degrees</source>
+        <source>Height above the plane perpendicular to the up axis, in degrees</source>
         <translation>Höhe über der Ebene quer zur senkrechten Achse, in Grad</translation>
     </message>
     <message>
@@ -13446,14 +13446,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Ziehen</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain (Home)</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain (Home)</source>
         <translation>Einpassen, was gezeigt wird, oder den Fokus; noch einmal: das ganze Gebiet (Pos1)</translation>
     </message>
 </context>
 <context>
     <name>tetra::Viewport</name>
     <message>
-        <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
+        <source>OpenGL cannot be used; the CPU draws the picture instead. %1</source>
         <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
     </message>
 </context>

@@ -164,7 +164,7 @@
         <translation>Salva &amp;mesh…</translation>
     </message>
     <message>
-        <source>Save the mesh shown, for VTK, ParaView and others</source>
+        <source>Save the displayed mesh for VTK, ParaView and other programs</source>
         <translation>Salva la mesh mostrata, per VTK, ParaView e altri</translation>
     </message>
     <message>
@@ -172,7 +172,7 @@
         <translation>Salva s&amp;uperfici…</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown, for 3D printers, Blender, ParaView and others</source>
+        <source>Save the displayed isosurfaces for 3D printing, Blender, ParaView and other programs</source>
         <translation>Salva le isosuperfici mostrate, per stampanti 3D, Blender, ParaView e altri</translation>
     </message>
     <message>
@@ -196,7 +196,7 @@
         <translation>&amp;Salva sessione</translation>
     </message>
     <message>
-        <source>Save what is open and its view, to continue later</source>
+        <source>Save the open model and its view, to continue later</source>
         <translation>Salva ciò che è aperto con la sua vista, per continuare più tardi</translation>
     </message>
     <message>
@@ -204,7 +204,7 @@
         <translation>Salva sessione &amp;con nome…</translation>
     </message>
     <message>
-        <source>Save the session in another file</source>
+        <source>Save the session under another name</source>
         <translation>Salva la sessione in un altro file</translation>
     </message>
     <message>
@@ -240,7 +240,7 @@
         <translation>&amp;Guida a questo controllo</translation>
     </message>
     <message>
-        <source>Explain the focused control</source>
+        <source>Explain the control that has the focus</source>
         <translation>Spiega il controllo attivo</translation>
     </message>
     <message>
@@ -248,7 +248,7 @@
         <translation>&amp;Che cos&apos;è?</translation>
     </message>
     <message>
-        <source>Click on a control to read what it does</source>
+        <source>Click a control to read what it does</source>
         <translation>Fare clic su un controllo per leggere che cosa fa</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Reimposta &amp;vista</translation>
     </message>
     <message>
-        <source>Go back to the default accuracy, colours, isovalues and camera</source>
+        <source>Restore the default accuracy, colours, isovalues and camera</source>
         <translation>Ripristina accuratezza, colori, isovalori e camera iniziali</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>Apri UR&amp;L…</translation>
     </message>
     <message>
-        <source>Open a model that lies on a server</source>
+        <source>Open a model on a server</source>
         <translation>Apre un modello che si trova su un server</translation>
     </message>
     <message>
@@ -332,7 +332,7 @@
         <translation>Cache &amp;dei modelli…</translation>
     </message>
     <message>
-        <source>Where models go that are unpacked or fetched</source>
+        <source>Manage the cache of downloaded and unpacked models</source>
         <translation>Dove vanno i modelli che vengono decompressi o scaricati</translation>
     </message>
     <message>
@@ -340,7 +340,7 @@
         <translation>Sal&amp;va modello compresso…</translation>
     </message>
     <message>
-        <source>Save the model in a small part of the size, for archives and for servers</source>
+        <source>Save the model at a fraction of its size, for archiving or for a server</source>
         <translation>Salva il modello in una piccola parte della dimensione, per archivi e server</translation>
     </message>
     <message>
@@ -352,11 +352,11 @@
         <translation>Applica aspetto da u&amp;n file…</translation>
     </message>
     <message>
-        <source>Show the open model as another session or picture shows its own: with its colours, isovalues, camera and settings</source>
+        <source>Apply the colours, isovalues, camera and settings of another session or picture to the open model</source>
         <translation>Mostra il modello aperto come un&apos;altra sessione o un&apos;immagine mostra il proprio: con i suoi colori, isovalori, camera e impostazioni</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain</source>
         <translation>Inquadra ciò che si mostra, o il focus; ancora una volta: l&apos;intero dominio</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Inquadra l&apos;intero dominio</translation>
     </message>
     <message>
-        <source>Save the isosurfaces shown as closed surfaces of solids, for 3D printers</source>
+        <source>Save the displayed isosurfaces as closed surfaces of solids, for 3D printing</source>
         <translation>Salva le isosuperfici mostrate come superfici chiuse di solidi, per stampanti 3D</translation>
     </message>
     <message>
@@ -378,18 +378,6 @@
 </context>
 <context>
     <name>Annotations</name>
-    <message>
-        <source>Value</source>
-        <translation>Valore</translation>
-    </message>
-    <message>
-        <source>%1 units at the target</source>
-        <translation>%1 unità alla distanza del punto mirato</translation>
-    </message>
-    <message>
-        <source>%1 units</source>
-        <translation>%1 unità</translation>
-    </message>
     <message>
         <source>Colour &amp;bar</source>
         <translation>&amp;Barra dei colori</translation>
@@ -411,7 +399,7 @@
         <translation>A&amp;ccuratezza</translation>
     </message>
     <message>
-        <source>Values and their colours, in the units of the data; right their opacity, with marks at the isovalues</source>
+        <source>Values and their colours, in data units; on the right their opacity, with marks at the isovalues</source>
         <translation>I valori e i loro colori, nelle unità dei dati; a destra l&apos;opacità, con segni agli isovalori</translation>
     </message>
     <message>
@@ -419,7 +407,7 @@
         <translation>Le direzioni di x, y e z</translation>
     </message>
     <message>
-        <source>A length in the units of the data; in perspective that of things as far away as the target</source>
+        <source>A length in data units; in perspective it applies at the distance of the target</source>
         <translation>Una lunghezza nelle unità dei dati; in prospettiva quella delle cose distanti quanto il punto mirato</translation>
     </message>
     <message>
@@ -427,20 +415,8 @@
         <translation>Il nome del modello</translation>
     </message>
     <message>
-        <source>The error that what is shown keeps, in % of the value range</source>
+        <source>The error bound of the displayed mesh, in % of the value range</source>
         <translation>L&apos;errore che ciò che si vede non supera, in % dell&apos;intervallo dei valori</translation>
-    </message>
-    <message>
-        <source>1 unit at the target</source>
-        <translation>1 unità alla distanza del punto mirato</translation>
-    </message>
-    <message>
-        <source>1 unit</source>
-        <translation>1 unità</translation>
-    </message>
-    <message>
-        <source>%1 %2 at the target</source>
-        <translation>%1 %2 alla distanza del punto mirato</translation>
     </message>
 </context>
 <context>
@@ -489,7 +465,7 @@
         <translation>Modifica focus</translation>
     </message>
     <message>
-        <source>Change Window</source>
+        <source>Change Crop Box</source>
         <translation>Modifica finestra</translation>
     </message>
     <message>
@@ -532,7 +508,7 @@
 <context>
     <name>Desktop</name>
     <message>
-        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” says what else works without a window.</source>
+        <source>There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures into files instead; “tan --help” lists what else works without a window.</source>
         <translation>Non c&apos;è uno schermo per la finestra: né DISPLAY né WAYLAND_DISPLAY è impostata. «tan render» disegna invece le immagini in file; «tan --help» dice che cos&apos;altro funziona senza finestra.</translation>
     </message>
     <message>
@@ -544,7 +520,7 @@
         <translation>Che cosa disegna l&apos;immagine: auto, cpu o gl.</translation>
     </message>
     <message>
-        <source>A dataset, a .tan model or a session to open; each in a window of its own.</source>
+        <source>A dataset, a .tan model or a session to open; each opens in its own window.</source>
         <translation>Un insieme di dati, un modello .tan o una sessione da aprire; ciascuno in una finestra propria.</translation>
     </message>
 </context>
@@ -579,7 +555,7 @@
         <translation>Regione</translation>
     </message>
     <message>
-        <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
+        <source>How far the mesh may deviate from the data, in percent of the value range; or how many tetrahedra it may have. The curve shows what each error costs.</source>
         <translation>Di quanto la mesh può scostarsi dai dati, in percento dell&apos;intervallo dei valori, oppure quanti tetraedri può avere. La curva mostra quanto costa ogni errore.</translation>
     </message>
     <message>
@@ -591,11 +567,11 @@
         <translation>Statistiche</translation>
     </message>
     <message>
-        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers.</source>
+        <source>What each accuracy costs in vertices, tetrahedra, time and memory, and the figures of the displayed mesh.</source>
         <translation>Quanto costa ogni accuratezza in vertici, tetraedri, tempo e memoria, e la mesh mostrata in numeri.</translation>
     </message>
     <message>
-        <source>Surfaces on which the field has one value each, in the units of the data.</source>
+        <source>Surfaces on which the field has a given value, in data units.</source>
         <translation>Superfici su ciascuna delle quali il campo ha un solo valore, nelle unità dei dati.</translation>
     </message>
     <message>
@@ -603,7 +579,7 @@
         <translation>Una sfera o un parallelepipedo in cui la mesh è più accurata che all&apos;esterno.</translation>
     </message>
     <message>
-        <source>Which part of the domain is shown at all: a box, and a range of values.</source>
+        <source>Which part of the domain is shown: a crop box, and a range of values.</source>
         <translation>Quale parte del dominio si mostra: un parallelepipedo e un intervallo di valori.</translation>
     </message>
     <message>
@@ -611,7 +587,7 @@
         <translation>Animazione</translation>
     </message>
     <message>
-        <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
+        <source>Films of the model: a turntable, or a path through key frames of your choice.</source>
         <translation>Filmati del modello: un giro completo, o un percorso tra fotogrammi chiave a scelta.</translation>
     </message>
     <message>
@@ -619,11 +595,11 @@
         <translation>Trasferimento</translation>
     </message>
     <message>
-        <source>Build a model from a dataset once; its mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
+        <source>Build a model from a dataset once; a mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
         <translation>Il modello si costruisce una volta sola da un insieme di dati; la sua mesh è poi disponibile con qualsiasi accuratezza. Scegliere un metodo e un file, e premere «Costruisci».</translation>
     </message>
     <message>
-        <source>The camera in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <source>The camera settings as numbers. In the picture: drag to turn, Shift+drag to move, use the wheel to zoom.</source>
         <translation>La camera in numeri. Nell&apos;immagine: trascinare per ruotare, Maiusc e trascinare per spostare, la rotella ingrandisce.</translation>
     </message>
 </context>
@@ -634,11 +610,11 @@
         <translation>L&apos;editor non si può usare. %1</translation>
     </message>
     <message>
-        <source>Help › Plugins lists all plugins and where they are looked for.</source>
+        <source>Help › Plugins lists all plugins and the folders that are searched for them.</source>
         <translation>Aiuto › Plugin elenca tutti i plugin e dove vengono cercati.</translation>
     </message>
     <message>
-        <source>The mode %1 shows no transfer function. Changes are seen in other modes.</source>
+        <source>The mode %1 does not use a transfer function. Changes appear in other modes.</source>
         <translation>La modalità %1 non mostra alcuna funzione di trasferimento. Le modifiche si vedono in altre modalità.</translation>
     </message>
     <message>
@@ -703,7 +679,7 @@
         <translation>%1: t = %2</translation>
     </message>
     <message>
-        <source>All that fit together</source>
+        <source>All that go together</source>
         <translation>Tutti quelli compatibili fra loro</translation>
     </message>
     <message>
@@ -718,7 +694,7 @@
 <context>
     <name>ImportTexts</name>
     <message>
-        <source>%1 = %2 bytes: the file has exactly that.</source>
+        <source>%1 = %2 bytes: exactly the size of the file.</source>
         <translation>%1 = %2 byte: il file ne ha esattamente tanti.</translation>
     </message>
     <message>
@@ -742,7 +718,7 @@
         <translation>Questo computer ha %1 di memoria.</translation>
     </message>
     <message>
-        <source>A volume needs at least two points along each axis. Take a larger region or a smaller stride.</source>
+        <source>A volume needs at least two points along each axis. Choose a larger region or a smaller stride.</source>
         <translation>Un volume richiede almeno due punti lungo ogni asse. Prendere una regione più grande o un passo più piccolo.</translation>
     </message>
     <message>
@@ -783,11 +759,11 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>No program opens web pages here. Install a web browser, or read %1.</source>
+        <source>No web browser was found on this computer. Install one, or read %1.</source>
         <translation>Qui nessun programma apre pagine web. Installare un browser, oppure leggere %1.</translation>
     </message>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <source>The manual is not installed. Reinstall the package tan with its documentation, or build TAn on a system that has Sphinx (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of the source code.</source>
         <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn dove Sphinx è installato (python3-sphinx, python3-myst-parser, furo); gli stessi testi sono nella cartella docs dei sorgenti.</translation>
     </message>
 </context>
@@ -818,11 +794,11 @@
         <translation>Mostrato: %1.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
+        <source>%1 tetrahedra in %2 pieces, cut by the crop box</source>
         <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
     </message>
     <message>
-        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
+        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are selected.</source>
         <translation>Mostrati: tetraedri delle mesh (%1). Scelti %2 su %3.</translation>
     </message>
     <message>
@@ -830,40 +806,12 @@
         <translation>Mostrato: %1, deformazione %2.</translation>
     </message>
     <message>
-        <source>Shown: %1, whatever the warping.</source>
+        <source>Shown: %1, with any warping.</source>
         <translation>Mostrato: %1, qualunque sia la deformazione.</translation>
-    </message>
-    <message>
-        <source>%1 from %2 to %3</source>
-        <translation>%1 da %2 a %3</translation>
-    </message>
-    <message>
-        <source>%1 %2 in the focus, %3 outside</source>
-        <translation>%1 %2 nel focus, %3 all&apos;esterno</translation>
-    </message>
-    <message>
-        <source>%1 %2 to %3</source>
-        <translation>%1 da %2 a %3</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 (in space up to %2)</source>
-        <translation>%1 (nello spazio fino a %2)</translation>
     </message>
     <message>
         <source>in the grid; in space up to %1</source>
         <translation>nella griglia; nello spazio fino a %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1, in space up to %2</source>
-        <translation>%1, nello spazio fino a %2</translation>
     </message>
 </context>
 <context>
@@ -995,7 +943,7 @@
         <translation>Fullerene</translation>
     </message>
     <message>
-        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.</source>
+        <source>Electron density of a C60 molecule; regular grid, %1, computed by TAn. See the cage of atoms as an isosurface, and how few tetrahedra are enough for an error of 1 %.</source>
         <translation>Densità elettronica di una molecola C60; reticolo regolare, %1, calcolato da TAn. Da guardare: la gabbia di atomi come isosuperficie, e quanti pochi tetraedri bastano per un errore dell&apos;1 %.</translation>
     </message>
     <message>
@@ -1003,7 +951,7 @@
         <translation>Atomo di idrogeno</translation>
     </message>
     <message>
-        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two lobes and the ring, as a volume or as isosurfaces.</source>
+        <source>Probability density of the 3d electron; regular grid, %1, computed by TAn. See the two lobes and the ring, as a volume or as isosurfaces.</source>
         <translation>Densità di probabilità dell&apos;elettrone 3d; reticolo regolare, %1, calcolato da TAn. Da guardare: i due lobi e l&apos;anello, come volume o come isosuperfici.</translation>
     </message>
     <message>
@@ -1011,7 +959,7 @@
         <translation>Flusso supersonico</translation>
     </message>
     <message>
-        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow shock, and at the grid that follows the body.</source>
+        <source>Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. See the bow shock, and how the grid follows the body.</source>
         <translation>Densità davanti a una semisfera; griglia curvilinea, %1, calcolata da TAn. Da guardare: l&apos;onda d&apos;urto, e la griglia che segue il corpo.</translation>
     </message>
     <message>
@@ -1019,7 +967,7 @@
         <translation>Flusso su cilindro</translation>
     </message>
     <message>
-        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look at the front, where the flow is stopped, and at the sides, where it is fastest.</source>
+        <source>Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. See the front, where the flow is stopped, and the sides, where it is fastest.</source>
         <translation>Pressione del flusso; griglia curvilinea chiusa su sé stessa, %1, calcolata da TAn. Da guardare: il fronte, dove il flusso si arresta, e i lati, dove è più veloce.</translation>
     </message>
     <message>
@@ -1027,7 +975,7 @@
         <translation>Flusso in un condotto</translation>
     </message>
     <message>
-        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. Look at how the flow keeps to the outer wall of the bend.</source>
+        <source>Speed in a bent duct; curvilinear grid, %1, computed by TAn. See how the flow keeps to the outer wall of the bend.</source>
         <translation>Velocità in un condotto curvo; griglia curvilinea, %1, calcolata da TAn. Da guardare: come il flusso resta sulla parete esterna della curva.</translation>
     </message>
     <message>
@@ -1035,7 +983,7 @@
         <translation>Piastra forata</translation>
     </message>
     <message>
-        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. Look at the boundary, which keeps its holes at every accuracy.</source>
+        <source>Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. See how the boundary keeps its holes at every accuracy.</source>
         <translation>Tensione in una piastra con cinque fori e una cavità chiusa; mesh irregolare, calcolata da TAn. Da guardare: il contorno, che conserva i fori a ogni accuratezza.</translation>
     </message>
     <message>
@@ -1043,7 +991,7 @@
         <translation>Punti sparsi</translation>
     </message>
     <message>
-        <source>Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. Look at the volume: it needs no grid.</source>
+        <source>Waves that become finer outwards, sampled at random points in a ball; %1, computed by TAn. See the volume: it needs no grid.</source>
         <translation>Onde sempre più fini verso l&apos;esterno, campionate in punti casuali di una sfera; %1, calcolati da TAn. Da guardare: il volume, che non ha bisogno di griglia.</translation>
     </message>
     <message>
@@ -1051,7 +999,7 @@
         <translation>Increspature</translation>
     </message>
     <message>
-        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine ripples, which vanish first when the error grows.</source>
+        <source>The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. See the fine ripples, which vanish first as the error grows.</source>
         <translation>Il segnale di prova di Marschner e Lobb; reticolo regolare, %1, calcolato da TAn. Da guardare: le increspature fini, le prime a sparire quando l&apos;errore cresce.</translation>
     </message>
     <message>
@@ -1059,7 +1007,7 @@
         <translation>Strato limite</translation>
     </message>
     <message>
-        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. Look at how the tetrahedra crowd at the wall.</source>
+        <source>A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. See how the tetrahedra crowd at the wall.</source>
         <translation>Uno strato presso una parete; griglia rettilinea a passo crescente, %1, calcolata da TAn. Da guardare: come i tetraedri si addensano alla parete.</translation>
     </message>
     <message>
@@ -1067,7 +1015,7 @@
         <translation>Rumore bianco</translation>
     </message>
     <message>
-        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
+        <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. See the statistics: even at a large error nearly all points are needed.</source>
         <translation>Valori casuali, il caso peggiore per ogni metodo; reticolo regolare, %1, calcolato da TAn. Da guardare: le statistiche, perché anche con un errore grande servono quasi tutti i punti.</translation>
     </message>
 </context>
@@ -1162,7 +1110,7 @@
         <translation>tetraedri tagliati: %1</translation>
     </message>
     <message>
-        <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
+        <source>tetrahedra cut: %1; overlapping groups, drawn by distance: %2</source>
         <translation>tetraedri tagliati: %1; gruppi sovrapposti, disegnati per distanza: %2</translation>
     </message>
     <message>
@@ -1174,11 +1122,11 @@
         <translation>Celle difettose contornate</translation>
     </message>
     <message>
-        <source>Taken of the file</source>
+        <source>Used from the file</source>
         <translation>Preso dal file</translation>
     </message>
     <message>
-        <source>Not used of it</source>
+        <source>Not used from the file</source>
         <translation>Non usato del file</translation>
     </message>
     <message>
@@ -1286,7 +1234,7 @@
         <translation>La mesh più piccola con questo errore</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh with at most this number of tetrahedra. A focus keeps its ratio to the rest.</source>
         <translation>La mesh migliore con tanti tetraedri. Un focus conserva la sua proporzione col resto.</translation>
     </message>
     <message>
@@ -1306,7 +1254,7 @@
         <translation>Come l&apos;errore</translation>
     </message>
     <message>
-        <source>Its own</source>
+        <source>Custom</source>
         <translation>Propria</translation>
     </message>
     <message>
@@ -1318,7 +1266,7 @@
         <translation>Limite della deformazione</translation>
     </message>
     <message>
-        <source>Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal then; one of its own; or none, for the smallest mesh whose values are within the error</source>
+        <source>Limit on the warping, the distance of the mesh from the data: the same percentage as the error, but of the diagonal; a percentage of its own; or none, for the smallest mesh whose values are within the error</source>
         <translation>Limite della deformazione, cioè della distanza della mesh dai dati: la percentuale dell&apos;errore, riferita alla diagonale; una propria; oppure nessuno, per la mesh più piccola i cui valori rientrano nell&apos;errore</translation>
     </message>
     <message>
@@ -1326,11 +1274,11 @@
         <translation>Deformazione in percento della diagonale</translation>
     </message>
     <message>
-        <source>Warping in percent of the diagonal of the box around the data</source>
+        <source>Warping in percent of the diagonal of the data&apos;s bounding box</source>
         <translation>Deformazione in percento della diagonale del parallelepipedo attorno ai dati</translation>
     </message>
     <message>
-        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared with a place of its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
+        <source>The percentages in data units. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the data&apos;s bounding box. Samples just outside the mesh, of irregular data and of grids decimated as a mesh, are compared with a place on its boundary within the warping; at the nearest place the error may be larger, and &apos;tan verify&apos; measures it.</source>
         <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi. I campioni di dati irregolari, e di griglie decimate come mesh, che si trovano appena fuori dalla mesh si confrontano con un punto del suo contorno entro la deformazione; nel punto più vicino l&apos;errore può essere maggiore, e «tan verify» lo misura.</translation>
     </message>
     <message>
@@ -1378,7 +1326,7 @@ deformazione %2</translation>
 <context>
     <name>tetra::AddressDialog</name>
     <message>
-        <source>What whoever runs the server has set; it is kept until the program ends</source>
+        <source>Access token issued by the server&apos;s operator; forgotten when TAn quits</source>
         <translation>Quello stabilito da chi gestisce il server; viene conservato fino alla chiusura del programma</translation>
     </message>
     <message>
@@ -1402,23 +1350,23 @@ deformazione %2</translation>
         <translation>&amp;Indirizzo di un modello su un server:</translation>
     </message>
     <message>
-        <source>Where the model lies, packed or not: http:// or https://</source>
+        <source>Address of the model, packed or not: http:// or https://</source>
         <translation>Dove si trova il modello, compresso o no: http:// o https://</translation>
     </message>
     <message>
-        <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
+        <source>The server extracts each mesh and sends only that: for models too large for this computer. Every change waits for the network.</source>
         <translation>Il server trova ogni mesh e invia solo quella: per modelli troppo grandi per questo computer. Ogni modifica aspetta la rete.</translation>
     </message>
     <message>
-        <source>Where the server is one of TAn: &apos;tan serve&apos;</source>
+        <source>Requires a TAn server: &apos;tan serve&apos;</source>
         <translation>Se il server è uno di TAn: «tan serve»</translation>
     </message>
     <message>
-        <source>This server answers only those who have its token.</source>
+        <source>This server requires a token.</source>
         <translation>Questo server risponde solo a chi ha il suo token.</translation>
     </message>
     <message>
-        <source>This is not the token of the server.</source>
+        <source>Wrong token.</source>
         <translation>Questo non è il token del server.</translation>
     </message>
     <message>
@@ -1434,16 +1382,28 @@ deformazione %2</translation>
         <translation>Token</translation>
     </message>
     <message>
-        <source>The server of %1 answers only those who have its &amp;token:</source>
+        <source>The server of %1 requires its &amp;token:</source>
         <translation>Il server di %1 risponde solo a chi ha il suo &amp;token:</translation>
     </message>
     <message>
-        <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
+        <source>Downloads only what is needed; cached afterwards.</source>
         <translation>Arriva su questo computer per quanto serve, e da lì in poi è veloce.</translation>
     </message>
     <message>
         <source>An address begins with http:// or https://.</source>
         <translation>Un indirizzo comincia con http:// o https://.</translation>
+    </message>
+    <message>
+        <source>Asking the server…</source>
+        <translation>Richiesta al server…</translation>
+    </message>
+    <message>
+        <source>This server only delivers files, so the model must be downloaded.</source>
+        <translation>Questo server fornisce soltanto file: il modello va scaricato.</translation>
+    </message>
+    <message>
+        <source>%1 That is more than this computer has room for: leave it at the server.</source>
+        <translation>%1 È più di quanto stia in questo computer: lasciarlo sul server.</translation>
     </message>
 </context>
 <context>
@@ -1553,7 +1513,7 @@ deformazione %2</translation>
         <translation>Fotogrammi al secondo</translation>
     </message>
     <message>
-        <source>Up and down: the camera returns to its start, and stops at the poles</source>
+        <source>Up and down: the camera returns to its start and stops at the poles</source>
         <translation>In su e in giù: la camera torna al punto di partenza, e si ferma ai poli</translation>
     </message>
     <message>
@@ -1596,7 +1556,7 @@ deformazione %2</translation>
         <translation>Estremi fissi</translation>
     </message>
     <message>
-        <source>The colour bar goes from one chosen value to another, so that several pictures have the same one; else it goes over all values of the data</source>
+        <source>The colour bar covers a chosen range, so that several pictures can share it; otherwise it covers all values of the data</source>
         <translation>La barra dei colori va da un valore scelto a un altro, così che più immagini abbiano la stessa; altrimenti copre tutti i valori dei dati</translation>
     </message>
     <message>
@@ -1623,7 +1583,7 @@ deformazione %2</translation>
         <translation>Massimo di tetraedri</translation>
     </message>
     <message>
-        <source>The best mesh within this number of tetrahedra</source>
+        <source>The best mesh with at most this number of tetrahedra</source>
         <translation>La mesh migliore entro questo numero di tetraedri</translation>
     </message>
 </context>
@@ -1734,7 +1694,7 @@ deformazione %2</translation>
         <translation>Opzioni di &amp;importazione…</translation>
     </message>
     <message>
-        <source>Estimated from a few thousand of the dataset&apos;s samples; it may be off by a factor of two</source>
+        <source>Estimated from a few thousand samples of the dataset; it may be off by a factor of two</source>
         <translation>Stimato da qualche migliaio di campioni; può discostarsi di un fattore due</translation>
     </message>
     <message>
@@ -1746,7 +1706,7 @@ deformazione %2</translation>
         <translation>&amp;Rapido, errore 1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 1 % of the value range: enough for a first look</source>
+        <source>Keeps enough for an error of 1 % of the value range: enough for a first look</source>
         <translation>Conserva ciò che serve per un errore dell&apos;1 % dell&apos;intervallo dei valori: basta per un primo sguardo</translation>
     </message>
     <message>
@@ -1754,7 +1714,7 @@ deformazione %2</translation>
         <translation>&amp;Buono, errore 0,1 %</translation>
     </message>
     <message>
-        <source>Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
+        <source>Keeps enough for an error of 0.1 % of the value range: pictures can hardly be told from those of the full data</source>
         <translation>Conserva ciò che serve per un errore dello 0,1 % dell&apos;intervallo dei valori: le immagini si distinguono appena da quelle dei dati completi</translation>
     </message>
     <message>
@@ -1782,15 +1742,15 @@ deformazione %2</translation>
         <translation>Ri&amp;prendibile se interrotta</translation>
     </message>
     <message>
-        <source>Write down now and then how far the build is, so that it can be paused, and goes on where it was if the program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it takes up to three times the size of the model on the disk</source>
+        <source>Save checkpoints so that the build can be paused and resumed, even after a crash. Short builds take up to 20 % longer, and until the build ends it needs up to three times the model&apos;s size on disk</source>
         <translation>Annota di tanto in tanto a che punto è la costruzione, così che si possa mettere in pausa e riprenda da dove era se il programma o il computer si arresta. Le costruzioni brevi durano fino a un quinto in più e, fino alla fine della costruzione, su disco si occupa fino al triplo della dimensione del modello</translation>
     </message>
     <message>
-        <source>Begin &amp;Anew</source>
+        <source>St&amp;art Over</source>
         <translation>Ricomincia &amp;da capo</translation>
     </message>
     <message>
-        <source>Delete what the interrupted build has left</source>
+        <source>Delete the interrupted build</source>
         <translation>Elimina ciò che la costruzione interrotta ha lasciato</translation>
     </message>
     <message>
@@ -1798,7 +1758,7 @@ deformazione %2</translation>
         <translation>Pa&amp;usa</translation>
     </message>
     <message>
-        <source>Stop the build; it goes on from there later, even if the program is closed meanwhile</source>
+        <source>Stop the build; it can be resumed later, even after TAn has been closed</source>
         <translation>Ferma la costruzione; più tardi riprende da lì, anche se intanto il programma viene chiuso</translation>
     </message>
     <message>
@@ -1806,11 +1766,11 @@ deformazione %2</translation>
         <translation>Riprendi &amp;costruzione</translation>
     </message>
     <message>
-        <source>An interrupted build of these data was found: it goes on where it stopped.</source>
+        <source>An interrupted build of these data was found: it will continue where it stopped.</source>
         <translation>È stata trovata una costruzione interrotta di questi dati: riprende da dove si era fermata.</translation>
     </message>
     <message>
-        <source>An interrupted build of other data, or with other options, was found. Give the same ones, or begin anew.</source>
+        <source>Found an interrupted build of different data or with different options. Restore those options, or start over.</source>
         <translation>È stata trovata una costruzione interrotta di altri dati o con altre opzioni. Indicare gli stessi, oppure ricominciare da capo.</translation>
     </message>
     <message>
@@ -1822,15 +1782,15 @@ deformazione %2</translation>
         <translation>Apri il modello &amp;già esistente</translation>
     </message>
     <message>
-        <source>Open the model that is there already; nothing is built or replaced</source>
+        <source>Open the existing model; nothing is built or replaced</source>
         <translation>Apre il modello che c&apos;è già; nulla viene costruito o sostituito</translation>
     </message>
     <message>
-        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name stays as it is.</source>
+        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name is not changed.</source>
         <translation>Ferma la costruzione e conserva ciò che è pronto come modello, con l&apos;accuratezza raggiunta. Un modello finito con lo stesso nome resta com&apos;è.</translation>
     </message>
     <message>
-        <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
+        <source>This file exists. You can open it; if you build, it is replaced when the build is complete.</source>
         <translation>Questo file esiste. Si può aprirlo; se si costruisce, viene sostituito a costruzione finita.</translation>
     </message>
     <message>
@@ -1846,11 +1806,11 @@ deformazione %2</translation>
         <translation>Scala: logaritmica; un errore dell&apos;1 % corrisponde al %1</translation>
     </message>
     <message>
-        <source>Scale: linear. The values go over several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
+        <source>Scale: linear. The values span several powers of ten: with the logarithmic scale in Import Options, errors are factors.</source>
         <translation>Scala: lineare. I valori coprono più potenze di dieci: con la scala logaritmica nelle opzioni di importazione gli errori sono fattori.</translation>
     </message>
     <message>
-        <source>Read the file again with other options: other values, another scale, a part of it, fewer points</source>
+        <source>Read the file again with other options: other values, another scale, a part of it, or fewer points</source>
         <translation>Rilegge il file con altre opzioni: altri valori, un&apos;altra scala, una sua parte, meno punti</translation>
     </message>
 </context>
@@ -1865,11 +1825,11 @@ deformazione %2</translation>
         <translation>Cache dei modelli</translation>
     </message>
     <message>
-        <source>Models that are packed or lie on a server are unpacked or fetched into this folder, and opened from there the next time. What was unused for longest is removed when room is needed.</source>
+        <source>Packed models and models on servers are unpacked or downloaded into this folder, and opened from there the next time. When room is needed, those unused for longest are removed.</source>
         <translation>I modelli compressi o che si trovano su un server vengono decompressi o scaricati in questa cartella, e la volta successiva aperti da lì. Quando serve spazio si elimina ciò che non è stato usato da più tempo.</translation>
     </message>
     <message>
-        <source>The folder; empty for the usual one</source>
+        <source>Cache folder (leave empty for the default)</source>
         <translation>La cartella; vuoto per quella consueta</translation>
     </message>
     <message>
@@ -1885,11 +1845,11 @@ deformazione %2</translation>
         <translation> GB</translation>
     </message>
     <message>
-        <source>How much of the disk it may take</source>
+        <source>Maximum size of the cache</source>
         <translation>Quanto spazio su disco può occupare</translation>
     </message>
     <message>
-        <source>Remove all models of the folder that are not open</source>
+        <source>Remove all models in the folder that are not open</source>
         <translation>Elimina tutti i modelli della cartella che non sono aperti</translation>
     </message>
     <message>
@@ -1916,7 +1876,7 @@ deformazione %2</translation>
         <translation>OpenGL</translation>
     </message>
     <message>
-        <source>OpenGL cannot draw this picture; the processor draws it instead. %1</source>
+        <source>OpenGL cannot draw this picture; the CPU draws it instead. %1</source>
         <translation>OpenGL non può disegnare questa immagine; la disegna invece il processore. %1</translation>
     </message>
 </context>
@@ -1946,7 +1906,7 @@ deformazione %2</translation>
         <translation>Comandi</translation>
     </message>
     <message>
-        <source>Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves.</source>
+        <source>Type the beginnings of words to find a command or a setting. Enter runs it, Esc closes the list.</source>
         <translation>Scrivere gli inizi delle sue parole per trovare un comando o un&apos;impostazione. Invio lo esegue, Esc chiude.</translation>
     </message>
     <message>
@@ -2140,14 +2100,14 @@ deformazione %2</translation>
         <translation>Oppure provare un esempio</translation>
     </message>
     <message>
-        <source>Samples are computed when you choose one; nothing is downloaded.</source>
+        <source>Samples are computed when you choose them; nothing is downloaded.</source>
         <translation>Gli esempi si calcolano quando se ne sceglie uno; non si scarica nulla.</translation>
     </message>
 </context>
 <context>
     <name>tetra::Exporting</name>
     <message>
-        <source>Nothing was saved: the model was closed meanwhile.</source>
+        <source>Nothing was saved: the model was closed in the meantime.</source>
         <translation>Non è stato salvato nulla: nel frattempo il modello è stato chiuso.</translation>
     </message>
 </context>
@@ -2174,7 +2134,7 @@ deformazione %2</translation>
         <translation>Salva filmato</translation>
     </message>
     <message>
-        <source>Videos can be made where the program ffmpeg is installed</source>
+        <source>Videos require the program ffmpeg</source>
         <translation>I video si possono fare dove è installato il programma ffmpeg</translation>
     </message>
     <message>
@@ -2206,7 +2166,7 @@ deformazione %2</translation>
         <translation>&amp;Chiudi</translation>
     </message>
     <message>
-        <source>A film that is being written goes on</source>
+        <source>A film that is being written continues</source>
         <translation>Un filmato che si sta scrivendo continua</translation>
     </message>
     <message>
@@ -2230,7 +2190,7 @@ deformazione %2</translation>
         <translation>%1, …</translation>
     </message>
     <message>
-        <source>Files of this name are there already and will be replaced: %1.</source>
+        <source>Files with this name already exist and will be replaced: %1.</source>
         <translation>Esistono già file con questo nome e verranno sostituiti: %1.</translation>
     </message>
     <message>
@@ -2238,7 +2198,7 @@ deformazione %2</translation>
         <translation>Sostituisci e &amp;salva</translation>
     </message>
     <message>
-        <source>Beginning…</source>
+        <source>Starting…</source>
         <translation>Si comincia…</translation>
     </message>
     <message>
@@ -2309,7 +2269,7 @@ deformazione %2</translation>
         <translation>Transizione</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that in the focus to that outside, in data units; 0 is a sharp border</source>
+        <source>The distance over which the error grows from its value in the focus to that outside, in data units; 0 gives a sharp border</source>
         <translation>La distanza su cui l&apos;errore cresce da quello nel focus a quello esterno, nelle unità dei dati; 0 è un bordo netto</translation>
     </message>
     <message>
@@ -2325,7 +2285,7 @@ deformazione %2</translation>
         <translation>Sposta il focus al punto mirato dalla camera (C)</translation>
     </message>
     <message>
-        <source>Reset place, size, error and fall-off</source>
+        <source>Reset position, size, error and fall-off</source>
         <translation>Reimposta posizione, dimensioni, errore e transizione</translation>
     </message>
     <message>
@@ -2357,15 +2317,15 @@ deformazione %2</translation>
         <translation>Ripristina</translation>
     </message>
     <message>
-        <source>With the budget the error outside is %1 times this one.</source>
+        <source>With the budget, the error outside is %1 times the error inside.</source>
         <translation>Con il budget l&apos;errore esterno è %1 volte questo.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets the same error.</source>
+        <source>A focus is never coarser than its surroundings, so it gets the same error.</source>
         <translation>Un focus non è più grossolano di ciò che lo circonda, quindi riceve lo stesso errore.</translation>
     </message>
     <message>
-        <source>A focus is not coarser than what is around it, so it gets %1.</source>
+        <source>A focus is never coarser than its surroundings, so it gets %1.</source>
         <translation>Un focus non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
     </message>
     <message>
@@ -2385,7 +2345,7 @@ deformazione %2</translation>
         <translation>Intervallo di va&amp;lori</translation>
     </message>
     <message>
-        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
+        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; double-click a surface to move it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is visible.</source>
         <translation>Dove la mesh è più accurata che altrove. Scegliere un parallelepipedo o una sfera, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie li sposta lì. Oppure far crescere l&apos;errore con la distanza dall&apos;osservatore o dagli isovalori, o dove si vede poco.</translation>
     </message>
     <message>
@@ -2405,7 +2365,7 @@ deformazione %2</translation>
         <translation>Isovalori</translation>
     </message>
     <message>
-        <source>The error grows with the distance from the isovalues that are shown</source>
+        <source>The error grows with the distance from the displayed isovalues</source>
         <translation>L&apos;errore cresce con la distanza dagli isovalori mostrati</translation>
     </message>
     <message>
@@ -2421,7 +2381,7 @@ deformazione %2</translation>
         <translation>Regione</translation>
     </message>
     <message>
-        <source>The region that place and size are of; all have the same error and fall-off</source>
+        <source>Selected region. All regions share one error and fall-off.</source>
         <translation>La regione a cui si riferiscono posizione e dimensione; tutte hanno lo stesso errore e la stessa transizione</translation>
     </message>
     <message>
@@ -2437,7 +2397,7 @@ deformazione %2</translation>
         <translation>Distanza</translation>
     </message>
     <message>
-        <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
+        <source>The distance over which the error grows from its value inside, at the part of the data nearest to the viewer, to that outside, in data units</source>
         <translation>La distanza su cui l&apos;errore cresce da quello interno, nella parte dei dati più vicina all&apos;osservatore, a quello esterno, nelle unità dei dati</translation>
     </message>
     <message>
@@ -2445,7 +2405,7 @@ deformazione %2</translation>
         <translation>Intervallo di valori</translation>
     </message>
     <message>
-        <source>The difference from an isovalue over which the error grows from that inside to that outside, in the units of the values</source>
+        <source>The difference from an isovalue over which the error grows from its value inside to that outside, in the units of the values</source>
         <translation>La differenza da un isovalore su cui l&apos;errore cresce da quello interno a quello esterno, nelle unità dei valori</translation>
     </message>
     <message>
@@ -2461,7 +2421,7 @@ deformazione %2</translation>
         <translation>Non c&apos;è nessun isovalore, quindi l&apos;errore è %1 ovunque.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra; without the focus %2, with its error everywhere %3.</source>
+        <source>%1 tetrahedra; %2 without the focus and with its error everywhere %3.</source>
         <translation>%1 tetraedri; senza il focus %2, con il suo errore ovunque %3.</translation>
     </message>
 </context>
@@ -2472,7 +2432,7 @@ deformazione %2</translation>
         <translation>Istogramma</translation>
     </message>
     <message>
-        <source>How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the largest value, in the units of the data</source>
+        <source>How often the values of the displayed mesh occur, on a logarithmic scale; from the smallest to the largest value, in data units</source>
         <translation>Quanto spesso si presentano i valori della mesh mostrata, in scala logaritmica, dal valore minimo al massimo, nelle unità dei dati</translation>
     </message>
 </context>
@@ -2507,11 +2467,11 @@ deformazione %2</translation>
         <translation>Sottoinsieme</translation>
     </message>
     <message>
-        <source>Layouts that fit</source>
+        <source>Matching layouts</source>
         <translation>Formati adatti</translation>
     </message>
     <message>
-        <source>Sizes and types that would fill the file exactly, the likeliest first</source>
+        <source>Sizes and types that fit the file exactly, the most likely first</source>
         <translation>Dimensioni e tipi che riempirebbero esattamente il file, i più probabili per primi</translation>
     </message>
     <message>
@@ -2527,11 +2487,11 @@ deformazione %2</translation>
         <translation>%1, %2 byte</translation>
     </message>
     <message>
-        <source>None is known</source>
+        <source>None found</source>
         <translation>Nessuno noto</translation>
     </message>
     <message>
-        <source>Give the number of points along x, y and z, as in 64x64x32.</source>
+        <source>Enter the number of points along x, y and z, as in 64x64x32.</source>
         <translation>Dare il numero di punti lungo x, y e z, come in 64x64x32.</translation>
     </message>
     <message>
@@ -2555,7 +2515,7 @@ deformazione %2</translation>
         <translation>Un limite superiore; un modello con meno dettaglio richiede meno.</translation>
     </message>
     <message>
-        <source>What would be taken of the file with these options, and what it says and is not used</source>
+        <source>What these options take from the file, and what else it states that is not used</source>
         <translation>Che cosa si prenderebbe del file con queste opzioni, e che cosa il file dichiara e non viene usato</translation>
     </message>
 </context>
@@ -2570,7 +2530,7 @@ deformazione %2</translation>
         <translation>Solo un &amp;box nello spazio</translation>
     </message>
     <message>
-        <source>Takes every point of the whole dataset</source>
+        <source>Takes every point of the dataset</source>
         <translation>Prende ogni punto dell&apos;intero insieme di dati</translation>
     </message>
     <message>
@@ -2610,7 +2570,7 @@ deformazione %2</translation>
         <translation>Mantiene un punto ogni n</translation>
     </message>
     <message>
-        <source>Takes only what lies in a box; of irregular meshes whole tetrahedra</source>
+        <source>Takes only what lies in a box; for irregular meshes, whole tetrahedra</source>
         <translation>Prende solo ciò che sta in un parallelepipedo; di mesh irregolari tetraedri interi</translation>
     </message>
     <message>
@@ -2668,7 +2628,7 @@ deformazione %2</translation>
         <translation>Opacità</translation>
     </message>
     <message>
-        <source>Opacity in percent; below 100 % what lies behind shows through</source>
+        <source>Opacity in percent; below 100 % what lies behind it shows through</source>
         <translation>Opacità in percento; sotto il 100 % traspare ciò che sta dietro</translation>
     </message>
     <message>
@@ -2837,7 +2797,7 @@ deformazione %2</translation>
         <translation>Fermandola ora si può conservare la parte finita come %1, un modello meno accurato.</translation>
     </message>
     <message>
-        <source>Nothing of it can be kept yet.</source>
+        <source>Nothing can be kept yet.</source>
         <translation>Non si può ancora conservarne nulla.</translation>
     </message>
     <message>
@@ -2865,7 +2825,7 @@ deformazione %2</translation>
         <translation>Annulla</translation>
     </message>
     <message>
-        <source>If you stop it, nothing of it is kept.</source>
+        <source>If you stop it, nothing is kept.</source>
         <translation>Fermandolo non ne resta nulla.</translation>
     </message>
     <message>
@@ -2913,7 +2873,7 @@ deformazione %2</translation>
         <translation>È ancora in corso il salvataggio di un file.</translation>
     </message>
     <message>
-        <source>TAn will quit when it is done.</source>
+        <source>TAn will quit when this is done.</source>
         <translation>TAn si chiuderà al termine.</translation>
     </message>
     <message>
@@ -2933,7 +2893,7 @@ deformazione %2</translation>
         <translation>Fatto il %1 %.</translation>
     </message>
     <message>
-        <source>TAn will continue when it is done.</source>
+        <source>TAn will continue when this is done.</source>
         <translation>TAn continuerà al termine.</translation>
     </message>
     <message>
@@ -2957,7 +2917,7 @@ deformazione %2</translation>
         <translation>Fermare la costruzione di %1 e conservare ciò che è pronto?</translation>
     </message>
     <message>
-        <source>If you stop now, you can keep what is finished as a model of its own, named after its error. The finished model %1 stays as it is.</source>
+        <source>If you stop now, you can keep what is finished as a separate model, named after its error. The finished model %1 is not changed.</source>
         <translation>Se si ferma ora, ciò che è pronto si può conservare come modello a sé, con il suo errore nel nome. Il modello finito %1 resta com&apos;è.</translation>
     </message>
 </context>
@@ -2980,7 +2940,7 @@ deformazione %2</translation>
         <translation>Cerchio</translation>
     </message>
     <message>
-        <source>A round lens, with its own error (L). Drag it; the wheel over it changes the magnification.</source>
+        <source>A round lens with its own error (L). Drag it; turn the wheel over it to change the magnification.</source>
         <translation>Una lente rotonda con un proprio errore (L). Trascinarla per spostarla; la rotella su di essa cambia l&apos;ingrandimento.</translation>
     </message>
     <message>
@@ -2996,7 +2956,7 @@ deformazione %2</translation>
         <translation>Ingrandimento</translation>
     </message>
     <message>
-        <source>How much larger the lens shows what lies under its middle</source>
+        <source>How much larger the lens shows what is under its centre</source>
         <translation>Quante volte più grande la lente mostra ciò che si trova sotto il suo centro</translation>
     </message>
     <message>
@@ -3050,7 +3010,7 @@ deformazione %2</translation>
         <translation>&amp;Ripristina</translation>
     </message>
     <message>
-        <source>Open the model with its view restored. The saved view is kept until that has worked.</source>
+        <source>Open the model with its view restored. The saved view is kept until that has succeeded.</source>
         <translation>Apre il modello con la vista ripristinata. La vista salvata resta finché l&apos;operazione non riesce.</translation>
     </message>
     <message>
@@ -3077,7 +3037,7 @@ deformazione %2</translation>
         <translation>Immagine</translation>
     </message>
     <message>
-        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of the files dropped, %1 was opened.</source>
         <translation>Si può aprire un solo file per volta; di quelli trascinati si è aperto %1.</translation>
     </message>
     <message>
@@ -3129,7 +3089,7 @@ deformazione %2</translation>
         <translation>Reimposta la vista</translation>
     </message>
     <message>
-        <source>The model %1 is built.</source>
+        <source>The model %1 has been built.</source>
         <translation>Il modello %1 è costruito.</translation>
     </message>
     <message>
@@ -3149,7 +3109,7 @@ deformazione %2</translation>
         <translation>Creazione dell&apos;esempio</translation>
     </message>
     <message>
-        <source>%1 is not built yet. The picture still shows %2.</source>
+        <source>%1 has not been built yet. The picture still shows %2.</source>
         <translation>%1 non è ancora costruito. L&apos;immagine mostra ancora %2.</translation>
     </message>
     <message>
@@ -3169,11 +3129,11 @@ deformazione %2</translation>
         <translation>Lettura</translation>
     </message>
     <message>
-        <source>Showing %L1 of %L2 vertices, more is coming</source>
+        <source>Showing %L1 of %L2 vertices, more are on the way</source>
         <translation>Mostra %L1 di %L2 vertici, altri stanno arrivando</translation>
     </message>
     <message>
-        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.</source>
+        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were downloaded.</source>
         <translation>%1 è mostrato con %L2 dei suoi %L3 vertici: %4 di %5 sono stati scaricati.</translation>
     </message>
     <message>
@@ -3201,15 +3161,15 @@ deformazione %2</translation>
         <translation>Applica aspetto da un file</translation>
     </message>
     <message>
-        <source>Sessions and pictures with their sessions (*.tansession *.png)</source>
+        <source>Sessions, and pictures saved by TAn (*.tansession *.png)</source>
         <translation>Sessioni e immagini con le loro sessioni (*.tansession *.png)</translation>
     </message>
     <message>
-        <source>What was finished is kept as %1. The model %2 is as it was.</source>
+        <source>What was finished has been kept as %1. The model %2 is unchanged.</source>
         <translation>Ciò che era pronto è conservato come %1. Il modello %2 è com&apos;era.</translation>
     </message>
     <message>
-        <source>%1 % shown, more is coming</source>
+        <source>%1 % shown, more is on the way</source>
         <translation>%1 % mostrato, altro sta arrivando</translation>
     </message>
     <message>
@@ -3268,7 +3228,7 @@ deformazione %2</translation>
         <translation>Estrazione della mesh</translation>
     </message>
     <message>
-        <source>Choosing from the mesh</source>
+        <source>Selecting tetrahedra from the mesh</source>
         <translation>Scelta dalla mesh</translation>
     </message>
     <message>
@@ -3300,7 +3260,7 @@ deformazione %2</translation>
         <translation>Scelta</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, for comparison with it. Both keep cells from turning inside out.</source>
         <translation>Per dati curvilinei: «normalizzata» prende il punto più lontano per errore o deformazione; «articolo» confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
     </message>
     <message>
@@ -3328,7 +3288,7 @@ deformazione %2</translation>
         <translation>«%1: %2» nella sua intestazione %3</translation>
     </message>
     <message>
-        <source>%1 has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
+        <source>%1 has %2 bytes, and its header requires %3. It is cut short: copy the file again.</source>
         <translation>%1 ha %2 byte, e la sua intestazione ne chiede %3. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
@@ -3404,15 +3364,15 @@ deformazione %2</translation>
         <translation>La memoria non basta per costruire un modello. Chiudere altri programmi, o prendere meno campioni.</translation>
     </message>
     <message>
-        <source>there is something after the end of the value</source>
+        <source>there is text after the end of the value</source>
         <translation>c&apos;è qualcosa dopo la fine del valore</translation>
     </message>
     <message>
-        <source>a byte that is not of UTF-8 text</source>
+        <source>a byte that is not valid UTF-8</source>
         <translation>un byte che non è di testo UTF-8</translation>
     </message>
     <message>
-        <source>too many levels</source>
+        <source>too many levels of nesting</source>
         <translation>troppi livelli</translation>
     </message>
     <message>
@@ -3420,7 +3380,7 @@ deformazione %2</translation>
         <translation>ci si aspetta «,» o «]»</translation>
     </message>
     <message>
-        <source>the member &quot;%1&quot; is there twice</source>
+        <source>the member &quot;%1&quot; appears twice</source>
         <translation>il membro «%1» compare due volte</translation>
     </message>
     <message>
@@ -3476,7 +3436,7 @@ deformazione %2</translation>
         <translation>%1. Controllare il nome e la cartella.</translation>
     </message>
     <message>
-        <source>%1. Ask its owner for the right to read it.</source>
+        <source>%1. Ask its owner for permission to read it.</source>
         <translation>%1. Chiedere al proprietario il permesso di leggerlo.</translation>
     </message>
     <message>
@@ -3504,11 +3464,11 @@ deformazione %2</translation>
         <translation>Un file temporaneo in «%1» non può essere usato: %2. %3</translation>
     </message>
     <message>
-        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <source>This machine cannot start any more threads now. Close other programs, or raise the limit (ulimit).</source>
         <translation>Questo computer non può avviare altri thread in questo momento. Chiudere altri programmi o alzare il limite (ulimit).</translation>
     </message>
     <message>
-        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <source>This machine does not have enough memory for this. Close other programs, or raise the limit (ulimit).</source>
         <translation>La memoria di questo computer non basta. Chiudere altri programmi o alzare il limite (ulimit).</translation>
     </message>
     <message>
@@ -3624,7 +3584,7 @@ deformazione %2</translation>
         <translation>Aspettarlo, o dare al modello un altro nome.</translation>
     </message>
     <message>
-        <source>it holds something else</source>
+        <source>it is used for something else</source>
         <translation>contiene qualcos&apos;altro</translation>
     </message>
     <message>
@@ -3640,11 +3600,11 @@ deformazione %2</translation>
         <translation>Dare al modello un altro nome o spostare quel collegamento.</translation>
     </message>
     <message>
-        <source>A mesh of %1 points and %2 tetrahedra is too large to be decimated: %3 points and %4 tetrahedra are the most. Take a region of it or fewer samples.</source>
+        <source>A mesh of %1 points and %2 tetrahedra is too large to be decimated: the limits are %3 points and %4 tetrahedra. Take a region of it or fewer samples.</source>
         <translation>Una mesh di %1 punti e %2 tetraedri è troppo grande per essere decimata: al massimo %3 punti e %4 tetraedri. Prenderne una regione o meno campioni.</translation>
     </message>
     <message>
-        <source>Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine has %4. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
+        <source>Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine has %4. Take a region of it or fewer samples, or, if it is a lattice or grid, refine it instead.</source>
         <translation>La decimazione di %1 punti e %2 tetraedri richiede circa %3 di memoria, e questo computer ne ha %4. Prenderne una regione o meno campioni oppure, per un reticolo o una griglia, usare il raffinamento.</translation>
     </message>
     <message>
@@ -3664,7 +3624,7 @@ deformazione %2</translation>
         <translation>modello circa %1, file di lavoro %2</translation>
     </message>
     <message>
-        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
+        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or a larger error.</source>
         <translation>La costruzione richiede circa %1 sul disco di «%2» (%3), e %4 sono liberi. Liberare spazio, scegliere un altro disco o un errore maggiore.</translation>
     </message>
     <message>
@@ -3672,11 +3632,11 @@ deformazione %2</translation>
         <translation>«%1» non può essere letto: %2.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
+        <source>&apos;%1&apos; exists and is not a TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
         <translation>«%1» esiste e non è un modello TAn, perciò non viene sovrascritto. Dare al modello un altro nome, o rimuovere prima quel file.</translation>
     </message>
     <message>
-        <source>%1 is no percentage at which to stop. Give one from 0 to 100.</source>
+        <source>%1 is not a percentage at which to stop. Give one from 0 to 100.</source>
         <translation>%1 non è una percentuale a cui fermarsi. Indicarne una da 0 a 100.</translation>
     </message>
     <message>
@@ -3688,7 +3648,7 @@ deformazione %2</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Blocks cannot be built into this target. Set the block to &quot;none&quot;.</source>
+        <source>This target cannot be built in blocks. Set the block to &quot;none&quot;.</source>
         <translation>In questa destinazione non si può costruire a blocchi. Impostare il blocco su «nessuno».</translation>
     </message>
     <message>
@@ -3704,7 +3664,7 @@ deformazione %2</translation>
         <translation>Una mesh di tetraedri richiede quattro punti o più.</translation>
     </message>
     <message>
-        <source>Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.</source>
+        <source>Blocks of %1 cells cut this dataset into %2 pieces; the limit is %3. Choose larger blocks.</source>
         <translation>Blocchi di %1 celle dividono questo insieme di dati in %2 pezzi; il massimo è %3. Scegliere blocchi più grandi.</translation>
     </message>
     <message>
@@ -3736,11 +3696,11 @@ deformazione %2</translation>
         <translation>%1 celle hanno un valore non finito e sono diventate fori.</translation>
     </message>
     <message>
-        <source>1 cell names a corner twice, has no volume and was left out.</source>
+        <source>1 cell uses a corner twice, has no volume and was left out.</source>
         <translation>1 cella nomina due volte un vertice, non ha volume ed è stata omessa.</translation>
     </message>
     <message>
-        <source>%1 cells name a corner twice, have no volume and were left out.</source>
+        <source>%1 cells use a corner twice, have no volume and were left out.</source>
         <translation>%1 celle nominano due volte un vertice, non hanno volume e sono state omesse.</translation>
     </message>
     <message>
@@ -3764,27 +3724,27 @@ deformazione %2</translation>
         <translation>%1 celle avevano orientamento inverso e sono state corrette.</translation>
     </message>
     <message>
-        <source>1 point on the place of another one was merged with it.</source>
+        <source>1 point at the same place as another was merged with it.</source>
         <translation>1 punto nella posizione di un altro è stato unito ad esso.</translation>
     </message>
     <message>
-        <source>%1 points on the place of another one were merged with it.</source>
+        <source>%1 points at the same place as another were merged with it.</source>
         <translation>%1 punti nella posizione di un altro sono stati uniti ad esso.</translation>
     </message>
     <message>
-        <source>1 place had different values and got their mean.</source>
+        <source>1 place had several different values and got their mean.</source>
         <translation>1 posto aveva valori diversi e ha ricevuto la loro media.</translation>
     </message>
     <message>
-        <source>%1 places had different values and got their mean.</source>
+        <source>%1 places had several different values and got their mean.</source>
         <translation>%1 posti avevano valori diversi e hanno ricevuto la loro media.</translation>
     </message>
     <message>
-        <source>1 node in the middle of an edge or face was left out: not all cells there have it, or cells bend too much.</source>
+        <source>1 node in the middle of an edge or face was left out: not all cells there have it, or the cells bend too much.</source>
         <translation>1 nodo nel mezzo di uno spigolo o di una faccia è stato omesso: non tutte le celle lì lo hanno, o si incurvano troppo.</translation>
     </message>
     <message>
-        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
+        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or the cells bend too much.</source>
         <translation>%1 nodi nel mezzo di spigoli e facce sono stati omessi: non tutte le celle lì li hanno, o si incurvano troppo.</translation>
     </message>
     <message>
@@ -3804,11 +3764,11 @@ deformazione %2</translation>
         <translation>%1 celle sono state omesse: troppo deformate per essere divise in tetraedri senza un nuovo punto.</translation>
     </message>
     <message>
-        <source>1 tetrahedron was there twice.</source>
+        <source>1 tetrahedron appeared twice.</source>
         <translation>1 tetraedro c&apos;era due volte.</translation>
     </message>
     <message>
-        <source>%1 tetrahedra were there twice.</source>
+        <source>%1 tetrahedra appeared twice.</source>
         <translation>%1 tetraedri c&apos;erano due volte.</translation>
     </message>
     <message>
@@ -3828,11 +3788,11 @@ deformazione %2</translation>
         <translation>La mesh ha %1 punti; se ne possono numerare al massimo 4294967294. Prenderne una parte.</translation>
     </message>
     <message>
-        <source>The cells&apos; lists of corners do not fit together: their offsets do not rise from 0 to the number of corners.</source>
+        <source>The cells&apos; lists of corners are inconsistent: their offsets do not rise from 0 to the number of corners.</source>
         <translation>Gli elenchi dei vertici delle celle non combaciano: i loro inizi non crescono da 0 al numero dei vertici.</translation>
     </message>
     <message>
-        <source>The mesh has %1 cells, but says of %2 whether they are blanked out.</source>
+        <source>The mesh has %1 cells, but blanking flags for %2.</source>
         <translation>La mesh ha %1 celle, ma dice di %2 se sono escluse.</translation>
     </message>
     <message>
@@ -3844,15 +3804,15 @@ deformazione %2</translation>
         <translation>La mesh ha %1 punti, ma %2 valori.</translation>
     </message>
     <message>
-        <source>Cells name points that do not exist (%1 in all, the first is cell %2). The mesh has %3 points: the file is damaged.</source>
+        <source>Cells refer to points that do not exist (%1 in all, the first is cell %2). The mesh has %3 points: the file is damaged.</source>
         <translation>Delle celle nominano punti che non esistono (%1 in tutto, la prima è la cella %2). La mesh ha %3 punti: il file è danneggiato.</translation>
     </message>
     <message>
-        <source>Cells have another number of corners than their shape (%1 in all, the first is cell %2). The file is damaged.</source>
+        <source>Cells do not have the number of corners of their shape (%1 in all, the first is cell %2). The file is damaged.</source>
         <translation>Delle celle hanno un numero di vertici diverso dalla loro forma (%1 in tutto, la prima è la cella %2). Il file è danneggiato.</translation>
     </message>
     <message>
-        <source>Cells have a corner whose place is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
+        <source>Cells have a corner whose position is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
         <translation>Delle celle hanno un vertice la cui posizione non è finita (%1 in tutto, la prima è la cella %2). Correggere i punti, o escludere le celle.</translation>
     </message>
     <message>
@@ -3864,7 +3824,7 @@ deformazione %2</translation>
         <translation>Suddivisione delle celle</translation>
     </message>
     <message>
-        <source>The cells make more than %1 tetrahedra. Take a part of the mesh.</source>
+        <source>The cells yield more than %1 tetrahedra. Take a part of the mesh.</source>
         <translation>Le celle danno più di %1 tetraedri. Prendere una parte della mesh.</translation>
     </message>
     <message>
@@ -3900,7 +3860,7 @@ deformazione %2</translation>
         <translation>%1 tetraedri che si sovrappongono a un vicino dallo stesso lato di una faccia, per esempio in %2</translation>
     </message>
     <message>
-        <source>The dataset is no irregular mesh: it has no positions or no tetrahedra.</source>
+        <source>The dataset is not an irregular mesh: it has no positions or no tetrahedra.</source>
         <translation>L&apos;insieme di dati non è una mesh irregolare: non ha posizioni o non ha tetraedri.</translation>
     </message>
     <message>
@@ -3908,7 +3868,7 @@ deformazione %2</translation>
         <translation>La mesh non ha una posizione finita e un valore finito per ogni punto.</translation>
     </message>
     <message>
-        <source>A tetrahedron of the mesh names point %1 of %2.</source>
+        <source>A tetrahedron of the mesh refers to point %1 of %2.</source>
         <translation>Un tetraedro della mesh nomina il punto %1 di %2.</translation>
     </message>
     <message>
@@ -3928,11 +3888,11 @@ deformazione %2</translation>
         <translation>La memoria non basta per la mesh. Prenderne una parte.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
+        <source>&apos;%1&apos; was cut short or changed while it was open, so that the result would be wrong. Open it again; if that fails, get or make the file again.</source>
         <translation>«%1» è stato troncato o cambiato mentre era aperto, perciò ciò che se ne è ricavato sarebbe sbagliato. Aprirlo di nuovo; se non riesce, procurarsi o creare di nuovo il file.</translation>
     </message>
     <message>
-        <source>it has %1 points. A volume needs at least 2 along each axis: put several slices together, or repeat the one there is.</source>
+        <source>it has %1 points. A volume needs at least 2 along each axis: stack several slices, or repeat the only one.</source>
         <translation>ha %1 punti. Un volume ne richiede almeno 2 lungo ogni asse: unire più strati, o ripetere quello che c&apos;è.</translation>
     </message>
     <message>
@@ -3940,27 +3900,27 @@ deformazione %2</translation>
         <translation>dichiara %1 punti, più di quanti un computer possa contenere. La descrizione è sbagliata: controllare le dimensioni.</translation>
     </message>
     <message>
-        <source>its spacing is %1. The distance of neighbouring points must be a positive number along each axis.</source>
+        <source>its spacing is %1. The distance between neighbouring points must be a positive number along each axis.</source>
         <translation>la sua spaziatura è %1. La distanza fra punti vicini deve essere un numero positivo lungo ogni asse.</translation>
     </message>
     <message>
-        <source>its origin %1 is so far away for the spacing %2 that neighbouring points fall together. Move the origin nearer to 0.</source>
+        <source>its origin %1 is so far away for the spacing %2 that neighbouring points coincide. Move the origin nearer to 0.</source>
         <translation>la sua origine %1 è così lontana per la spaziatura %2 che punti vicini coincidono. Avvicinare l&apos;origine a 0.</translation>
     </message>
     <message>
-        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them by numbers first.</source>
+        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them with numbers first.</source>
         <translation>%1 dei suoi %2 campioni sono NaN o infiniti, il primo nel punto (%3, %4, %5). Sostituirli prima con numeri.</translation>
     </message>
     <message>
-        <source>the position of point %1 is no number, or far beyond what can be reckoned with. Repair the file.</source>
+        <source>point %1 has an invalid or extremely large position. Repair the file.</source>
         <translation>la posizione del punto %1 non è un numero, o è ben oltre ciò con cui si può calcolare. Riparare il file.</translation>
     </message>
     <message>
-        <source>%1 values are too large for single precision, or no numbers. Choose another array.</source>
+        <source>%1 values are too large for single precision, or not numbers. Choose another array.</source>
         <translation>%1 valori sono troppo grandi per la precisione singola, o non sono numeri. Scegliere un altro vettore.</translation>
     </message>
     <message>
-        <source>all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes.</source>
+        <source>all its points lie in a plane, or so close to one that no cell has a volume. TAn needs volumes.</source>
         <translation>tutti i suoi punti giacciono in un piano o meno, perciò nessuna cella ha volume. TAn accetta volumi.</translation>
     </message>
     <message>
@@ -3968,7 +3928,7 @@ deformazione %2</translation>
         <translation>«%1» non può essere usato: %2</translation>
     </message>
     <message>
-        <source>it has %1 values for %2 points. Give one a point.</source>
+        <source>it has %1 values for %2 points. Give one value for each point.</source>
         <translation>ha %1 valori per %2 punti. Darne uno a ogni punto.</translation>
     </message>
     <message>
@@ -3980,23 +3940,23 @@ deformazione %2</translation>
         <translation>«%1» ha più di 4294967295 punti. Prenderne una parte.</translation>
     </message>
     <message>
-        <source>A stride is a whole number from 1.</source>
+        <source>A stride is a whole number of at least 1.</source>
         <translation>Un passo è un numero intero da 1.</translation>
     </message>
     <message>
-        <source>The part has %1 points along %2, and a volume needs at least two along each axis. Take a larger region or a smaller stride.</source>
+        <source>The part has %1 points along %2, and a volume needs at least two along each axis. Choose a larger region or a smaller stride.</source>
         <translation>La parte ha %1 punti lungo %2, e un volume ne richiede almeno due lungo ogni asse. Prendere una regione più grande o un passo più piccolo.</translation>
     </message>
     <message>
-        <source>No cell of the part has a volume. Take another region or a smaller stride.</source>
+        <source>No cell of the part has a volume. Choose another region or a smaller stride.</source>
         <translation>Nessuna cella della parte ha un volume. Prendere un&apos;altra regione o un passo più piccolo.</translation>
     </message>
     <message>
-        <source>A part of %1 of the %2 points.</source>
+        <source>Part of the data: %1 of the %2 points.</source>
         <translation>Una parte di %1 dei %2 punti.</translation>
     </message>
     <message>
-        <source>The region holds %1. Take a larger one; &apos;bounds&apos; of &apos;tan info&apos; says where the points lie.</source>
+        <source>The region holds %1. Choose a larger one; &apos;bounds&apos; of &apos;tan info&apos; tells where the points lie.</source>
         <translation>La regione contiene %1. Prenderne una più grande; «bounds» di «tan info» dice dove stanno i punti.</translation>
     </message>
     <message>
@@ -4016,11 +3976,11 @@ deformazione %2</translation>
         <translation>%1 punti, e un volume ne richiede quattro</translation>
     </message>
     <message>
-        <source>Only points of a grid can be taken by a stride. Take a region.</source>
+        <source>A stride is for points of a grid only. Choose a region.</source>
         <translation>Solo i punti di una griglia si possono prendere con un passo. Prendere una regione.</translation>
     </message>
     <message>
-        <source>Not enough memory for this part. Take a smaller one.</source>
+        <source>Not enough memory for this part. Choose a smaller one.</source>
         <translation>La memoria non basta per questa parte. Prenderne una più piccola.</translation>
     </message>
     <message>
@@ -4032,7 +3992,7 @@ deformazione %2</translation>
         <translation>non si capisce. Indicare sei numeri separati da virgole: quelli del primo vertice e quelli dell&apos;ultimo, come in 0,0,0,31,31,15.</translation>
     </message>
     <message>
-        <source>holds &apos;%1&apos;, which is no number.</source>
+        <source>holds &apos;%1&apos;, which is not a number.</source>
         <translation>contiene «%1», che non è un numero.</translation>
     </message>
     <message>
@@ -4040,7 +4000,7 @@ deformazione %2</translation>
         <translation>finisce prima di cominciare. Indicare prima i numeri più piccoli.</translation>
     </message>
     <message>
-        <source>The stride &apos;%1&apos; is not understood. Give one whole number from 1, or three separated by commas, as in 2,2,1.</source>
+        <source>The stride &apos;%1&apos; is not understood. Give one whole number of at least 1, or three separated by commas, as in 2,2,1.</source>
         <translation>Il passo «%1» non si capisce. Indicare un numero intero da 1, o tre separati da virgole, come in 2,2,1.</translation>
     </message>
     <message>
@@ -4140,11 +4100,11 @@ deformazione %2</translation>
         <translation>non ha tetraedri.</translation>
     </message>
     <message>
-        <source>it has not one value, weight and place for each of its %1 points.</source>
+        <source>it does not have one value, weight and position for each of its %1 points.</source>
         <translation>non ha un valore, un peso e una posizione per ciascuno dei suoi %1 punti.</translation>
     </message>
     <message>
-        <source>point %1 has no finite place.</source>
+        <source>point %1 has no finite position.</source>
         <translation>il punto %1 non ha una posizione finita.</translation>
     </message>
     <message>
@@ -4168,7 +4128,7 @@ deformazione %2</translation>
         <translation>Il peso della deformazione deve essere un numero positivo.</translation>
     </message>
     <message>
-        <source>The error to stop at must not be negative.</source>
+        <source>The error at which to stop must not be negative.</source>
         <translation>L&apos;errore a cui fermarsi non può essere negativo.</translation>
     </message>
     <message>
@@ -4184,7 +4144,7 @@ deformazione %2</translation>
         <translation>l&apos;errore precedente non è un numero da 0 in su</translation>
     </message>
     <message>
-        <source>The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks.</source>
+        <source>The history has more than 4294967295 tetrahedra. Choose a larger error, or build in blocks.</source>
         <translation>La storia ha più di 4294967295 tetraedri. Chiedere un errore più grande, o costruire a blocchi.</translation>
     </message>
     <message>
@@ -4208,7 +4168,7 @@ deformazione %2</translation>
         <translation>distrugge due volte il tetraedro %1</translation>
     </message>
     <message>
-        <source>The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. Ask for a larger error, or take a part of the dataset.</source>
+        <source>The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. Choose a larger error, or take a part of the dataset.</source>
         <translation>La mesh più fine avrebbe circa %1 tetraedri, e un modello contiene mesh di al massimo %2. Chiedere un errore più grande, o prendere una parte dell&apos;insieme di dati.</translation>
     </message>
     <message>
@@ -4220,7 +4180,7 @@ deformazione %2</translation>
         <translation>non è ciò che era stato scritto. Riavviare la costruzione.</translation>
     </message>
     <message>
-        <source>Cannot read &apos;%1&apos;, which this build had written: %2</source>
+        <source>Cannot read &apos;%1&apos;, which this build wrote: %2</source>
         <translation>«%1», che questa costruzione aveva scritto, non può essere letto: %2</translation>
     </message>
     <message>
@@ -4232,7 +4192,7 @@ deformazione %2</translation>
         <translation>La memoria non basta per raffinare blocchi di queste dimensioni. Chiudere altri programmi, usare meno thread o scegliere blocchi più piccoli.</translation>
     </message>
     <message>
-        <source>The model would have more than 4294967294 sites. Ask for a larger error, or take a part of the dataset.</source>
+        <source>The model would have more than 4294967294 sites. Choose a larger error, or take a part of the dataset.</source>
         <translation>Il modello avrebbe più di 4294967294 siti. Chiedere un errore più grande, o prendere una parte dell&apos;insieme di dati.</translation>
     </message>
     <message>
@@ -4244,11 +4204,11 @@ deformazione %2</translation>
         <translation>Numerazione dei siti</translation>
     </message>
     <message>
-        <source>Not enough memory to merge the blocks. Close other programs, or ask for a larger error.</source>
+        <source>Not enough memory to merge the blocks. Close other programs, or choose a larger error.</source>
         <translation>La memoria non basta per unire i blocchi. Chiudere altri programmi, o chiedere un errore più grande.</translation>
     </message>
     <message>
-        <source>its star offsets do not fit its mesh sizes</source>
+        <source>its star offsets do not match its mesh sizes</source>
         <translation>gli inizi delle stelle non corrispondono alle dimensioni delle mesh</translation>
     </message>
     <message>
@@ -4268,7 +4228,7 @@ deformazione %2</translation>
         <translation>la mesh di %1 siti ha più dei %2 tetraedri che dovrebbe avere</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has %2 sites, fewer than the %3 asked for.</source>
+        <source>&apos;%1&apos; has %2 sites, fewer than the %3 requested.</source>
         <translation>«%1» ha %2 siti, meno dei %3 richiesti.</translation>
     </message>
     <message>
@@ -4280,7 +4240,7 @@ deformazione %2</translation>
         <translation>La memoria non basta per una mesh di %1 siti. Scegliere un errore più grande.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
+        <source>&apos;%1&apos; does not end in .csv or .json, the formats of statistics. Choose one of these endings.</source>
         <translation>«%1» non termina né in .csv né in .json, i formati in cui si scrivono le statistiche. Scegliere una di queste estensioni.</translation>
     </message>
     <message>
@@ -4308,7 +4268,7 @@ deformazione %2</translation>
         <translation>«%1» ha la versione di formato %2.%3; questo programma legge fino alla versione %4. Installare una versione più recente di TAn.</translation>
     </message>
     <message>
-        <source>its header makes no sense</source>
+        <source>its header is invalid</source>
         <translation>la sua intestazione non ha senso</translation>
     </message>
     <message>
@@ -4332,7 +4292,7 @@ deformazione %2</translation>
         <translation>un reticolo di %1 x %2 x %3 punti è impossibile</translation>
     </message>
     <message>
-        <source>the spacing or the origin of its lattice makes no sense</source>
+        <source>the spacing or the origin of its lattice is invalid</source>
         <translation>la spaziatura o l&apos;origine del suo reticolo non ha senso</translation>
     </message>
     <message>
@@ -4340,19 +4300,19 @@ deformazione %2</translation>
         <translation>%1 punti non possono avere %2 siti e %3 tetraedri</translation>
     </message>
     <message>
-        <source>its value range or its final error makes no sense</source>
+        <source>its value range or its final error is invalid</source>
         <translation>il suo intervallo di valori o il suo errore finale non ha senso</translation>
     </message>
     <message>
-        <source>its bounding box makes no sense</source>
+        <source>its bounding box is invalid</source>
         <translation>il suo parallelepipedo limite non ha senso</translation>
     </message>
     <message>
-        <source>its warping weight or its handedness makes no sense</source>
+        <source>its warping weight or its handedness is invalid</source>
         <translation>il suo peso della deformazione o la sua orientazione non ha senso</translation>
     </message>
     <message>
-        <source>section &apos;%1&apos; is there twice</source>
+        <source>section &apos;%1&apos; appears twice</source>
         <translation>la sezione «%1» compare due volte</translation>
     </message>
     <message>
@@ -4412,7 +4372,7 @@ deformazione %2</translation>
         <translation>«%1» è stato troncato o cambiato mentre era aperto. Aprirlo di nuovo; se non riesce, copiare di nuovo il file, o ricostruirlo.</translation>
     </message>
     <message>
-        <source>The builder &apos;%1&apos; made another history than it had announced. Nothing was written; report this to its author.</source>
+        <source>The builder &apos;%1&apos; made a history that differs from the one it announced. Nothing was written; report this to its author.</source>
         <translation>La costruzione «%1» ha fatto una storia diversa da quella annunciata. Nulla è stato scritto; segnalarlo al suo autore.</translation>
     </message>
     <message>
@@ -4420,7 +4380,7 @@ deformazione %2</translation>
         <translation>il suo peso della deformazione è %1</translation>
     </message>
     <message>
-        <source>meshes of irregular data are not Delaunay ones</source>
+        <source>meshes of irregular data are not Delaunay meshes</source>
         <translation>le mesh di dati irregolari non sono di Delaunay</translation>
     </message>
     <message>
@@ -4432,7 +4392,7 @@ deformazione %2</translation>
         <translation>questi dati (%1) richiedono un peso della deformazione</translation>
     </message>
     <message>
-        <source>a model needs at least the sites of a first mesh</source>
+        <source>a model needs at least the sites of its first mesh</source>
         <translation>un modello richiede almeno i siti di una prima mesh</translation>
     </message>
     <message>
@@ -4448,7 +4408,7 @@ deformazione %2</translation>
         <translation>La costruzione «%1» ha fatto una storia sbagliata al sito %2: %3. Nulla è stato scritto; segnalarlo al suo autore.</translation>
     </message>
     <message>
-        <source>Not enough memory to write &apos;%1&apos; after %2 sites. Ask for a larger error, or close other programs.</source>
+        <source>Not enough memory to write &apos;%1&apos; after %2 sites. Choose a larger error, or close other programs.</source>
         <translation>Dopo %2 siti la memoria non basta per scrivere «%1». Chiedere un errore più grande, o chiudere altri programmi.</translation>
     </message>
     <message>
@@ -4456,11 +4416,11 @@ deformazione %2</translation>
         <translation>Un modello contiene al massimo 4294967296 punti, e «%1» ne ha %2. Prenderne una parte.</translation>
     </message>
     <message>
-        <source>a tetrahedron dies before it is made</source>
+        <source>a tetrahedron is destroyed before it is created</source>
         <translation>un tetraedro viene distrutto prima di essere creato</translation>
     </message>
     <message>
-        <source>Looking at the history</source>
+        <source>Reading the history</source>
         <translation>Esame della storia</translation>
     </message>
     <message>
@@ -4468,23 +4428,23 @@ deformazione %2</translation>
         <translation>i suoi distruttori sono cambiati durante la lettura</translation>
     </message>
     <message>
-        <source>Choosing the sites</source>
+        <source>Selecting the sites</source>
         <translation>Scelta dei siti</translation>
     </message>
     <message>
-        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
+        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least that many.</source>
         <translation>La mesh più grossolana di «%1» ha %2 tetraedri, più del budget di %3. Permetterne almeno altrettanti.</translation>
     </message>
     <message>
-        <source>its running errors do not bound the tetrahedra&apos;s own ones</source>
+        <source>its running errors do not bound the errors of its tetrahedra</source>
         <translation>i suoi errori correnti non limitano quelli propri dei tetraedri</translation>
     </message>
     <message>
-        <source>its tetrahedra do not fit its mesh sizes</source>
+        <source>its tetrahedra do not match its mesh sizes</source>
         <translation>i suoi tetraedri non corrispondono alle dimensioni delle mesh</translation>
     </message>
     <message>
-        <source>its mesh sizes make no sense</source>
+        <source>its mesh sizes are invalid</source>
         <translation>le dimensioni delle sue mesh non hanno senso</translation>
     </message>
     <message>
@@ -4496,11 +4456,11 @@ deformazione %2</translation>
         <translation>i suoi tetraedri grossolani non combaciano</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was not made by inserting points into Delaunay meshes, so none can be inserted now. Use a closed set, or the automatic choice.</source>
+        <source>&apos;%1&apos; was not made by inserting points into Delaunay meshes, so points cannot be inserted now. Use a closed set, or the automatic choice.</source>
         <translation>«%1» non è stato fatto inserendo punti in mesh di Delaunay, perciò ora non se ne possono inserire. Usare un insieme chiuso, o la scelta automatica.</translation>
     </message>
     <message>
-        <source>Looking at the mesh</source>
+        <source>Examining the mesh</source>
         <translation>Esame della mesh</translation>
     </message>
     <message>
@@ -4508,11 +4468,11 @@ deformazione %2</translation>
         <translation>La mesh del focus è diventata troppo grande. Scegliere un errore maggiore o un focus più piccolo.</translation>
     </message>
     <message>
-        <source>a sample lies nowhere</source>
+        <source>a sample lies in no tetrahedron</source>
         <translation>un campione non sta in nessun luogo</translation>
     </message>
     <message>
-        <source>a site is no point of its grid</source>
+        <source>a site is not a point of its grid</source>
         <translation>un sito non è un punto della sua griglia</translation>
     </message>
     <message>
@@ -4528,7 +4488,7 @@ deformazione %2</translation>
         <translation>la fine del testo</translation>
     </message>
     <message>
-        <source>fewer fields: at most %1, nested %2 deep</source>
+        <source>fewer fields: at most %1, nested up to %2 levels deep</source>
         <translation>meno campi: al massimo %1, annidati %2 volte</translation>
     </message>
     <message>
@@ -4556,7 +4516,7 @@ deformazione %2</translation>
         <translation>un numero non negativo</translation>
     </message>
     <message>
-        <source>a number of less than 308 digits</source>
+        <source>a number of fewer than 308 digits</source>
         <translation>un numero di meno di 308 cifre</translation>
     </message>
     <message>
@@ -4564,7 +4524,7 @@ deformazione %2</translation>
         <translation>Il campo d&apos;errore non può essere letto al carattere %1: ci si aspetta %2, ma il testo finisce.</translation>
     </message>
     <message>
-        <source>The error field cannot be read at character %1: expected %2, but there is &apos;%3&apos;.</source>
+        <source>The error field cannot be read at character %1: expected %2, but found &apos;%3&apos;.</source>
         <translation>Il campo d&apos;errore non può essere letto al carattere %1: ci si aspetta %2, ma c&apos;è «%3».</translation>
     </message>
     <message>
@@ -4572,7 +4532,7 @@ deformazione %2</translation>
         <translation>Estrazione di un intervallo di mesh</translation>
     </message>
     <message>
-        <source>the meshes of %1 and %2 sites do not have the %3 and %4 tetrahedra that they should have</source>
+        <source>the meshes of %1 and %2 sites do not have the expected %3 and %4 tetrahedra</source>
         <translation>le mesh di %1 e %2 siti non hanno i %3 e %4 tetraedri che dovrebbero avere</translation>
     </message>
     <message>
@@ -4584,11 +4544,11 @@ deformazione %2</translation>
         <translation>i suoi primi siti hanno un errore</translation>
     </message>
     <message>
-        <source>Meshes of several accuracies cannot be cut at a window: what is cut has no life of its own. Ask for the tetrahedra that intersect the window, or that it contains.</source>
+        <source>Clip exactly is not available for meshes of several accuracies. Choose the tetrahedra that intersect the crop box, or those it contains.</source>
         <translation>Mesh di più accuratezze non si possono tagliare a una finestra: ciò che è tagliato non ha vita propria. Chiedere i tetraedri che intersecano la finestra, o che essa contiene.</translation>
     </message>
     <message>
-        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
+        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least that many.</source>
         <translation>La mesh più grossolana ha %1 tetraedri, più del budget di %2. Permetterne almeno altrettanti.</translation>
     </message>
     <message>
@@ -4600,11 +4560,11 @@ deformazione %2</translation>
         <translation>L&apos;inserimento è per reticoli e griglie curvilinee, non per punti sparsi</translation>
     </message>
     <message>
-        <source>Insertion needs a model made by refinement, whose meshes are Delaunay ones</source>
+        <source>Insertion needs a model made by refinement, whose meshes are Delaunay meshes</source>
         <translation>L&apos;inserimento richiede un modello fatto per raffinamento, le cui mesh sono di Delaunay</translation>
     </message>
     <message>
-        <source>Insertion needs all samples of the dataset, which this model&apos;s file does not hold</source>
+        <source>Insertion needs all samples of the dataset, which the file of this model does not hold</source>
         <translation>L&apos;inserimento richiede tutti i campioni dell&apos;insieme di dati, che il file di questo modello non contiene</translation>
     </message>
     <message>
@@ -4616,15 +4576,15 @@ deformazione %2</translation>
         <translation>L&apos;inserimento entro un budget richiede un bordo netto, o un errore di almeno %1 da cui decrescere</translation>
     </message>
     <message>
-        <source>Insertion does not know how this model was built, or its grid is too large</source>
+        <source>Insertion cannot tell how this model was built, or its grid is too large</source>
         <translation>L&apos;inserimento non sa come questo modello è stato costruito, o la sua griglia è troppo grande</translation>
     </message>
     <message>
-        <source>Trying what the budget allows</source>
+        <source>Searching for the best mesh within the budget</source>
         <translation>Prova di ciò che il budget permette</translation>
     </message>
     <message>
-        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
+        <source>There is not enough memory for this mesh. Choose a larger error, a smaller focus or a budget.</source>
         <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un focus più piccolo o un budget.</translation>
     </message>
     <message>
@@ -4632,15 +4592,15 @@ deformazione %2</translation>
         <translation>Il %1 minimo della finestra, %2, è maggiore del massimo, %3. Scambiarli.</translation>
     </message>
     <message>
-        <source>The largest error is not a number somewhere. Give it in percent everywhere.</source>
+        <source>The largest error is not a number everywhere. Give it in percent at every place.</source>
         <translation>L&apos;errore massimo in qualche punto non è un numero. Indicarlo ovunque in percentuale.</translation>
     </message>
     <message>
-        <source>The largest warping is not a number somewhere. Give it in percent everywhere.</source>
+        <source>The largest warping is not a number everywhere. Give it in percent at every place.</source>
         <translation>La deformazione massima in qualche punto non è un numero. Indicarla ovunque in percentuale.</translation>
     </message>
     <message>
-        <source>A budget of no tetrahedra allows no mesh of &apos;%1&apos;.</source>
+        <source>A budget of zero tetrahedra allows no mesh of &apos;%1&apos;.</source>
         <translation>Un budget di zero tetraedri non permette nessuna mesh di «%1».</translation>
     </message>
     <message>
@@ -4648,7 +4608,7 @@ deformazione %2</translation>
         <translation>Un intervallo di valori va da un numero più piccolo a uno più grande: %1 e %2 no.</translation>
     </message>
     <message>
-        <source>a site is no point of its lattice</source>
+        <source>a site is not a point of its lattice</source>
         <translation>un sito non è un punto del suo reticolo</translation>
     </message>
     <message>
@@ -4656,15 +4616,15 @@ deformazione %2</translation>
         <translation>L&apos;errore nel focus è maggiore di quello esterno. Scambiarli.</translation>
     </message>
     <message>
-        <source>Cutting at the window</source>
+        <source>Cutting at the crop box</source>
         <translation>Taglio alla finestra</translation>
     </message>
     <message>
-        <source>The mesh that is cut at the window has more vertices than fit: choose a larger error or a smaller window.</source>
+        <source>The mesh cut at the crop box has too many vertices: choose a larger error or a smaller box.</source>
         <translation>La mesh tagliata alla finestra ha troppi vertici: scegliere un errore più grande o una finestra più piccola.</translation>
     </message>
     <message>
-        <source>Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller window.</source>
+        <source>Not enough memory to cut a mesh of %1 tetrahedra at a crop box. Choose a larger error or a smaller box.</source>
         <translation>La memoria non basta per tagliare a una finestra una mesh di %1 tetraedri. Scegliere un errore più grande o una finestra più piccola.</translation>
     </message>
     <message>
@@ -4672,7 +4632,7 @@ deformazione %2</translation>
         <translation>la somma di controllo della sezione «%1» è sbagliata</translation>
     </message>
     <message>
-        <source>chunks of %1 bytes cannot be</source>
+        <source>chunks of %1 bytes are impossible</source>
         <translation>pezzi di %1 byte sono impossibili</translation>
     </message>
     <message>
@@ -4680,11 +4640,11 @@ deformazione %2</translation>
         <translation>la sezione «%1» ha %2 byte invece di %3 elementi da 8</translation>
     </message>
     <message>
-        <source>its star offsets do not fit its tetrahedra</source>
+        <source>its star offsets do not match its tetrahedra</source>
         <translation>gli inizi delle stelle non corrispondono ai tetraedri</translation>
     </message>
     <message>
-        <source>the star offsets of site %1 make no sense</source>
+        <source>the star offsets of site %1 are invalid</source>
         <translation>gli inizi delle stelle del sito %1 non hanno senso</translation>
     </message>
     <message>
@@ -4732,7 +4692,7 @@ deformazione %2</translation>
         <translation>La mesh è cresciuta oltre ciò che era riservato per essa.</translation>
     </message>
     <message>
-        <source>The grid has too many points to be refined: coordinates take more than 32 bits. Crop or subsample it.</source>
+        <source>The grid has too many points to be refined: its coordinates need more than 32 bits. Crop or subsample it.</source>
         <translation>La griglia ha troppi punti per essere raffinata: le coordinate richiedono più di 32 bit. Ritagliarla o sottocampionarla.</translation>
     </message>
     <message>
@@ -4752,7 +4712,7 @@ deformazione %2</translation>
         <translation>Ci sono solo %1 punti.</translation>
     </message>
     <message>
-        <source>All points lie on one place.</source>
+        <source>All points lie at one place.</source>
         <translation>Tutti i punti stanno nello stesso luogo.</translation>
     </message>
     <message>
@@ -4764,7 +4724,7 @@ deformazione %2</translation>
         <translation>Tutti i punti stanno in un piano.</translation>
     </message>
     <message>
-        <source>Points %1 and %2 (counted from 0) lie on the same place. Merge such points first.</source>
+        <source>Points %1 and %2 (counted from 0) lie at the same place. Merge such points first.</source>
         <translation>I punti %1 e %2 (contati da 0) stanno nello stesso luogo. Unire prima tali punti.</translation>
     </message>
     <message>
@@ -4776,11 +4736,11 @@ deformazione %2</translation>
         <translation>Il raffinamento</translation>
     </message>
     <message>
-        <source>Point %1 lies outside the convex hull that was computed. Coordinates of so different magnitudes cannot be used; scale them.</source>
+        <source>Point %1 lies outside the computed convex hull. Coordinates of such different magnitudes cannot be used; scale them.</source>
         <translation>Il punto %1 è fuori dall&apos;inviluppo convesso calcolato. Coordinate di grandezze così diverse non si possono usare; riscalarle.</translation>
     </message>
     <message>
-        <source>The history has more than 4 billion tetrahedra. Ask for a larger error.</source>
+        <source>The history has more than 4 billion tetrahedra. Choose a larger error.</source>
         <translation>La storia ha più di 4 miliardi di tetraedri. Chiedere un errore più grande.</translation>
     </message>
     <message>
@@ -4816,7 +4776,7 @@ deformazione %2</translation>
         <translation>i tetraedri del raffinamento</translation>
     </message>
     <message>
-        <source>A block of the lattice needs two points along each axis and must not stick out. Choose another block size.</source>
+        <source>A block of the lattice needs at least two points along each axis and must lie within it. Choose another block size.</source>
         <translation>Un blocco del reticolo richiede due punti lungo ogni asse e non deve sporgere. Scegliere un&apos;altra dimensione dei blocchi.</translation>
     </message>
     <message>
@@ -4868,7 +4828,7 @@ deformazione %2</translation>
         <translation>La chiave «%1» della camera non è né true né false (%2).</translation>
     </message>
     <message>
-        <source>The key &quot;%1&quot; of the camera is none of x, -x, y, -y, z and -z (%2).</source>
+        <source>The key &quot;%1&quot; of the camera is not one of x, -x, y, -y, z and -z (%2).</source>
         <translation>La chiave «%1» della camera non è nessuno di x, -x, y, -y, z e -z (%2).</translation>
     </message>
     <message>
@@ -4880,11 +4840,11 @@ deformazione %2</translation>
         <translation>La chiave «%1» della camera non è un elenco di tre numeri (%2).</translation>
     </message>
     <message>
-        <source>This is no camera. %1</source>
+        <source>This is not a camera. %1</source>
         <translation>Questa non è una camera. %1</translation>
     </message>
     <message>
-        <source>This is no camera: it holds no JSON object, in braces.</source>
+        <source>This is not a camera: it holds no JSON object, in braces.</source>
         <translation>Questa non è una camera: non contiene un oggetto JSON, fra graffe.</translation>
     </message>
     <message>
@@ -4892,7 +4852,7 @@ deformazione %2</translation>
         <translation>Disegno dell&apos;immagine</translation>
     </message>
     <message>
-        <source>The scene has more than two thousand million vertices.</source>
+        <source>The scene has more than two billion vertices.</source>
         <translation>La scena ha più di due miliardi di vertici.</translation>
     </message>
     <message>
@@ -4904,7 +4864,7 @@ deformazione %2</translation>
         <translation>%1 non ha %2. Installare EGL 1.4, o far disegnare il processore.</translation>
     </message>
     <message>
-        <source>EGL gives no OpenGL 3.3 without a window on this machine. Install the card&apos;s driver or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.</source>
+        <source>EGL provides no OpenGL 3.3 without a window on this machine. Install the driver of the graphics card or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.</source>
         <translation>EGL su questo computer non dà OpenGL 3.3 senza finestra. Installare il driver della scheda o Mesa (Debian: libgl1-mesa-dri), o far disegnare il processore.</translation>
     </message>
     <message>
@@ -4916,11 +4876,11 @@ deformazione %2</translation>
         <translation>Una superficie ha troppi triangoli per OpenGL. Far disegnare il processore.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
         <translation>La memoria della scheda grafica non basta per questa superficie. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
         <translation>La memoria della scheda grafica non basta per questo volume. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
     </message>
     <message>
@@ -4928,23 +4888,23 @@ deformazione %2</translation>
         <translation>Questo driver OpenGL disegna volumi di al massimo %1 vertici. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
     </message>
     <message>
-        <source>This machine&apos;s OpenGL driver refuses a shader of TAn. Use the CPU back end, or another driver. It says: %1</source>
+        <source>The OpenGL driver of this machine rejects a shader of TAn. Use the CPU back end, or another driver. It reports: %1</source>
         <translation>Il driver OpenGL di questo computer rifiuta uno shader di TAn. Far disegnare il processore, o usare un altro driver. Dice: %1</translation>
     </message>
     <message>
-        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
+        <source>OpenGL supports at most %1 clip planes. Use fewer, or use the CPU back end.</source>
         <translation>OpenGL taglia le scene con al più %1 piani. Usarne meno, o far disegnare il processore.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
         <translation>La memoria della scheda grafica non basta per un&apos;immagine di queste dimensioni. Rimpicciolirla, o far disegnare il processore.</translation>
     </message>
     <message>
-        <source>The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 demands. Use the CPU back end.</source>
+        <source>The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 requires. Use the CPU back end.</source>
         <translation>Il driver OpenGL non sa disegnare in texture a virgola mobile, che OpenGL 3.3 richiede. Far disegnare il processore.</translation>
     </message>
     <message>
-        <source>This OpenGL driver draws at most %1 samples a side. Make the picture smaller, take fewer samples, or use the CPU back end.</source>
+        <source>This OpenGL driver draws at most %1 samples per side. Make the picture smaller, use fewer samples, or use the CPU back end.</source>
         <translation>Questo driver OpenGL disegna al massimo %1 campioni per lato. Rimpicciolire l&apos;immagine, usare meno campioni, o far disegnare il processore.</translation>
     </message>
     <message>
@@ -4956,7 +4916,7 @@ deformazione %2</translation>
         <translation>Il driver OpenGL ha la versione %1.%2; TAn richiede la 3.3. Far disegnare il processore, o usare un altro driver.</translation>
     </message>
     <message>
-        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
+        <source>The graphics card does not have enough memory for this picture. Make it smaller, or use the CPU back end.</source>
         <translation>La memoria della scheda grafica non basta per questa immagine. Rimpicciolirla, o far disegnare il processore.</translation>
     </message>
     <message>
@@ -4964,7 +4924,7 @@ deformazione %2</translation>
         <translation>La memoria non basta per un&apos;immagine di queste dimensioni e di questa scena. Rimpicciolire l&apos;immagine o ridurre l&apos;accuratezza della mesh.</translation>
     </message>
     <message>
-        <source>The scene has more than four thousand million triangles.</source>
+        <source>The scene has more than four billion triangles.</source>
         <translation>La scena ha più di quattro miliardi di triangoli.</translation>
     </message>
     <message>
@@ -4988,7 +4948,7 @@ deformazione %2</translation>
         <translation>La mesh, i suoi valori, i gradienti e l&apos;indice non vanno insieme.</translation>
     </message>
     <message>
-        <source>The isosurface has more than four thousand million vertices. Lower the accuracy of the mesh.</source>
+        <source>The isosurface has more than four billion vertices. Lower the accuracy of the mesh.</source>
         <translation>L&apos;isosuperficie ha più di quattro miliardi di vertici. Ridurre l&apos;accuratezza della mesh.</translation>
     </message>
     <message>
@@ -5008,15 +4968,15 @@ deformazione %2</translation>
         <translation>La memoria non basta per le isosuperfici. Mostrarne meno o ridurre l&apos;accuratezza della mesh.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
+        <source>&apos;%1&apos; is not a clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
         <translation>«%1» non è un piano di taglio: dare quattro numeri nx,ny,nz,distanza, i primi tre non tutti nulli; si mostrano i punti con nx x + ny y + nz z &gt;= distanza.</translation>
     </message>
     <message>
-        <source>A surface of the scene has not one normal for each vertex.</source>
+        <source>A surface of the scene does not have one normal for each vertex.</source>
         <translation>Una superficie della scena non ha una normale per ogni vertice.</translation>
     </message>
     <message>
-        <source>A surface of the scene has not one value or colour for each vertex.</source>
+        <source>A surface of the scene does not have one value or colour for each vertex.</source>
         <translation>Una superficie della scena non ha un valore o un colore per ogni vertice.</translation>
     </message>
     <message>
@@ -5044,7 +5004,7 @@ deformazione %2</translation>
         <translation>La memoria non basta per disegnare questa mesh come volume. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
     </message>
     <message>
-        <source>The mesh has more than a thousand million tetrahedra, too many to be drawn at once. Lower its accuracy.</source>
+        <source>The mesh has more than a billion tetrahedra, too many to be drawn at once. Lower its accuracy.</source>
         <translation>La mesh ha più di un miliardo di tetraedri, troppi per essere disegnati insieme. Ridurne l&apos;accuratezza.</translation>
     </message>
     <message>
@@ -5060,7 +5020,7 @@ deformazione %2</translation>
         <translation>Ordinamento dei tetraedri</translation>
     </message>
     <message>
-        <source>A picture must have 1 to %1 samples a side. Draw a larger one in parts.</source>
+        <source>A picture must have 1 to %1 samples per side. Draw a larger one in parts.</source>
         <translation>Un&apos;immagine deve avere da 1 a %1 campioni per lato. Disegnarne una più grande a parti.</translation>
     </message>
     <message>
@@ -5076,7 +5036,7 @@ deformazione %2</translation>
         <translation>un valore non è un numero finito</translation>
     </message>
     <message>
-        <source>its values do not ascend: %1 comes after %2</source>
+        <source>its values are not in ascending order: %1 comes after %2</source>
         <translation>i suoi valori non crescono: %1 viene dopo %2</translation>
     </message>
     <message>
@@ -5084,7 +5044,7 @@ deformazione %2</translation>
         <translation>non ha né colori né opacità</translation>
     </message>
     <message>
-        <source>its colours go by the logarithm, and its values are not all positive</source>
+        <source>its colours follow the logarithm, and its values are not all positive</source>
         <translation>i suoi colori seguono il logaritmo, e non tutti i suoi valori sono positivi</translation>
     </message>
     <message>
@@ -5104,7 +5064,7 @@ deformazione %2</translation>
         <translation>«%1» deve essere un elenco di numeri, %2 per ogni punto</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; holds something that is no number</source>
+        <source>&quot;%1&quot; holds something that is not a number</source>
         <translation>«%1» contiene qualcosa che non è un numero</translation>
     </message>
     <message>
@@ -5128,7 +5088,7 @@ deformazione %2</translation>
         <translation>La preimpostazione di ParaView non può essere letta: %1.</translation>
     </message>
     <message>
-        <source>a point&apos;s attribute &apos;%1&apos; is &apos;%2&apos; and no number</source>
+        <source>a point&apos;s attribute &apos;%1&apos; is &apos;%2&apos;, which is not a number</source>
         <translation>l&apos;attributo «%1» di un punto è «%2» e non un numero</translation>
     </message>
     <message>
@@ -5164,7 +5124,7 @@ deformazione %2</translation>
         <translation>ha un valore minore del punto precedente. Metterli in ordine crescente.</translation>
     </message>
     <message>
-        <source>is the third of its value. Two make a step; leave out those between.</source>
+        <source>is the third at its value. Two make a step; leave out those between.</source>
         <translation>è il terzo del suo valore. Due formano un gradino; omettere quelli in mezzo.</translation>
     </message>
     <message>
@@ -5192,7 +5152,7 @@ deformazione %2</translation>
         <translation>La distanza unitaria di una funzione di trasferimento deve essere una lunghezza sopra zero.</translation>
     </message>
     <message>
-        <source>%1 must be a number that fits</source>
+        <source>%1 must be a number within range</source>
         <translation>%1 deve essere un numero adatto</translation>
     </message>
     <message>
@@ -5260,7 +5220,7 @@ deformazione %2</translation>
         <translation>Contorno</translation>
     </message>
     <message>
-        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
+        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in a light colour, so that you can see inside, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
         <translation>Mostra dove finisce la mesh, con fori e cavità: «traslucido» in un solo colore chiaro, così che si veda che cosa c&apos;è dentro le sue pareti, oppure con i colori che la funzione di trasferimento dà ai «valori» in quei punti.</translation>
     </message>
     <message>
@@ -5268,7 +5228,7 @@ deformazione %2</translation>
         <translation>Opacità</translation>
     </message>
     <message>
-        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
+        <source>The opacity of a translucent boundary; 1 hides what is behind it.</source>
         <translation>L&apos;opacità di un contorno traslucido; 1 nasconde ciò che sta dietro.</translation>
     </message>
     <message>
@@ -5276,7 +5236,7 @@ deformazione %2</translation>
         <translation>Solo facce posteriori</translation>
     </message>
     <message>
-        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
+        <source>Shows only the far walls of the boundary, seen from inside, and leaves out those that face the camera.</source>
         <translation>Mostra solo le pareti lontane del contorno, dall&apos;interno, e tralascia quelle rivolte verso la camera.</translation>
     </message>
     <message>
@@ -5300,7 +5260,7 @@ deformazione %2</translation>
         <translation>Ombreggiato</translation>
     </message>
     <message>
-        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
+        <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most.</source>
         <translation>Illumina il volume, come se una superficie stesse di traverso alla direzione in cui i valori cambiano di più.</translation>
     </message>
     <message>
@@ -5308,7 +5268,7 @@ deformazione %2</translation>
         <translation>Parallelepipedo limite</translation>
     </message>
     <message>
-        <source>Shows the edges of the box that the data fill.</source>
+        <source>Draws the bounding box of the data.</source>
         <translation>Mostra gli spigoli del parallelepipedo che i dati riempiono.</translation>
     </message>
     <message>
@@ -5316,7 +5276,7 @@ deformazione %2</translation>
         <translation>Piani di taglio</translation>
     </message>
     <message>
-        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
+        <source>Clip planes as nx,ny,nz,offset; keeps the points with nx x + ny y + nz z &gt;= offset.</source>
         <translation>Taglia via ciò che sta davanti a un piano: nx,ny,nz,offset mostra i punti con nx x + ny y + nz z &gt;= offset.</translation>
     </message>
     <message>
@@ -5340,7 +5300,7 @@ deformazione %2</translation>
         <translation>Pesi</translation>
     </message>
     <message>
-        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
+        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, and the weight falls linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; where several apply, the largest weight counts. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
         <translation>Dove conta l&apos;accuratezza: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach o value:q,reach, più di uno separati da «;». Lì gli errori contano per intero e calano linearmente a un decimo (o a «,floor» alla fine) alla distanza «reach»; vale il peso maggiore. Esempi: «point:16,16,8,10», «value:120,15,0.05».</translation>
     </message>
     <message>
@@ -5352,7 +5312,7 @@ deformazione %2</translation>
         <translation>Ordine</translation>
     </message>
     <message>
-        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
+        <source>Which point is removed next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points that are not neighbours at a time, so that a focus region needs the fewest additional points.</source>
         <translation>Quale punto togliere per primo: «esatto» quello la cui perdita fa meno danno, per il minor numero di punti; «articolo» lo stima con gradienti e piani, come faceva l&apos;articolo; «a turni» toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
     </message>
     <message>
@@ -5364,7 +5324,7 @@ deformazione %2</translation>
         <translation>Un reticolo regolare: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
     </message>
     <message>
-        <source>Decimation stops at this error; 0 goes on to the coarsest mesh.</source>
+        <source>Decimation stops at this error; 0 continues to the coarsest mesh.</source>
         <translation>La decimazione si ferma a questo errore; 0 prosegue fino alla mesh più grossolana.</translation>
     </message>
     <message>
@@ -5372,7 +5332,7 @@ deformazione %2</translation>
         <translation>Errore più fine</translation>
     </message>
     <message>
-        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
+        <source>Leaves meshes of smaller errors out of the model, to make it smaller; 0 keeps everything.</source>
         <translation>Tralascia dal modello le mesh con errori minori, così che sia più piccolo; 0 conserva tutto.</translation>
     </message>
     <message>
@@ -5392,11 +5352,11 @@ deformazione %2</translation>
         <translation>nessuno</translation>
     </message>
     <message>
-        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
+        <source>The block size &apos;%1&apos; is not &quot;automatic&quot;, &quot;none&quot; or a number of cells of at least 1.</source>
         <translation>La dimensione «%1» dei blocchi non è né «automatico» né «nessuno» né un numero di celle da 1.</translation>
     </message>
     <message>
-        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
+        <source>A regular lattice: refinement keeps the exact domain and is the fastest method.</source>
         <translation>Un reticolo regolare: il raffinamento conserva esattamente il dominio e richiede il tempo minore.</translation>
     </message>
     <message>
@@ -5408,11 +5368,11 @@ deformazione %2</translation>
         <translation>Il raffinamento si ferma a questo errore; 0 conserva tutto, così che in seguito si possa mostrare ogni accuratezza.</translation>
     </message>
     <message>
-        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
+        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the permissions of its folder, and that there is space.</source>
         <translation>La preimpostazione «%1» non può essere modificata: %2. Controllare i permessi della cartella, e che ci sia spazio.</translation>
     </message>
     <message>
-        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
+        <source>The axis of values stays linear: a logarithmic one has no place for zero and negative values, and the data or the points begin at %1. Move the points above zero, or choose data with positive values.</source>
         <translation>L&apos;asse dei valori resta lineare: uno logaritmico non ha posto per zero e meno, e i dati o i punti cominciano a %1. Spostare i punti sopra zero, o scegliere dati di valori positivi.</translation>
     </message>
     <message>
@@ -5420,7 +5380,7 @@ deformazione %2</translation>
         <translation>Gli appunti non contengono punti di una funzione di trasferimento. Copiarne alcuni qui o in un&apos;altra finestra. %1</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no colour. Give #rrggbb in hexadecimal, or one of %2.</source>
+        <source>&apos;%1&apos; is not a colour. Give #rrggbb in hexadecimal, or one of %2.</source>
         <translation>«%1» non è un colore. Indicare #rrggbb in esadecimale, o uno di %2.</translation>
     </message>
     <message>
@@ -5436,7 +5396,7 @@ deformazione %2</translation>
         <translation>È stato compilato con Qt %1, e questo programma usa Qt %2. Installare il plugin per questo Qt.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
+        <source>&apos;%1&apos; is an archive. Unpack it first, with &apos;%2&apos;, and open what is in it.</source>
         <translation>«%1» è compresso. Decomprimerlo prima con «%2» e aprire ciò che contiene.</translation>
     </message>
     <message>
@@ -5448,7 +5408,7 @@ deformazione %2</translation>
         <translation>Nessun lettore è installato.</translation>
     </message>
     <message>
-        <source>%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
+        <source>%1 (It was unpacked on its own. If it refers to other files, unpack it next to them: gunzip.)</source>
         <translation>%1 (È stato decompresso da solo. Se nomina altri file, decomprimerlo accanto ad essi: gunzip.)</translation>
     </message>
     <message>
@@ -5456,7 +5416,7 @@ deformazione %2</translation>
         <translation>lettura «%1»</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a TAn model, and a dataset is wanted here: the file that the model was built from.</source>
+        <source>&apos;%1&apos; is a TAn model, but a dataset is needed here: the file that the model was built from.</source>
         <translation>«%1» è un modello TAn, e qui si vuole un insieme di dati: il file da cui il modello è stato costruito.</translation>
     </message>
     <message>
@@ -5464,7 +5424,7 @@ deformazione %2</translation>
         <translation>Nessun plugin di scrittura è installato.</translation>
     </message>
     <message>
-        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
+        <source>It needs the plugin &quot;%1&quot;, which is missing or cannot be used. Install it.</source>
         <translation>Richiede il plugin «%1», che manca o non è utilizzabile. Installarlo.</translation>
     </message>
     <message>
@@ -5472,7 +5432,7 @@ deformazione %2</translation>
         <translation>Richiede il plugin «%1», che non è utilizzabile: %2</translation>
     </message>
     <message>
-        <source>Plugins need each other in a circle: %1. Remove one of them.</source>
+        <source>Plugins depend on each other in a circle: %1. Remove one of them.</source>
         <translation>I plugin si richiedono in circolo: %1. Rimuoverne uno.</translation>
     </message>
     <message>
@@ -5500,7 +5460,7 @@ deformazione %2</translation>
         <translation>Installare il pacchetto che la contiene (su Debian lo indica «%1»), o rimuovere il plugin.</translation>
     </message>
     <message>
-        <source>It needs the function %1, which no library here has: it was built for another version of TAn or of a library. %2</source>
+        <source>It needs the function %1, which no library here provides: it was built for another version of TAn or of a library. %2</source>
         <translation>Richiede la funzione %1, che qui nessuna libreria ha: è stato compilato per un&apos;altra versione di TAn o di una libreria. %2</translation>
     </message>
     <message>
@@ -5538,7 +5498,7 @@ deformazione %2</translation>
         <translation>Il risultato «%1» è l&apos;origine «%2». Dare al risultato un altro nome.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; exists and is called like the dataset that the model was built from, so it is not overwritten. Give the output another name, or remove that file first.</source>
+        <source>&apos;%1&apos; exists and has the same name as the dataset that the model was built from, so it is not overwritten. Give the output another name, or remove that file first.</source>
         <translation>«%1» esiste e si chiama come l&apos;insieme di dati da cui il modello è stato costruito, perciò non viene sovrascritto. Dare un altro nome al risultato, o rimuovere prima quel file.</translation>
     </message>
     <message>
@@ -5562,7 +5522,7 @@ deformazione %2</translation>
         <translation>Decompressione</translation>
     </message>
     <message>
-        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <source>it is compressed with gzip, and unpacks to more than %1, half of the space in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
         <translation>è compresso con gzip, e decompresso supera %1, metà dello spazio in «%2». Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
     </message>
     <message>
@@ -5590,7 +5550,7 @@ deformazione %2</translation>
         <translation>una funzione di trasferimento in JSON</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity above 0 and at most 1: 128:#ff8000:0.5</source>
+        <source>&apos;%1&apos; is not an isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity above 0 and at most 1: 128:#ff8000:0.5</source>
         <translation>«%1» non è un isovalore. Indicare VALORE, VALORE:COLORE o VALORE:COLORE:OPACITÀ, l&apos;opacità sopra 0 e al massimo 1: 128:#ff8000:0.5</translation>
     </message>
     <message>
@@ -5622,7 +5582,7 @@ deformazione %2</translation>
         <translation>«%1» ha punti sparsi</translation>
     </message>
     <message>
-        <source>The %1 knows no parameter &apos;%2&apos;. %3</source>
+        <source>The %1 has no parameter &apos;%2&apos;. %3</source>
         <translation>Il plugin di %1 non conosce il parametro «%2». %3</translation>
     </message>
     <message>
@@ -5630,8 +5590,8 @@ deformazione %2</translation>
         <translation>Non ce ne sono.</translation>
     </message>
     <message>
-        <source>It has: %1.</source>
-        <translation>Ci sono: %1.</translation>
+        <source>Available: %1.</source>
+        <translation>Disponibili: %1.</translation>
     </message>
     <message>
         <source>The parameter &apos;%1&apos; of the %2 takes %3.</source>
@@ -5646,15 +5606,15 @@ deformazione %2</translation>
         <translation>«%1» vale solo per questo tipo di dati: %2; ma %3. Ometterlo.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of use only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
+        <source>&apos;%1&apos; applies only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
         <translation>«%1» serve solo se «%2» è %3. Ometterlo, o scegliere quello.</translation>
     </message>
     <message>
-        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
+        <source>This machine does not have enough memory for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
         <translation>La memoria di questo computer qui non basta per «%1». Chiudere altri programmi, o dargli dati più piccoli.</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
+        <source>The plugin &apos;%1&apos; failed: %2. This is a fault of the plugin; tell its author.</source>
         <translation>Il plugin «%1» ha fallito: %2. È un errore del plugin; segnalarlo all&apos;autore.</translation>
     </message>
     <message>
@@ -5692,15 +5652,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Nessuno è installato.</translation>
     </message>
     <message>
-        <source>There is: %1.</source>
-        <translation>Ci sono: %1.</translation>
-    </message>
-    <message>
         <source>The plugin &quot;%1&quot; cannot be used. %2</source>
         <translation>Il plugin «%1» non si può usare. %2</translation>
     </message>
     <message>
-        <source>It failed when it was started: %1. Install it again.</source>
+        <source>It failed to start: %1. Install it again.</source>
         <translation>È fallito all&apos;avvio: %1. Installarlo di nuovo.</translation>
     </message>
     <message>
@@ -5736,15 +5692,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>manca la chiave «%1»</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a text</source>
+        <source>&quot;%1&quot; is not a string</source>
         <translation>«%1» non è un testo</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is &quot;%2&quot;, which is no version like &quot;1.2.3&quot;</source>
+        <source>&quot;%1&quot; is &quot;%2&quot;, which is not a version like &quot;1.2.3&quot;</source>
         <translation>«%1» è «%2», che non è una versione come «1.2.3»</translation>
     </message>
     <message>
-        <source>&quot;kind&quot; is &quot;%1&quot;, which is none of builder, renderer, reader, writer, editor</source>
+        <source>&quot;kind&quot; is &quot;%1&quot;, which is not one of builder, renderer, reader, writer, editor</source>
         <translation>«kind» è «%1», che non è nessuno di builder, renderer, reader, writer, editor</translation>
     </message>
     <message>
@@ -5752,19 +5708,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«requires» non è un elenco</translation>
     </message>
     <message>
-        <source>&quot;requires&quot; lists something that is no plugin&apos;s id</source>
+        <source>&quot;requires&quot; lists something that is not the id of a plugin</source>
         <translation>«requires» elenca qualcosa che non è l&apos;identificativo di un plugin</translation>
     </message>
     <message>
-        <source>&quot;id&quot; is &quot;%1&quot;; only lower-case letters, digits, &apos;.&apos;, &apos;-&apos; and &apos;_&apos; may stand in it</source>
+        <source>&quot;id&quot; is &quot;%1&quot;; it may contain only lower-case letters, digits, &apos;.&apos;, &apos;-&apos; and &apos;_&apos;</source>
         <translation>«id» è «%1»; può contenere solo lettere minuscole, cifre, «.», «-» e «_»</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no component of an array that has %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
+        <source>&apos;%1&apos; is not a component of an array that has %2: give &apos;magnitude&apos;, or a number from 0 to %3.</source>
         <translation>«%1» non è una componente di un vettore che ne ha %2: indicare «magnitude», o un numero da 0 a %3.</translation>
     </message>
     <message>
-        <source>it has no array &apos;%1&apos;. There are: %2.</source>
+        <source>it has no array &apos;%1&apos;. Available: %2.</source>
         <translation>non ha un vettore «%1». Ci sono: %2.</translation>
     </message>
     <message>
@@ -5788,7 +5744,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Vettore</translation>
     </message>
     <message>
-        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
+        <source>The array whose values to take, of points or of cells; by default the one the file calls active, else the first.</source>
         <translation>Il vettore di cui prendere i valori, di punti o di celle; se vuoto quello che il file dice attivo, altrimenti il primo.</translation>
     </message>
     <message>
@@ -5796,7 +5752,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Componente</translation>
     </message>
     <message>
-        <source>the first line is not five numbers: of points, cells, values a point, a cell and the model</source>
+        <source>the first line is not five numbers: of points, of cells, of values per point, per cell and of the model</source>
         <translation>la prima riga non è di cinque numeri: punti, celle, valori per punto, per cella e del modello</translation>
     </message>
     <message>
@@ -5812,7 +5768,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un punto non è il suo numero e tre coordinate</translation>
     </message>
     <message>
-        <source>the number of a point is there twice</source>
+        <source>the number of a point appears twice</source>
         <translation>il numero di un punto compare due volte</translation>
     </message>
     <message>
@@ -5824,11 +5780,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>manca l&apos;elenco dei valori</translation>
     </message>
     <message>
-        <source>the line before the values is not their number and how many components each has</source>
+        <source>the line before the values does not hold their number and how many components each has</source>
         <translation>la riga prima dei valori non è il loro numero e quante componenti ha ciascuno</translation>
     </message>
     <message>
-        <source>the components of the values do not add up to what the first line says</source>
+        <source>the components of the values do not add up to what the first line states</source>
         <translation>le componenti dei valori non danno in tutto ciò che dice la prima riga</translation>
     </message>
     <message>
@@ -5840,7 +5796,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un valore appartiene a un numero che nessun punto o cella ha</translation>
     </message>
     <message>
-        <source>a value is missing or no number</source>
+        <source>a value is missing or not a number</source>
         <translation>un valore manca o non è un numero</translation>
     </message>
     <message>
@@ -5896,7 +5852,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha %1 numeri, non %2</translation>
     </message>
     <message>
-        <source>is of type &apos;%1&apos;, which is no number</source>
+        <source>is of type &apos;%1&apos;, which is not a number</source>
         <translation>è di tipo «%1», che non è un numero</translation>
     </message>
     <message>
@@ -5908,7 +5864,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>è di tipo «%1», non di numeri interi</translation>
     </message>
     <message>
-        <source>a piece says that it has more points than there can be.</source>
+        <source>a piece claims to have more points than possible.</source>
         <translation>un pezzo dichiara più punti di quanti possano essere.</translation>
     </message>
     <message>
@@ -5920,7 +5876,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ogni pezzo ha il vettore «%1».</translation>
     </message>
     <message>
-        <source>a piece says that it has more values than there can be.</source>
+        <source>a piece claims to have more values than possible.</source>
         <translation>un pezzo dichiara più valori di quanti possano essere.</translation>
     </message>
     <message>
@@ -5932,7 +5888,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>una cella ha il vertice %1 di %2 punti.</translation>
     </message>
     <message>
-        <source>it does not begin with &lt;VTKFile&gt;, so it is no VTK XML file.</source>
+        <source>it does not begin with &lt;VTKFile&gt;, so it is not a VTK XML file.</source>
         <translation>non comincia con &lt;VTKFile&gt;, perciò non è un file VTK XML.</translation>
     </message>
     <message>
@@ -5972,7 +5928,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un pezzo non ha il vettore «%1».</translation>
     </message>
     <message>
-        <source>A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write lattices as .nrrd, curvilinear grids as .xyz, points as .csv.</source>
+        <source>A .vtu file holds a mesh of tetrahedra, and this dataset is not one. Write lattices as .nrrd, curvilinear grids as .xyz, points as .csv.</source>
         <translation>Un file .vtu contiene una mesh di tetraedri, e questo insieme di dati non lo è. Scrivere i reticoli come .nrrd, le griglie curvilinee come .xyz, i punti come .csv.</translation>
     </message>
     <message>
@@ -5988,15 +5944,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>sono troncati</translation>
     </message>
     <message>
-        <source>a new part cannot be started</source>
+        <source>another part cannot be started</source>
         <translation>una nuova parte non può cominciare</translation>
     </message>
     <message>
-        <source>its compressed data hold more than %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <source>its compressed data hold more than %1 bytes where the description requires %2. The sizes or the type are wrong, or the data belong to another file.</source>
         <translation>i suoi dati compressi contengono più di %1 byte dove la descrizione ne chiede %2. Le dimensioni o il tipo sono sbagliati, o i dati sono di un altro file.</translation>
     </message>
     <message>
-        <source>its compressed data hold only %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <source>its compressed data hold only %1 bytes where the description requires %2. The sizes or the type are wrong, or the data belong to another file.</source>
         <translation>i suoi dati compressi contengono solo %1 byte dove la descrizione ne chiede %2. Le dimensioni o il tipo sono sbagliati, o i dati sono di un altro file.</translation>
     </message>
     <message>
@@ -6052,11 +6008,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la riga %1 della sua intestazione %2</translation>
     </message>
     <message>
-        <source>it is no NRRD file: it does not begin with &apos;NRRD0001&apos; to &apos;NRRD0005&apos;.</source>
+        <source>it is not an NRRD file: it does not begin with &apos;NRRD0001&apos; to &apos;NRRD0005&apos;.</source>
         <translation>non è un file NRRD: non comincia con «NRRD0001» fino a «NRRD0005».</translation>
     </message>
     <message>
-        <source>it is of a NRRD version that is not known, &apos;%1&apos;. Save it as NRRD0005 or earlier.</source>
+        <source>it has the unknown NRRD version &apos;%1&apos;. Save it as NRRD0005 or earlier.</source>
         <translation>è di una versione NRRD non nota, «%1». Salvarlo come NRRD0005 o precedente.</translation>
     </message>
     <message>
@@ -6100,23 +6056,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua intestazione non ha il campo «%1». Aggiungerlo.</translation>
     </message>
     <message>
-        <source>its &apos;line skip&apos; must be a whole number from 0.</source>
+        <source>its &apos;line skip&apos; must be a whole number of at least 0.</source>
         <translation>il suo «line skip» deve essere un numero intero da 0.</translation>
     </message>
     <message>
-        <source>its &apos;byte skip&apos; must be a whole number from 0, or -1 for raw data at the end of the file.</source>
+        <source>its &apos;byte skip&apos; must be a whole number of at least 0, or -1 for raw data at the end of the file.</source>
         <translation>il suo «byte skip» deve essere un numero intero da 0, o -1 per dati raw alla fine del file.</translation>
     </message>
     <message>
-        <source>its data file is called &apos;%1&apos;, with characters that no name should have. Correct it.</source>
+        <source>its data file is called &apos;%1&apos;, with characters that no name should contain. Correct it.</source>
         <translation>il suo file di dati si chiama «%1», con caratteri che nessun nome dovrebbe avere. Correggerlo.</translation>
     </message>
     <message>
-        <source>its type is &apos;block&apos;, which says nothing about the samples. Convert them to a number type first.</source>
+        <source>its type is &apos;block&apos;, which does not describe the samples. Convert them to a number type first.</source>
         <translation>il suo tipo è «block», che non dice nulla dei campioni. Convertirli prima in un tipo numerico.</translation>
     </message>
     <message>
-        <source>its byte order &apos;%1&apos; is not known. There are little and big.</source>
+        <source>its byte order &apos;%1&apos; is not known. Use little or big.</source>
         <translation>il suo ordine dei byte «%1» non è noto. Ci sono little e big.</translation>
     </message>
     <message>
@@ -6204,7 +6160,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>dovrebbe contenere %1, ma ci sono solo %2. È troncato, o la descrizione (dimensioni, tipo, byte da saltare) è sbagliata.</translation>
     </message>
     <message>
-        <source>it has only %1 of the %2 lines that are to be skipped. Check &apos;line skip&apos;.</source>
+        <source>it has only %1 of the %2 lines to be skipped. Check &apos;line skip&apos;.</source>
         <translation>ha solo %1 delle %2 righe da saltare. Controllare «line skip».</translation>
     </message>
     <message>
@@ -6224,15 +6180,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 byte di testo</translation>
     </message>
     <message>
-        <source>its text holds more than the %1 numbers that the description asks for. Check the sizes.</source>
+        <source>its text holds more than the %1 numbers that the description requires. Check the sizes.</source>
         <translation>il suo testo contiene più dei %1 numeri che la descrizione chiede. Controllare le dimensioni.</translation>
     </message>
     <message>
-        <source>number %1 of its text, &apos;%2&apos;, is no number of the type. Correct it, or the type.</source>
+        <source>number %1 of its text, &apos;%2&apos;, is not a number of this type. Correct it, or the type.</source>
         <translation>il numero %1 del suo testo, «%2», non è un numero del tipo. Correggere quello, o il tipo.</translation>
     </message>
     <message>
-        <source>its text holds only %1 numbers where the description asks for %2. It is cut short, or the sizes are wrong.</source>
+        <source>its text holds only %1 numbers where the description requires %2. It is cut short, or the sizes are wrong.</source>
         <translation>il suo testo contiene solo %1 numeri dove la descrizione ne chiede %2. È troncato, o le dimensioni sono sbagliate.</translation>
     </message>
     <message>
@@ -6280,11 +6236,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Nessuna grandezza di questa soluzione varia.</translation>
     </message>
     <message>
-        <source>These can be taken: %1.</source>
+        <source>Available arrays: %1.</source>
         <translation>Si possono prendere: %1.</translation>
     </message>
     <message>
-        <source>the array &apos;%1&apos; has one value everywhere. %2</source>
+        <source>the array &apos;%1&apos; has the same value everywhere. %2</source>
         <translation>il vettore «%1» ha lo stesso valore ovunque. %2</translation>
     </message>
     <message>
@@ -6296,7 +6252,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le lunghezze dei suoi record Fortran non corrispondono alle dimensioni delle griglie. Copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>%1 bytes too many stand behind its data. Check that it is a PLOT3D file.</source>
+        <source>%1 bytes too many follow its data. Check that it is a PLOT3D file.</source>
         <translation>%1 byte di troppo stanno dopo i suoi dati. Controllare che sia un file PLOT3D.</translation>
     </message>
     <message>
@@ -6324,15 +6280,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, e ciò non corrisponde a nessun tipo di file PLOT3D.</translation>
     </message>
     <message>
-        <source>it is a PLOT3D solution, and its grid is not beside it (%1). Open the grid, and give it the solution.</source>
+        <source>it is a PLOT3D solution, and its grid is not next to it (%1). Open the grid, and give it the solution.</source>
         <translation>è una soluzione PLOT3D, e la sua griglia non è accanto (%1). Aprire la griglia, e darle la soluzione.</translation>
     </message>
     <message>
-        <source>it is a grid without values, and no solution is beside it (%1). Say where it is with &apos;solution&apos;, or give it one of these names.</source>
+        <source>it is a grid without values, and no solution is next to it (%1). Say where it is with &apos;solution&apos;, or give it one of these names.</source>
         <translation>è una griglia senza valori, e nessuna soluzione è accanto (%1). Dire dov&apos;è con «solution», o darle uno di questi nomi.</translation>
     </message>
     <message>
-        <source>it is the solution of another grid: its sizes are not those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
+        <source>it is the solution of another grid: its sizes differ from those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
         <translation>è la soluzione di un&apos;altra griglia: le sue dimensioni non sono quelle di «%1». Sceglierne un&apos;altra con «solution».</translation>
     </message>
     <message>
@@ -6344,7 +6300,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Valori</translation>
     </message>
     <message>
-        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
+        <source>Which scalar of the solution: automatic takes the density, or, if that is the same everywhere, the first that varies.</source>
         <translation>Quale scalare della soluzione: «automatico» prende la densità o, se questa è ovunque uguale, il primo che varia.</translation>
     </message>
     <message>
@@ -6352,7 +6308,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>File di soluzione</translation>
     </message>
     <message>
-        <source>The PLOT3D solution of the grid; without it the one beside it with a matching name.</source>
+        <source>The PLOT3D solution of the grid; by default the one next to it with a matching name.</source>
         <translation>La soluzione PLOT3D della griglia; altrimenti quella accanto con un nome corrispondente.</translation>
     </message>
     <message>
@@ -6396,7 +6352,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Posizioni</translation>
     </message>
     <message>
-        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first.</source>
         <translation>I valori da prendere, per nome o numero; «automatic» prende i primi che ci sono.</translation>
     </message>
     <message>
@@ -6404,7 +6360,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salta le righe incomplete</translation>
     </message>
     <message>
-        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
+        <source>Tables of points: leave out rows with a missing number, instead of refusing the file.</source>
         <translation>Tabelle di punti: tralascia le righe a cui manca un numero, invece di rifiutare il file.</translation>
     </message>
     <message>
@@ -6424,7 +6380,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non contiene punti.</translation>
     </message>
     <message>
-        <source>%1, %2: there is no number. Add it, or have incomplete rows skipped.</source>
+        <source>%1, %2: a number is missing. Add it, or have incomplete rows skipped.</source>
         <translation>%1, %2: non c&apos;è un numero. Aggiungerlo, o far saltare le righe incomplete.</translation>
     </message>
     <message>
@@ -6436,7 +6392,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, %2: %3 non è un numero finito.</translation>
     </message>
     <message>
-        <source>%1 has %2 columns, and those before have %3.</source>
+        <source>%1 has %2 columns, and the lines before have %3.</source>
         <translation>la %1 ha %2 colonne, e quelle prima ne hanno %3.</translation>
     </message>
     <message>
@@ -6448,11 +6404,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>è in UTF-16. Salvarlo come UTF-8.</translation>
     </message>
     <message>
-        <source>it is not a text.</source>
+        <source>it is not text.</source>
         <translation>non è un testo.</translation>
     </message>
     <message>
-        <source>it is a chemical structure: elements and where their atoms are. A table of points is wanted, with a value for each x, y and z.</source>
+        <source>it is a chemical structure: elements and the positions of their atoms. A table of points is needed, with a value for each x, y and z.</source>
         <translation>è una struttura chimica: elementi e dove stanno i loro atomi. Si vuole una tabella di punti, con un valore per ogni x, y e z.</translation>
     </message>
     <message>
@@ -6480,7 +6436,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>riga «FORMAT»</translation>
     </message>
     <message>
-        <source>does not begin with FORMAT. It is no EnSight case, or damaged.</source>
+        <source>does not begin with FORMAT. It is damaged, or not an EnSight case.</source>
         <translation>non comincia con FORMAT. Non è un caso EnSight, o è danneggiato.</translation>
     </message>
     <message>
@@ -6488,7 +6444,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>riga «type:»</translation>
     </message>
     <message>
-        <source>has a section &apos;%1&apos;, which VTK cannot pass over. Take it out, or put it behind the variables.</source>
+        <source>has a section &apos;%1&apos;, which VTK cannot skip. Remove it, or put it after the variables.</source>
         <translation>ha una sezione «%1», che VTK non sa saltare. Toglierla, o metterla dopo le variabili.</translation>
     </message>
     <message>
@@ -6508,7 +6464,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>numero di passi temporali</translation>
     </message>
     <message>
-        <source>says that there are %1 time steps.</source>
+        <source>states that there are %1 time steps.</source>
         <translation>dichiara %1 passi temporali.</translation>
     </message>
     <message>
@@ -6572,7 +6528,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>numero di punti</translation>
     </message>
     <message>
-        <source>does not say how many measured points it has. It is damaged.</source>
+        <source>does not state how many measured points it has. It is damaged.</source>
         <translation>non dice quanti punti misurati ha. È danneggiato.</translation>
     </message>
     <message>
@@ -6592,7 +6548,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>riga «coordinates»</translation>
     </message>
     <message>
-        <source>has &apos;%1&apos; where a part should begin, which VTK passes over with all that follows. It is damaged, or of another version of the format: export it again.</source>
+        <source>has &apos;%1&apos; where a part should begin; VTK skips this and all that follows. It is damaged, or of another version of the format: export it again.</source>
         <translation>ha «%1» dove dovrebbe cominciare una parte, cosa che VTK salta con tutto il seguito. È danneggiato, o di un&apos;altra versione del formato: esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -6648,7 +6604,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>numero di vertici</translation>
     </message>
     <message>
-        <source>has &apos;%1&apos; where elements should begin, which VTK does not know. It is damaged, or of another version of the format: export it again.</source>
+        <source>has &apos;%1&apos; where elements should begin, which VTK does not recognise. It is damaged, or of another version of the format: export it again.</source>
         <translation>ha «%1» dove dovrebbero cominciare gli elementi, che VTK non conosce. È danneggiato, o di un&apos;altra versione del formato: esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -6672,7 +6628,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha vettori di un blocco nel formato di testo di EnSight 6, che VTK legge male. Scrivere il caso come EnSight Gold, o i dati come .vts.</translation>
     </message>
     <message>
-        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
+        <source>its file &apos;%1&apos; is missing. Copy it into the same folder: they belong together.</source>
         <translation>il suo file «%1» manca. Copiarlo nella cartella di questo: vanno insieme.</translation>
     </message>
     <message>
@@ -6680,7 +6636,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 finisce dentro una sezione. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>its file %1 is missing, which holds the values. Copy it into the folder of this one.</source>
+        <source>its file %1, which holds the values, is missing. Copy it into the same folder.</source>
         <translation>il suo file %1, che contiene i valori, manca. Copiarlo nella cartella di questo.</translation>
     </message>
     <message>
@@ -6696,31 +6652,31 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo file %1</translation>
     </message>
     <message>
-        <source>it is an HDF4 file, which is not read. Convert it, for instance with h4toh5 and ParaView, to .vti or .vtu.</source>
+        <source>it is an HDF4 file, which is not read. Convert it to .vti or .vtu, for instance with h4toh5 and ParaView.</source>
         <translation>è un file HDF4, che non si legge. Convertirlo, per esempio con h4toh5 e ParaView, in .vti o .vtu.</translation>
     </message>
     <message>
-        <source>it does not begin as HDF5 files do. It is damaged, or of another format.</source>
+        <source>it does not begin like an HDF5 file. It is damaged, or of another format.</source>
         <translation>non comincia come i file HDF5. È danneggiato, o di un altro formato.</translation>
     </message>
     <message>
-        <source>it is an HDF5 file of another program: it has no group VTKHDF, by which VTK knows its own. Write it as .vti or .vtu.</source>
+        <source>it is an HDF5 file of another program: it does not have the group VTKHDF, by which VTK recognises its own. Write it as .vti or .vtu.</source>
         <translation>è un file HDF5 di un altro programma: non ha il gruppo VTKHDF, da cui VTK riconosce i suoi. Scriverlo come .vti o .vtu.</translation>
     </message>
     <message>
-        <source>it is a VTK HDF file of several time steps, a kind that came after VTK 9.1. Write one time step as .vti or .vtu.</source>
+        <source>it is a VTK HDF file with several time steps, which VTK 9.1 does not read. Write one time step as .vti or .vtu.</source>
         <translation>è un file VTK HDF di più passi temporali, un tipo venuto dopo VTK 9.1. Scrivere un passo temporale come .vti o .vtu.</translation>
     </message>
     <message>
-        <source>it is a VTK HDF file of the type %1, which came after VTK 9.1. Write it as .vti or .vtu.</source>
+        <source>it is a VTK HDF file of the type %1, which VTK 9.1 does not read. Write it as .vti or .vtu.</source>
         <translation>è un file VTK HDF di tipo %1, venuto dopo VTK 9.1. Scriverlo come .vti o .vtu.</translation>
     </message>
     <message>
-        <source>it holds &apos;%1&apos;: values alone, without points or a grid that they belong to. Write them with their grid.</source>
+        <source>it holds &apos;%1&apos;: values alone, without the points or the grid that they belong to. Write them with their grid.</source>
         <translation>contiene «%1»: solo valori, senza punti o una griglia a cui appartengano. Scriverli con la loro griglia.</translation>
     </message>
     <message>
-        <source>it says &apos;%1&apos; where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID should stand. It is damaged, or written by a faulty program.</source>
+        <source>it has &apos;%1&apos; where DATASET and a type such as STRUCTURED_POINTS or UNSTRUCTURED_GRID should be. It is damaged, or was written by a faulty program.</source>
         <translation>dice «%1» dove dovrebbe stare DATASET e un tipo come STRUCTURED_POINTS o UNSTRUCTURED_GRID. È danneggiato, o scritto da un programma difettoso.</translation>
     </message>
     <message>
@@ -6728,7 +6684,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il file finisce senza fine riga: se è stato troncato lì, il suo ultimo numero è sbagliato.</translation>
     </message>
     <message>
-        <source>its header does not say its ElementType. It is cut short: copy the file again.</source>
+        <source>its header does not state its ElementType. It is cut short: copy the file again.</source>
         <translation>la sua intestazione non dice l&apos;ElementType. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
@@ -6752,19 +6708,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo HeaderSize è «%1».</translation>
     </message>
     <message>
-        <source>its HeaderSize is -1, which says nothing where samples are packed or a text.</source>
+        <source>its HeaderSize is -1, which has no meaning where samples are packed or text.</source>
         <translation>il suo HeaderSize è -1, che non dice nulla dove i campioni sono compressi o un testo.</translation>
     </message>
     <message>
-        <source>its header has no line &apos;ElementDataFile = ...&apos;, so that it is cut short or no MetaImage. Copy the file again.</source>
+        <source>its header has no line &apos;ElementDataFile = ...&apos;: it is cut short or not a MetaImage. Copy the file again.</source>
         <translation>la sua intestazione non ha la riga «ElementDataFile = ...», perciò è troncato o non è un MetaImage. Copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>its data file %1 is missing. Copy it into the folder of this one: the two belong together.</source>
+        <source>its data file %1 is missing. Copy it into the same folder: the two belong together.</source>
         <translation>il suo file di dati %1 manca. Copiarlo nella cartella di questo: i due vanno insieme.</translation>
     </message>
     <message>
-        <source>it should name %1 data files, each in a line of its own that ends, and names %2. It is cut short: copy the file again.</source>
+        <source>it should name %1 data files, each on a line of its own, and names %2. It is cut short: copy the file again.</source>
         <translation>dovrebbe nominare %1 file di dati, ciascuno in una riga propria che finisce, e ne nomina %2. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
@@ -6772,11 +6728,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo ElementDataFile è «%1».</translation>
     </message>
     <message>
-        <source>its ElementDataFile &apos;%1&apos; does not name a file for each of its %2 layers. Write the numbers of the first, the last and the step behind the name.</source>
+        <source>its ElementDataFile &apos;%1&apos; does not name a file for each of its %2 layers. Write the numbers of the first, the last and the step after the name.</source>
         <translation>il suo ElementDataFile «%1» non nomina un file per ciascuno dei suoi %2 strati. Scrivere dopo il nome i numeri del primo, dell&apos;ultimo e il passo.</translation>
     </message>
     <message>
-        <source>its ElementDataFile &apos;%1&apos; is no name with a number as &apos;%03d&apos;.</source>
+        <source>its ElementDataFile &apos;%1&apos; is not a name with a number such as &apos;%03d&apos;.</source>
         <translation>il suo ElementDataFile «%1» non è un nome con un numero come «%03d».</translation>
     </message>
     <message>
@@ -6784,7 +6740,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>finisce dentro la sua intestazione. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>its NetCDF header has lists that are longer than the file, or none where some belong.</source>
+        <source>its NetCDF header has lists that are longer than the file, or lacks required ones.</source>
         <translation>la sua intestazione NetCDF ha elenchi più lunghi del file, o nessuno dove ne occorrono.</translation>
     </message>
     <message>
@@ -6792,23 +6748,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua dimensione «%1» è lunga %2, più dei byte del file.</translation>
     </message>
     <message>
-        <source>an attribute in its NetCDF header is of no type that there is.</source>
+        <source>its NetCDF header has an attribute of unknown type.</source>
         <translation>un attributo nella sua intestazione NetCDF è di un tipo che non esiste.</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has dimensions that are not there.</source>
+        <source>its variable &apos;%1&apos; has dimensions that do not exist.</source>
         <translation>la sua variabile «%1» ha dimensioni che non ci sono.</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; is of no type that there is.</source>
+        <source>its variable &apos;%1&apos; is of unknown type.</source>
         <translation>la sua variabile «%1» è di un tipo che non esiste.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; is larger than any file. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; is larger than any file. It is cut short, or was not written completely: copy the file again, or export it again.</source>
         <translation>ha %1 byte, e la sua variabile «%2» è più grande di qualsiasi file. È troncato, o non è stato scritto fino alla fine: copiare di nuovo il file, o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; extends to byte %3. It is cut short, or was not written completely: copy the file again, or export it again.</source>
         <translation>ha %1 byte, e la sua variabile «%2» arriva al byte %3. È troncato, o non è stato scritto fino in fondo: copiare di nuovo il file, o esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -6820,7 +6776,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la pagina %1</translation>
     </message>
     <message>
-        <source>%1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
+        <source>%1 lies beyond its end, at %2 bytes. It is cut short: copy the file again.</source>
         <translation>%1 sta oltre la sua fine, a %2 byte. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
@@ -6836,7 +6792,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un pezzo (%1)</translation>
     </message>
     <message>
-        <source>%1 It is damaged, or written by a faulty program: export it again.</source>
+        <source>%1 It is damaged, or was written by a faulty program: export it again.</source>
         <translation>%1 È danneggiato, o scritto da un programma difettoso: esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -6864,7 +6820,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha più di %1 elementi.</translation>
     </message>
     <message>
-        <source>its elements stand more than %1 deep in one another.</source>
+        <source>its elements are nested more than %1 levels deep.</source>
         <translation>i suoi elementi sono annidati più di %1 volte.</translation>
     </message>
     <message>
@@ -6880,7 +6836,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo vettore «%1» ha «%2» componenti.</translation>
     </message>
     <message>
-        <source>it says that it has %1 points or cells, more than %2 bytes can hold.</source>
+        <source>it claims to have %1 points or cells, more than %2 bytes can hold.</source>
         <translation>dichiara %1 punti o celle, più di quanti %2 byte possano contenere.</translation>
     </message>
     <message>
@@ -6896,7 +6852,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
+        <source>Its 64-bit integers were converted to floating-point numbers, which are exact to 53 bits.</source>
         <translation>I suoi interi a 64 bit sono diventati numeri in virgola mobile a 53 bit.</translation>
     </message>
     <message>
@@ -6912,7 +6868,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo vettore «%1» non ha la componente «%2». Sceglierne una da 0 a %3, o «magnitude».</translation>
     </message>
     <message>
-        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <source>it has cells of a shape that TAn does not support: %1. Divide them into simpler ones.</source>
         <translation>ha celle di una forma che TAn non conosce: %1. Dividerle in altre più semplici.</translation>
     </message>
     <message>
@@ -6928,11 +6884,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la cella %1 (da 0) ha il vertice %2, e ci sono %3 punti. È danneggiato.</translation>
     </message>
     <message>
-        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
+        <source>1 cell is declared linear and has the corners of a quadratic one: it was read as such.</source>
         <translation>1 cella è detta lineare e ha i vertici di una quadratica: è stata presa come tale.</translation>
     </message>
     <message>
-        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
+        <source>%1 cells are declared linear and have the corners of quadratic ones: they were read as such.</source>
         <translation>%1 celle sono dette lineari e hanno i vertici di quadratiche: sono state prese come tali.</translation>
     </message>
     <message>
@@ -6940,11 +6896,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo vettore «%1» ha valori per i poligoni, non per i punti. Scegliere un vettore di punti.</translation>
     </message>
     <message>
-        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
+        <source>The lines and polygons that join its points were left out: they are scattered points.</source>
         <translation>Ciò che unisce i suoi punti (linee, poligoni) è stato omesso: sono punti sparsi.</translation>
     </message>
     <message>
-        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
+        <source>The values of the cells were transferred to the points, as the mean of the cells around each.</source>
         <translation>I valori delle celle sono stati portati ai punti, come media delle celle attorno.</translation>
     </message>
     <message>
@@ -6952,7 +6908,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha una parte «%1». %2</translation>
     </message>
     <message>
-        <source>It is all one: leave &apos;part&apos; empty.</source>
+        <source>It has only one: leave &apos;part&apos; empty.</source>
         <translation>È tutto uno: lasciare «part» vuoto.</translation>
     </message>
     <message>
@@ -6960,15 +6916,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>VTK dice: %1</translation>
     </message>
     <message>
-        <source>it says that it holds more than any machine can. It is damaged.</source>
+        <source>it claims to hold more than any machine can. It is damaged.</source>
         <translation>dichiara di contenere più di quanto un computer possa. È danneggiato.</translation>
     </message>
     <message>
-        <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
+        <source>it is not a VTK file: its beginning does not state a type of data. Write it again.</source>
         <translation>non è un file VTK: il suo inizio non dice un tipo di dati. Riscriverlo.</translation>
     </message>
     <message>
-        <source>it holds data of the type &apos;%1&apos;, which are no volume. Write them as a grid, a mesh or points.</source>
+        <source>it holds data of the type &apos;%1&apos;, which are not a volume. Write them as a grid, a mesh or points.</source>
         <translation>contiene dati di tipo «%1», che non sono un volume. Scriverli come griglia, mesh o punti.</translation>
     </message>
     <message>
@@ -6976,7 +6932,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Installare VTK con «apt install libvtk9.1» (altri sistemi: VTK 9).</translation>
     </message>
     <message>
-        <source>it has no zone. It is cut short, or no Tecplot text.</source>
+        <source>it has no zone. It is cut short, or not Tecplot text.</source>
         <translation>non ha una zona. È troncato, o non è un testo Tecplot.</translation>
     </message>
     <message>
@@ -6992,15 +6948,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>contiene «%1», non una griglia con i suoi valori. Scriverli entrambi in un file (FILETYPE = FULL).</translation>
     </message>
     <message>
-        <source>it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.</source>
+        <source>it has more numbers than its %1 zones require. Its sizes are wrong, or it is damaged.</source>
         <translation>ha più numeri di quanti ne chiedano le sue %1 zone. Le sue dimensioni sono sbagliate, o è danneggiato.</translation>
     </message>
     <message>
-        <source>it has &apos;%1&apos; where a record such as ZONE should begin. It is damaged, or no Tecplot text.</source>
+        <source>it has &apos;%1&apos; where a record such as ZONE should begin. It is damaged, or not Tecplot text.</source>
         <translation>ha «%1» dove dovrebbe cominciare un record come ZONE. È danneggiato, o non è un testo Tecplot.</translation>
     </message>
     <message>
-        <source>none of its variables is called %1, so that it has no place in space. Name the coordinates X, Y and Z.</source>
+        <source>none of its variables is called %1, so that it has no position in space. Name the coordinates X, Y and Z.</source>
         <translation>nessuna delle sue variabili si chiama %1, perciò non ha un posto nello spazio. Chiamare le coordinate X, Y e Z.</translation>
     </message>
     <message>
@@ -7008,7 +6964,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha una zona prima delle sue VARIABLES. È danneggiato.</translation>
     </message>
     <message>
-        <source>%1 repeats variables by &apos;D&apos;, which is not read. Write it with VARSHARELIST, or all of its variables.</source>
+        <source>%1 repeats variables with &apos;D&apos;, which is not read. Write it with VARSHARELIST, or all of its variables.</source>
         <translation>%1 ripete variabili con «D», cosa che non si legge. Scriverla con VARSHARELIST, o con tutte le variabili.</translation>
     </message>
     <message>
@@ -7032,11 +6988,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 è di tipo «%2», che non si legge. Dividere i suoi elementi in esaedri o tetraedri.</translation>
     </message>
     <message>
-        <source>%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.</source>
+        <source>%1 does not state how many nodes (N) and elements (E) it has. It is damaged or cut short.</source>
         <translation>%1 non dice quanti nodi (N) ed elementi (E) ha. È danneggiata o troncata.</translation>
     </message>
     <message>
-        <source>%1 does not say how many points it has (I, J, K). It is damaged or cut short.</source>
+        <source>%1 does not state how many points it has (I, J, K). It is damaged or cut short.</source>
         <translation>%1 non dice quanti punti ha (I, J, K). È danneggiata o troncata.</translation>
     </message>
     <message>
@@ -7044,11 +7000,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 finisce prima che ci sia tutto: %2. È troncata: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>%1 has no number in place of one of its %2. Its sizes are wrong, or it is damaged.</source>
+        <source>%1 has something other than a number among its %2. Its sizes are wrong, or it is damaged.</source>
         <translation>%1 in un punto non ha un numero dove dovrebbe esserci: %2. Le sue dimensioni sono sbagliate, o è danneggiata.</translation>
     </message>
     <message>
-        <source>%1 ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <source>%1 ends directly after its last number, or within it. If the file is complete, add an end of line; otherwise copy the file again.</source>
         <translation>%1 finisce subito dopo il suo ultimo numero, o dentro di esso. Se il file è intero, mettervi un fine riga; altrimenti copiarlo di nuovo.</translation>
     </message>
     <message>
@@ -7056,7 +7012,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 condivide valori con una zona di altre dimensioni. Il file è danneggiato.</translation>
     </message>
     <message>
-        <source>%1 is packed as &apos;%2&apos;, which is not known.</source>
+        <source>%1 has the unknown packing &apos;%2&apos;.</source>
         <translation>%1 è disposta come «%2», che non è noto.</translation>
     </message>
     <message>
@@ -7088,7 +7044,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 elementi</translation>
     </message>
     <message>
-        <source>%1 has an element at node &apos;%2&apos;, and it has %3. It is damaged.</source>
+        <source>%1 has an element with node &apos;%2&apos;, and it has %3. It is damaged.</source>
         <translation>%1 ha un elemento al nodo «%2», e ne ha %3. È danneggiata.</translation>
     </message>
     <message>
@@ -7100,7 +7056,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha %1 posizioni per una griglia di %2 punti.</translation>
     </message>
     <message>
-        <source>the position of point %1 (from 0) is no number, or too large. Repair the file.</source>
+        <source>the position of point %1 (from 0) is not a number, or too large. Repair the file.</source>
         <translation>la posizione del punto %1 (da 0) non è un numero, o è troppo grande. Riparare il file.</translation>
     </message>
     <message>
@@ -7156,7 +7112,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Indicare «%1», o il numero di una componente da 0.</translation>
     </message>
     <message>
-        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <source>Arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Di vettori con più componenti: il numero di una, da 0, o «magnitude».</translation>
     </message>
     <message>
@@ -7164,7 +7120,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Passo temporale</translation>
     </message>
     <message>
-        <source>Of files with several time steps: which one, from 1.</source>
+        <source>Files with several time steps: which one, from 1.</source>
         <translation>Di file con più passi temporali: quale, da 1.</translation>
     </message>
     <message>
@@ -7176,7 +7132,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>con la cella</translation>
     </message>
     <message>
-        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
+        <source>How surfaces and volume are put in order: &apos;exact&apos;, or, as the paper did, &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
         <translation>Come si ordinano superfici e volume: «esatto», oppure come faceva l&apos;articolo «con la cella», dove la parte di superficie in una cella si disegna prima della cella.</translation>
     </message>
     <message>
@@ -7192,7 +7148,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il segnale di prova di Marschner e Lobb: increspature difficili da riprodurre</translation>
     </message>
     <message>
-        <source>white noise, the worst case: no sample tells of its neighbour</source>
+        <source>white noise, the worst case: no sample predicts its neighbour</source>
         <translation>rumore bianco, il caso peggiore: nessun campione dice nulla del vicino</translation>
     </message>
     <message>
@@ -7208,11 +7164,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>flusso in un condotto curvo: una griglia curvilinea</translation>
     </message>
     <message>
-        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+        <source>a layer at a wall: a rectilinear grid with growing spacing</source>
         <translation>uno strato presso una parete: una griglia rettilinea con spaziature crescenti</translation>
     </message>
     <message>
-        <source>random points in a ball, with waves that grow finer outwards</source>
+        <source>random points in a ball, with waves that become finer outwards</source>
         <translation>punti casuali in una sfera, con onde più fini verso l&apos;esterno</translation>
     </message>
     <message>
@@ -7220,7 +7176,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>tensione in una piastra con cinque fori e una cavità chiusa: una mesh irregolare</translation>
     </message>
     <message>
-        <source>There is no sample called &apos;%1&apos;. There are:%2.</source>
+        <source>There is no sample called &apos;%1&apos;. Available:%2.</source>
         <translation>Non c&apos;è un esempio chiamato «%1». Ci sono:%2.</translation>
     </message>
     <message>
@@ -7232,7 +7188,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>L&apos;esempio «%1» ha da %2 a %3 punti lungo ogni asse, non %4.</translation>
     </message>
     <message>
-        <source>Not enough memory to make the sample. Ask for a smaller size.</source>
+        <source>Not enough memory to make the sample. Choose a smaller size.</source>
         <translation>La memoria non basta per creare l&apos;esempio. Chiedere dimensioni più piccole.</translation>
     </message>
     <message>
@@ -7252,11 +7208,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non un valore per ogni vertice</translation>
     </message>
     <message>
-        <source>triangles of vertices that it does not have</source>
+        <source>triangles with vertices that it does not have</source>
         <translation>triangoli di vertici che non ha</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, which is too many to find it. Write a .vtu file.</source>
+        <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, too many to find it. Write a .vtu file.</source>
         <translation>«%1» sarebbe il contorno di più di 1073741824 tetraedri, troppi per trovarlo. Scrivere un file .vtu.</translation>
     </message>
     <message>
@@ -7280,7 +7236,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» deve essere %2.</translation>
     </message>
     <message>
-        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Free some space there, or save the session.</source>
         <translation>Non si può scrivere nella cartella «%1», quindi la vista non può essere conservata. Liberare spazio lì, o salvare la sessione.</translation>
     </message>
     <message>
@@ -7304,15 +7260,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La memoria non basta per la mesh a questa accuratezza. Sceglierne una minore, o chiudere altri programmi.</translation>
     </message>
     <message>
-        <source>it is not valid JSON, at byte %1.</source>
-        <translation>non è JSON valido, al byte %1.</translation>
-    </message>
-    <message>
         <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
         <translation>«format» non è «%1».</translation>
     </message>
     <message>
-        <source>this program knows version %1 of sessions only.</source>
+        <source>this program reads version %1 of sessions only.</source>
         <translation>questo programma conosce solo la versione %1 delle sessioni.</translation>
     </message>
     <message>
@@ -7368,11 +7320,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>È stato compilato con %1 e questo programma con %2. Ricompilare il plugin con questo compilatore e gli header di questo TAn, oppure installarne una versione per questo TAn.</translation>
     </message>
     <message>
-        <source>The plugin that writes &apos;%1&apos; promises what it cannot write. Tell its author.</source>
+        <source>The plugin that writes &apos;%1&apos; announces something that it cannot write. Tell its author.</source>
         <translation>Il plugin che scrive «%1» promette ciò che non sa scrivere. Avvisare il suo autore.</translation>
     </message>
     <message>
-        <source>It does not say what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
+        <source>It does not state what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
         <translation>Non dice con che cosa è stato compilato, e questo programma è stato compilato con %1. Ricompilare il plugin con tan_plugin_module().</translation>
     </message>
     <message>
@@ -7388,11 +7340,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>tre numeri x,y,z</translation>
     </message>
     <message>
-        <source>a text that makes a %1</source>
+        <source>text that describes %1</source>
         <translation>un testo che dia un %1</translation>
     </message>
     <message>
-        <source>&quot;edits&quot; does not say which type of parameters the editor is for</source>
+        <source>&quot;edits&quot; does not state which type of parameters the editor is for</source>
         <translation>«edits» non dice per quale tipo di parametri è l&apos;editor</translation>
     </message>
     <message>
@@ -7480,7 +7432,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Codifica</translation>
     </message>
     <message>
-        <source>raw is quick to write and to read, gzip is smaller.</source>
+        <source>raw is quick to write and read, gzip is smaller.</source>
         <translation>raw è rapido da scrivere e da leggere, gzip è più piccolo.</translation>
     </message>
     <message>
@@ -7492,31 +7444,31 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>gzip</translation>
     </message>
     <message>
-        <source>What draws the scene failed: %1. This is a mistake in the plugin that made it; tell its author.</source>
+        <source>Drawing the scene failed: %1. This is a fault of the plugin that made it; tell its author.</source>
         <translation>Ciò che disegna la scena ha fallito: %1. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
     </message>
     <message>
-        <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
+        <source>An optical model of the scene lacks its function or its shader. This is a fault of the plugin that made it; tell its author.</source>
         <translation>A un modello ottico della scena manca la funzione o lo shader. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
     </message>
     <message>
-        <source>A blend of two volumes is seen by emission and absorption alone. Take the optical model away, or show one of the two.</source>
+        <source>A blend of two volumes supports only emission and absorption. Remove the optical model, or show one of the two.</source>
         <translation>Una dissolvenza tra due volumi si vede solo con emissione e assorbimento. Togliere il modello ottico, o mostrare uno solo dei due.</translation>
     </message>
     <message>
-        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in a picture of their own.</source>
+        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in separate pictures.</source>
         <translation>Una scena può avere un volume, o una dissolvenza tra due, e questa ne ha %1. Mostrare gli altri come superfici, o in un&apos;immagine a parte.</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; failed without saying why. This is a mistake in the plugin; tell its author.</source>
+        <source>The plugin &apos;%1&apos; failed without giving a reason. This is a fault of the plugin; tell its author.</source>
         <translation>Il plugin «%1» ha fallito senza dire perché. È un errore del plugin; avvisare il suo autore.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no choice for &apos;%2&apos;. There is: %3.</source>
+        <source>&apos;%1&apos; is not a choice for &apos;%2&apos;. Available: %3.</source>
         <translation>«%1» non è una scelta per «%2». Ci sono: %3.</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a mistake in the plugin; tell its author.</source>
+        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a fault of the plugin; tell its author.</source>
         <translation>Il plugin «%1» ha creato una scena che non si può mostrare: %2 È un errore del plugin; avvisare il suo autore.</translation>
     </message>
     <message>
@@ -7532,11 +7484,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>due elementi si chiamano «%1».</translation>
     </message>
     <message>
-        <source>It failed without saying why when it was started. Install it again.</source>
+        <source>It failed to start, without giving a reason. Install it again.</source>
         <translation>È fallito all&apos;avvio senza dire perché. Installarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it is packed by %1, and only zlib is read. Save it with zlib, or as .vtk, for instance with ParaView.</source>
+        <source>it is compressed with %1, and only zlib is supported. Save it with zlib, or as .vtk, for instance with ParaView.</source>
         <translation>è compresso con %1, e si legge solo zlib. Salvarlo con zlib, o come .vtk, per esempio con ParaView.</translation>
     </message>
     <message>
@@ -7544,7 +7496,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>contiene più passi temporali. Salvare ciascuno in un file proprio, per esempio con ParaView.</translation>
     </message>
     <message>
-        <source>it is no PLOT3D file: it does not begin with the sizes of its grids.</source>
+        <source>it is not a PLOT3D file: it does not begin with the sizes of its grids.</source>
         <translation>non è un file PLOT3D: non comincia con le dimensioni delle griglie.</translation>
     </message>
     <message>
@@ -7552,15 +7504,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>comincia come una griglia di %1 punti, che occupa %2 numeri o più, e ne ha %3</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; in line %2 is no number, or one too large. The file is damaged, or of another format.</source>
+        <source>&apos;%1&apos; in line %2 is not a number, or is too large. The file is damaged, or of another format.</source>
         <translation>«%1» alla riga %2 non è un numero, o è troppo grande. Il file è danneggiato, o di un altro formato.</translation>
     </message>
     <message>
-        <source>it ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <source>it ends directly after its last number, or within it. If the file is complete, add an end of line; otherwise copy the file again.</source>
         <translation>finisce subito dopo il suo ultimo numero, o dentro di esso. Se il file è intero, mettervi un fine riga; altrimenti copiarlo di nuovo.</translation>
     </message>
     <message>
-        <source>with &apos;%1&apos; it repeats numbers more often than TAn believes a file of its size. Write them one by one.</source>
+        <source>with &apos;%1&apos; it repeats numbers more often than is plausible for a file of its size. Write them one by one.</source>
         <translation>con «%1» ripete numeri più spesso di quanto TAn creda a un file delle sue dimensioni. Scriverli uno per uno.</translation>
     </message>
     <message>
@@ -7568,7 +7520,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
     </message>
     <message>
-        <source>it is of no format that TAn leaves to VTK. Let TAn choose the reader.</source>
+        <source>its format is not one that TAn leaves to VTK. Let TAn choose the reader.</source>
         <translation>non è di un formato che TAn lascia a VTK. Lasciare a TAn la scelta della lettura.</translation>
     </message>
     <message>
@@ -7600,7 +7552,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Lo shader di un modello ottico non è utilizzabile. Il compilatore dice: %1</translation>
     </message>
     <message>
-        <source>The plugin &apos;%1&apos; has an optical model whose shader cannot be used. This is a mistake in the plugin; tell its author. The compiler says: %2</source>
+        <source>The plugin &apos;%1&apos; has an optical model whose shader cannot be used. This is a fault of the plugin; tell its author. The compiler says: %2</source>
         <translation>Il plugin «%1» ha un modello ottico il cui shader non è utilizzabile. È un errore del plugin; segnalarlo al suo autore. Il compilatore dice: %2</translation>
     </message>
     <message>
@@ -7616,15 +7568,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non un colore per ogni vertice</translation>
     </message>
     <message>
-        <source>&apos;--%1&apos; describes raw files, and the header of &apos;%2&apos; tells it. Leave it out.</source>
+        <source>&apos;--%1&apos; describes raw files, but the header of &apos;%2&apos; states it. Leave it out.</source>
         <translation>«--%1» descrive i file grezzi, e l&apos;intestazione di «%2» lo dice già. Toglierlo.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of use only without &apos;%2&apos;. Leave one of them out.</source>
+        <source>&apos;%1&apos; applies only without &apos;%2&apos;. Leave one of them out.</source>
         <translation>«%1» serve solo senza «%2». Tralasciare uno dei due.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is of use only with &apos;%2&apos;. Leave it out, or give both.</source>
+        <source>&apos;%1&apos; applies only with &apos;%2&apos;. Leave it out, or give both.</source>
         <translation>«%1» serve solo con «%2». Tralasciarlo, o indicare entrambi.</translation>
     </message>
     <message>
@@ -7640,27 +7592,27 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>computazionale</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a regular lattice, which has no warping. Leave out what is asked of it.</source>
+        <source>&apos;%1&apos; is a regular lattice, which has no warping. Leave out the options about it.</source>
         <translation>«%1» è un reticolo regolare, che non ha deformazione. Omettere ciò che la riguarda.</translation>
     </message>
     <message>
-        <source>Decimation takes the mesh of scattered points, and these are the points alone.</source>
+        <source>Decimation needs the mesh of scattered points, and these are the points alone.</source>
         <translation>La decimazione prende la mesh di punti sparsi, e questi sono solo i punti.</translation>
     </message>
     <message>
-        <source>Only irregular data have a boundary that moves, so that there is a distance from both sides to limit. Leave that out.</source>
+        <source>Only irregular data have a boundary that moves, and so a distance from both sides to limit. Leave that out.</source>
         <translation>Solo i dati irregolari hanno un contorno che si sposta e quindi una distanza da entrambi i lati da limitare. Tralasciarla.</translation>
     </message>
     <message>
-        <source>The paper&apos;s selection of points does not go with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
+        <source>The paper&apos;s selection of points cannot be used with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
         <translation>La selezione dei punti come nell&apos;articolo non è possibile con i blocchi: blocchi raffinati indipendentemente non potrebbero accordarsi sulle loro facce. Impostare il blocco su «nessuno».</translation>
     </message>
     <message>
-        <source>Looking at the cells</source>
+        <source>Examining the cells</source>
         <translation>Esame delle celle</translation>
     </message>
     <message>
-        <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Take the normalised selection, or order by both.</source>
+        <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Choose the normalised selection, or order by both.</source>
         <translation>La selezione dell&apos;articolo confronta errore e deformazione, quindi una costruzione non può essere ordinata in base a uno solo dei due. Scegliere la selezione normalizzata, oppure ordinare in base a entrambi.</translation>
     </message>
     <message>
@@ -7672,7 +7624,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Raffinare una griglia rettilinea di %1 punti nello spazio fisico richiede circa %2 di memoria, e questo computer ne ha %3. Raffinarla nello spazio computazionale, come griglia curvilinea, oppure prenderne una regione o meno campioni.</translation>
     </message>
     <message>
-        <source>Only rectilinear grids can be refined in one space or the other, and &apos;%1&apos; is none.</source>
+        <source>Only rectilinear grids can be refined in one space or the other, and &apos;%1&apos; is not one.</source>
         <translation>Solo le griglie rettilinee possono essere raffinate nell&apos;uno o nell&apos;altro spazio, e «%1» non lo è.</translation>
     </message>
     <message>
@@ -7680,23 +7632,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» è una griglia rettilinea, che viene raffinata nello spazio fisico: lì non ha deformazione né blocchi. Ometterli, oppure raffinarla nello spazio computazionale.</translation>
     </message>
     <message>
-        <source>Refined, &apos;%1&apos; has no warping. Leave out what is asked of it.</source>
+        <source>When refined, &apos;%1&apos; has no warping. Leave out the options about it.</source>
         <translation>Raffinato, «%1» non ha deformazione. Omettere ciò che la riguarda.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no grid, so it has no blocks. Leave them out.</source>
+        <source>&apos;%1&apos; is not a grid, so it has no blocks. Leave them out.</source>
         <translation>«%1» non è una griglia, quindi non ha blocchi. Ometterli.</translation>
     </message>
     <message>
-        <source>Refinement takes the points of a convex mesh, and this is the mesh itself.</source>
+        <source>Refinement uses the points of a convex mesh, and this is the mesh itself.</source>
         <translation>Il raffinamento prende i punti di una mesh convessa, e questa è la mesh stessa.</translation>
     </message>
     <message>
-        <source>Ordered by the error alone, a build has no threshold of warping. Leave that out, or order by both.</source>
+        <source>A build ordered by the error alone has no threshold of warping. Leave that out, or order by both.</source>
         <translation>Ordinata in base al solo errore, una costruzione non ha soglia di deformazione. Ometterla, oppure ordinare in base a entrambi.</translation>
     </message>
     <message>
-        <source>Ordered by the warping alone, a build has no threshold of error. Leave that out, or order by both.</source>
+        <source>A build ordered by the warping alone has no threshold of error. Leave that out, or order by both.</source>
         <translation>Ordinata in base alla sola deformazione, una costruzione non ha soglia di errore. Ometterla, oppure ordinare in base a entrambi.</translation>
     </message>
     <message>
@@ -7712,7 +7664,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>è troppo deformata per essere suddivisa in tetraedri</translation>
     </message>
     <message>
-        <source>it is there twice</source>
+        <source>it appears twice</source>
         <translation>è presente due volte</translation>
     </message>
     <message>
@@ -7752,7 +7704,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 celle sono state tralasciate: si sovrappongono ad altre.</translation>
     </message>
     <message>
-        <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
+        <source>It has holes, points that are blanked out or without a finite value, which make it an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values with numbers.</source>
         <translation>Ha dei fori, punti esclusi o senza un valore finito, perciò è una mesh irregolare: fino a %1 tetraedri, che occupano %2 di memoria, su %3. Prendere una regione o un punto ogni n, oppure sostituire quei valori con numeri.</translation>
     </message>
     <message>
@@ -7768,7 +7720,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 Tralasciati con le celle attorno: %2 dei suoi %3 punti, esclusi o senza un valore finito.</translation>
     </message>
     <message>
-        <source>It says of %1 cells whether they are blanked out, and has %2. It is damaged.</source>
+        <source>It has blanking flags for %1 cells, but %2 cells. It is damaged.</source>
         <translation>Indica per %1 celle se sono escluse, e ne ha %2. È danneggiato.</translation>
     </message>
     <message>
@@ -7780,7 +7732,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 coppie di tetraedri sovrapposti, uno in %2</translation>
     </message>
     <message>
-        <source>the position of point %1 is no finite number, or too large. Leave it out.</source>
+        <source>the position of point %1 is not a finite number, or too large. Leave it out.</source>
         <translation>la posizione del punto %1 non è un numero finito, o è troppo grande. Ometterlo.</translation>
     </message>
     <message>
@@ -7796,15 +7748,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 punti senza un valore finito sono stati tralasciati.</translation>
     </message>
     <message>
-        <source>The tetrahedrization</source>
+        <source>The tetrahedralization</source>
         <translation>La tetraedrizzazione</translation>
     </message>
     <message>
-        <source>Tetrahedrizing the points</source>
+        <source>Tetrahedralizing the points</source>
         <translation>Tetraedrizzazione dei punti</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has no four points that do not lie in one plane, or two on one place.</source>
+        <source>&apos;%1&apos; does not have four points that are not all in one plane, or has two points at one place.</source>
         <translation>«%1» non ha quattro punti che non giacciono in un piano, oppure due in un solo posto.</translation>
     </message>
     <message>
@@ -7828,7 +7780,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Memoria insufficiente per tutte le mesh fino a %1 siti. Scegliere un errore maggiore.</translation>
     </message>
     <message>
-        <source>Choosing tetrahedra by their lives</source>
+        <source>Selecting tetrahedra by when they appear and disappear</source>
         <translation>Scelta dei tetraedri secondo la loro vita</translation>
     </message>
     <message>
@@ -7836,7 +7788,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Un estremo dell&apos;intervallo di accuratezze non è un numero. Indicarli entrambi in percentuale.</translation>
     </message>
     <message>
-        <source>A range of births or deaths goes from a smaller error to a larger one: %1 and %2 do not.</source>
+        <source>A range of errors at which tetrahedra appear or disappear goes from a smaller error to a larger one: %1 and %2 do not.</source>
         <translation>Un intervallo di nascite o morti va da un errore minore a uno maggiore: %1 e %2 no.</translation>
     </message>
     <message>
@@ -7852,7 +7804,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>rettilineo</translation>
     </message>
     <message>
-        <source>Of data whose domain can warp: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <source>For data whose domain can warp: the warping at which to stop. Its ratio to the error sets how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
         <translation>Per dati il cui dominio può deformarsi: la deformazione alla quale fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, è lo stesso numero dell&apos;altro.</translation>
     </message>
     <message>
@@ -7860,7 +7812,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ordinato per</translation>
     </message>
     <message>
-        <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
+        <source>For data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
         <translation>Per dati il cui dominio può deformarsi: «entrambi» ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; «errore» o «deformazione» secondo questo solo, per il minor numero di punti dove l&apos;altro non conta.</translation>
     </message>
     <message>
@@ -7884,11 +7836,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Distanza</translation>
     </message>
     <message>
-        <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place of a mesh&apos;s boundary is from that of the data.</source>
+        <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place on a mesh&apos;s boundary is from that of the data.</source>
         <translation>Che cosa misura la deformazione dei dati irregolari: «da un lato», come nell&apos;articolo, quanto i punti del contorno dei dati distano da quello di una mesh; «da entrambi i lati» anche quanto ogni punto del contorno di una mesh dista da quello dei dati.</translation>
     </message>
     <message>
-        <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of them for the same accuracy, but more time and memory.</source>
+        <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and needs fewer of them for the same accuracy, but more time and memory.</source>
         <translation>Punti sparsi: la decimazione comincia con la mesh di Delaunay di tutti i punti e ne richiede meno per la stessa accuratezza, ma più tempo e memoria.</translation>
     </message>
     <message>
@@ -7896,7 +7848,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Spazio</translation>
     </message>
     <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
+        <source>The edge length, in cells, of the blocks that are refined independently, a few of them in memory at a time; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; uses blocks where a lattice or grid is large.</source>
         <translation>Le celle lungo uno spigolo dei blocchi, che vengono raffinati indipendentemente, con memoria solo per alcuni di essi; «nessuno» raffina i dati come un tutto; «automatico» usa blocchi se un reticolo o una griglia è grande.</translation>
     </message>
     <message>
@@ -7908,7 +7860,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Una mesh di dominio convesso: il raffinamento conserva il dominio esatto, con tetraedri propri.</translation>
     </message>
     <message>
-        <source>The mesh is too large to be looked at.</source>
+        <source>The mesh is too large to be shown.</source>
         <translation>La mesh è troppo grande per essere guardata.</translation>
     </message>
     <message>
@@ -7932,11 +7884,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra</translation>
     </message>
     <message>
-        <source>What is shown, inside and outside of the focus: the volume, isosurfaces, or both.</source>
+        <source>What is shown, inside and outside the focus: the volume, isosurfaces, or both.</source>
         <translation>Che cosa si mostra dentro e fuori dal focus: il volume, le isosuperfici o entrambi.</translation>
     </message>
     <message>
-        <source>A range of accuracies has tetrahedra that lie over each other, so their volume cannot be drawn. Choose isosurfaces, or births and deaths that leave one mesh.</source>
+        <source>A range of accuracies has overlapping tetrahedra, so their volume cannot be drawn. Choose isosurfaces, or limits of appearance and disappearance that leave one mesh.</source>
         <translation>Un intervallo di accuratezze ha tetraedri sovrapposti, quindi il loro volume non si può disegnare. Scegliere le isosuperfici, o limiti che lascino una sola mesh.</translation>
     </message>
     <message>
@@ -7944,7 +7896,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Lettura del modello</translation>
     </message>
     <message>
-        <source>Set XDG_CACHE_HOME to a folder that can be written in.</source>
+        <source>Set XDG_CACHE_HOME to a folder that can be written to.</source>
         <translation>Impostare XDG_CACHE_HOME su una cartella scrivibile.</translation>
     </message>
     <message>
@@ -7968,7 +7920,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>L&apos;errore nello spazio è mantenuto solo in griglie intere, perché un punto può trovarsi in un tetraedro di un altro blocco. Impostare il blocco su «nessuno».</translation>
     </message>
     <message>
-        <source>To keep the error in space, a build is ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
+        <source>To keep the error in space, a build must be ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
         <translation>Per mantenere l&apos;errore nello spazio, una costruzione è ordinata in base a errore e deformazione, con la selezione normalizzata. Omettere l&apos;altra scelta.</translation>
     </message>
     <message>
@@ -7980,7 +7932,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» è un modello compresso. Decomprimerlo prima con «tan unpack».</translation>
     </message>
     <message>
-        <source>section &apos;%1&apos; makes no sense</source>
+        <source>section &apos;%1&apos; is invalid</source>
         <translation>la sezione «%1» non ha senso</translation>
     </message>
     <message>
@@ -7996,7 +7948,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» è compresso con il metodo %2, che questa versione non conosce. Installare una versione più recente di TAn.</translation>
     </message>
     <message>
-        <source>its levels make no sense</source>
+        <source>its levels are invalid</source>
         <translation>i suoi livelli non hanno senso</translation>
     </message>
     <message>
@@ -8020,7 +7972,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Questa mesh non può essere compressa: i suoi vettori non vanno insieme, o ha più di %1 tetraedri.</translation>
     </message>
     <message>
-        <source>What was received is no packed mesh of this version, or is damaged.</source>
+        <source>What was received is not a packed mesh of this version, or is damaged.</source>
         <translation>Ciò che è stato ricevuto non è una mesh compressa di questa versione, o è danneggiato.</translation>
     </message>
     <message>
@@ -8028,7 +7980,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La mesh ha %1 tetraedri, e se ne accettano al massimo %2.</translation>
     </message>
     <message>
-        <source>Not enough memory for a packed mesh. Ask for a larger error or a part of it.</source>
+        <source>Not enough memory for a packed mesh. Choose a larger error or a part of it.</source>
         <translation>Memoria insufficiente per una mesh compressa. Chiedere un errore maggiore o una sua parte.</translation>
     </message>
     <message>
@@ -8056,11 +8008,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» non può essere compresso: gran parte è in sezioni che questa versione non conosce.</translation>
     </message>
     <message>
-        <source>what it holds is no history</source>
+        <source>its content is not a history</source>
         <translation>ciò che contiene non è una storia</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
+        <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; gives details.</source>
         <translation>«%1» non può essere compresso: la sua storia non è quella di una mesh. «tan verify» dice di più.</translation>
     </message>
     <message>
@@ -8068,7 +8020,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Compressione</translation>
     </message>
     <message>
-        <source>its sites make no sense</source>
+        <source>its sites are invalid</source>
         <translation>i suoi siti non hanno senso</translation>
     </message>
     <message>
@@ -8076,7 +8028,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un reticolo di %1 punti non può essere ripetuto</translation>
     </message>
     <message>
-        <source>its text does not tell how it is built</source>
+        <source>its text does not tell how it was built</source>
         <translation>il suo testo non dice come è costruito</translation>
     </message>
     <message>
@@ -8100,11 +8052,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Un punto non si trova in alcun tetraedro della mesh.</translation>
     </message>
     <message>
-        <source>TAN_CACHE_MB is &apos;%1&apos;. Give the most megabytes that the cache folder may take.</source>
+        <source>TAN_CACHE_MB is &apos;%1&apos;. Give the maximum size of the cache folder in megabytes.</source>
         <translation>TAN_CACHE_MB è «%1». Indicare quanti megabyte può occupare al massimo la cartella cache.</translation>
     </message>
     <message>
-        <source>There is no cache folder, as this user has no home. Set XDG_CACHE_HOME to a folder.</source>
+        <source>There is no cache folder, because this user has no home folder. Set XDG_CACHE_HOME to a folder.</source>
         <translation>Non c&apos;è una cartella cache, perché questo utente non ha una cartella personale. Impostare XDG_CACHE_HOME su una cartella.</translation>
     </message>
     <message>
@@ -8112,19 +8064,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Attesa di un file della cartella cache</translation>
     </message>
     <message>
-        <source>The cache folder &apos;%1&apos; has no room for %2 more: its limit is %3, and what is in use stays. Set TAN_CACHE_MB to more megabytes.</source>
+        <source>The cache folder &apos;%1&apos; has no room for %2 more: its limit is %3, and files in use are kept. Set TAN_CACHE_MB to more megabytes.</source>
         <translation>Nella cartella cache «%1» non c&apos;è posto per altri %2: il limite è %3, e ciò che è in uso resta. Impostare TAN_CACHE_MB su più megabyte.</translation>
     </message>
     <message>
-        <source>Not enough memory to look into the cache folder &apos;%1&apos;. Close other programs.</source>
+        <source>Not enough memory to read the cache folder &apos;%1&apos;. Close other programs.</source>
         <translation>Memoria insufficiente per esaminare la cartella cache «%1». Chiudere altri programmi.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
+        <source>&apos;%1&apos; sends more than %2, the most that is accepted.</source>
         <translation>«%1» invia più di %2, il massimo accettato.</translation>
     </message>
     <message>
-        <source>Not enough memory for what the server sends. Ask for less.</source>
+        <source>Not enough memory for the server&apos;s answer. Request less.</source>
         <translation>Memoria insufficiente per ciò che invia il server. Chiedere di meno.</translation>
     </message>
     <message>
@@ -8132,35 +8084,35 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il file sul server è stato modificato durante la lettura. Aprirlo di nuovo.</translation>
     </message>
     <message>
-        <source>the server or a proxy packs what it sends (%1), so that parts of the file cannot be told. Download the file and open the copy.</source>
+        <source>the server or a proxy compresses what it sends (%1), so that parts of the file cannot be located. Download the file and open the copy.</source>
         <translation>il server o un proxy comprime ciò che invia (%1), e le parti del file non si riconoscono. Scaricare il file e aprire la copia.</translation>
     </message>
     <message>
-        <source>the server does not say how long the file is. Download the file and open the copy.</source>
+        <source>the server does not state the length of the file. Download the file and open the copy.</source>
         <translation>il server non dice quanto è lungo il file. Scaricare il file e aprire la copia.</translation>
     </message>
     <message>
-        <source>its server gives files as a whole only, not in parts (range requests). Download the file and open the copy, or put it on a server that knows ranges.</source>
+        <source>its server delivers files only as a whole, not in parts (range requests). Download the file and open the copy, or put it on a server that supports ranges.</source>
         <translation>il suo server dà i file solo interi, non in parti (range request). Scaricare il file e aprire la copia, oppure metterlo su un server che conosca i range.</translation>
     </message>
     <message>
-        <source>the server gives another part of the file than it was asked for. Download the file and open the copy.</source>
+        <source>the server sends a different part of the file from the one requested. Download the file and open the copy.</source>
         <translation>il server dà una parte del file diversa da quella richiesta. Scaricare il file e aprire la copia.</translation>
     </message>
     <message>
-        <source>what answers there is no web server. Check the address and its port.</source>
+        <source>the program that answers there is not a web server. Check the address and its port.</source>
         <translation>ciò che risponde non è un server web. Controllare l&apos;indirizzo e la porta.</translation>
     </message>
     <message>
-        <source>the connection was cut again and again, by the server or by a proxy on the way. Try it later, or download the file and open the copy.</source>
+        <source>the connection was lost again and again, because of the server or a proxy on the way. Try again later, or download the file and open the copy.</source>
         <translation>la connessione è stata interrotta più volte, dal server o da un proxy intermedio. Riprovare più tardi, o scaricare il file e aprire la copia.</translation>
     </message>
     <message>
-        <source>the server wants a name and a password. Give them in the address, https://NAME:PASSWORD@..., or download the file.</source>
+        <source>the server requires a name and a password. Give them in the address, https://NAME:PASSWORD@..., or download the file.</source>
         <translation>il server chiede un nome e una password. Indicarli nell&apos;indirizzo, https://NOME:PASSWORD@..., o scaricare il file.</translation>
     </message>
     <message>
-        <source>the proxy wants a name and a password. Set https_proxy to an address with both.</source>
+        <source>the proxy requires a name and a password. Set https_proxy to an address with both.</source>
         <translation>il proxy chiede un nome e una password. Impostare https_proxy su un indirizzo che li contenga.</translation>
     </message>
     <message>
@@ -8168,23 +8120,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>sul server non c&apos;è questo file (%1). Controllare l&apos;indirizzo.</translation>
     </message>
     <message>
-        <source>the server is busy (%1). Try it later.</source>
+        <source>the server is busy (%1). Try again later.</source>
         <translation>il server è occupato (%1). Riprovare più tardi.</translation>
     </message>
     <message>
-        <source>the server fails (%1). Try it later, or tell whoever runs it.</source>
+        <source>the server failed (%1). Try again later, or tell its operator.</source>
         <translation>il server ha un errore (%1). Riprovare più tardi, o avvisare chi lo gestisce.</translation>
     </message>
     <message>
-        <source>the server answers with status %1 in place of data. Check the address.</source>
+        <source>the server answers with status %1 instead of data. Check the address.</source>
         <translation>il server risponde con lo stato %1 invece che con i dati. Controllare l&apos;indirizzo.</translation>
     </message>
     <message>
-        <source>its host is not found. Check the address and the network.</source>
+        <source>its host was not found. Check the address and the network.</source>
         <translation>il suo host non è stato trovato. Controllare l&apos;indirizzo e la rete.</translation>
     </message>
     <message>
-        <source>the proxy is not found. Check http_proxy and https_proxy.</source>
+        <source>the proxy was not found. Check http_proxy and https_proxy.</source>
         <translation>il proxy non è stato trovato. Controllare http_proxy e https_proxy.</translation>
     </message>
     <message>
@@ -8192,7 +8144,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>a quell&apos;host e a quella porta non risponde nulla. Controllare l&apos;indirizzo e la rete.</translation>
     </message>
     <message>
-        <source>the server leads from one address to another and to no file. Check the address.</source>
+        <source>the server redirects from one address to another and never to a file. Check the address.</source>
         <translation>il server rimanda da un indirizzo all&apos;altro e a nessun file. Controllare l&apos;indirizzo.</translation>
     </message>
     <message>
@@ -8200,11 +8152,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il certificato dell&apos;host non è affidabile (%1). Controllare l&apos;indirizzo e l&apos;orologio di questo computer; non leggere nulla da lì se il motivo non è noto.</translation>
     </message>
     <message>
-        <source>there is no safe connection to its host (%1). Check whether the address begins with http:// or https://.</source>
+        <source>a secure connection to its host cannot be made (%1). Check whether the address begins with http:// or https://.</source>
         <translation>non c&apos;è una connessione sicura con l&apos;host (%1). Controllare se l&apos;indirizzo inizia con http:// o https://.</translation>
     </message>
     <message>
-        <source>the server leads to an address that is not safe to follow. Give the address of the file itself.</source>
+        <source>the server redirects to an address that is not safe to follow. Give the address of the file itself.</source>
         <translation>il server rimanda a un indirizzo che non è sicuro seguire. Indicare l&apos;indirizzo del file stesso.</translation>
     </message>
     <message>
@@ -8212,7 +8164,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il file è vuoto. Controllare l&apos;indirizzo.</translation>
     </message>
     <message>
-        <source>The cache folder gives other bytes than were written to it. Check its disk, or set XDG_CACHE_HOME to a folder on another one.</source>
+        <source>The cache folder returns other bytes than were written to it. Check its disk, or set XDG_CACHE_HOME to a folder on another one.</source>
         <translation>La cartella cache dà byte diversi da quelli che vi sono stati scritti. Controllare il disco, o impostare XDG_CACHE_HOME su una cartella di un altro disco.</translation>
     </message>
     <message>
@@ -8220,7 +8172,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Lettura di «%1»</translation>
     </message>
     <message>
-        <source>it ends before what was looked for. It is no whole model: ask whoever put it there.</source>
+        <source>it ends too early. It is not a complete model: ask the person who put it there.</source>
         <translation>finisce prima di ciò che si cercava. Non è un modello intero: chiedere a chi l&apos;ha messo lì.</translation>
     </message>
     <message>
@@ -8228,7 +8180,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Lettura dalla rete</translation>
     </message>
     <message>
-        <source>nothing came from the server for %1 seconds, or too slowly. Check the network, or try it later.</source>
+        <source>nothing arrived from the server for %1 seconds, or too slowly. Check the network, or try again later.</source>
         <translation>dal server non è arrivato nulla per %1 secondi, o troppo lentamente. Controllare la rete, o riprovare più tardi.</translation>
     </message>
     <message>
@@ -8244,7 +8196,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ciò che una costruzione interrotta ha lasciato in «%1» è danneggiato. Ricominciare la costruzione dall&apos;inizio.</translation>
     </message>
     <message>
-        <source>What an interrupted build left in &apos;%1&apos; is of other data, of other options, or of another version of TAn. Give the same ones, or build from the beginning.</source>
+        <source>What an interrupted build left in &apos;%1&apos; belongs to other data, other options, or another version of TAn. Give the same ones, or build from the beginning.</source>
         <translation>Ciò che una costruzione interrotta ha lasciato in «%1» appartiene ad altri dati, ad altre opzioni o a un&apos;altra versione di TAn. Indicare gli stessi, oppure ricominciare la costruzione dall&apos;inizio.</translation>
     </message>
     <message>
@@ -8252,7 +8204,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Raffinamento grossolano di tutti i blocchi</translation>
     </message>
     <message>
-        <source>Taking up what was done</source>
+        <source>Restoring the interrupted build</source>
         <translation>Ripresa di quanto già fatto</translation>
     </message>
     <message>
@@ -8260,7 +8212,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>elenca una cella difettosa che la sua griglia non ha</translation>
     </message>
     <message>
-        <source>it lists a faulty cell that is none</source>
+        <source>it lists a faulty cell that is not faulty</source>
         <translation>elenca una cella difettosa che non è tale</translation>
     </message>
     <message>
@@ -8268,15 +8220,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il file «%1» non esiste. Un indirizzo su un server comincia con http:// o https://.</translation>
     </message>
     <message>
-        <source>The file of &apos;%1&apos; is of a version of TAn that did not write where its coarse meshes end, so it cannot be left at the server. Build it again, or copy it there with &apos;tan pack&apos; and &apos;tan unpack&apos;.</source>
+        <source>The file of &apos;%1&apos; was made by a version of TAn that did not record where its coarse meshes end, so it cannot be left at the server. Build it again, or copy it there with &apos;tan pack&apos; and &apos;tan unpack&apos;.</source>
         <translation>Il file di «%1» è di una versione di TAn che non scriveva dove finiscono le sue mesh rade, quindi non può restare sul server. Costruirlo di nuovo, o riscriverlo lì con «tan pack» e «tan unpack».</translation>
     </message>
     <message>
-        <source>A server cannot be asked for a range of accuracies whose two ends have warpings of their own. Give both the same.</source>
+        <source>A server cannot extract a range of accuracies whose two ends have different warpings. Give both the same.</source>
         <translation>A un server non si può chiedere un intervallo di accuratezze i cui estremi hanno deformazioni proprie. Dare a entrambi la stessa.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; finds no meshes (status %2): only a server of TAn (&apos;tan serve&apos;) of this version does. Let the model be fetched from there.</source>
+        <source>&apos;%1&apos; does not extract meshes (status %2): only a TAn server (&apos;tan serve&apos;) of this version does. Download the model from there instead.</source>
         <translation>«%1» non trova mesh (stato %2): lo fa solo un server di TAn («tan serve») di questa versione. Far scaricare il modello.</translation>
     </message>
     <message>
@@ -8284,11 +8236,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il server di «%1» risponde: %2</translation>
     </message>
     <message>
-        <source>What &apos;%1&apos; says of its model cannot be read. It may be a server of another version of TAn.</source>
+        <source>What &apos;%1&apos; says of its model cannot be read. The server may run another version of TAn.</source>
         <translation>Ciò che «%1» dice del suo modello non si può leggere. Forse è un server di un&apos;altra versione di TAn.</translation>
     </message>
     <message>
-        <source>What says where which error is allowed is too long for a question to a server: %1 of at most %2 characters. Use fewer regions, isovalues or points of the transfer function.</source>
+        <source>The error field is too long for a server request: %1 of at most %2 characters. Use fewer regions, isovalues or points of the transfer function.</source>
         <translation>Ciò che dice dove quale errore è ammesso è troppo lungo per una richiesta a un server: %1 di al massimo %2 caratteri. Usare meno regioni, isovalori o punti della funzione di trasferimento.</translation>
     </message>
     <message>
@@ -8296,7 +8248,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il modello «%1» è stato modificato sul suo server. Aprirlo di nuovo.</translation>
     </message>
     <message>
-        <source>The sites make more than they should.</source>
+        <source>The sites yield more than they should.</source>
         <translation>I siti producono più di quanto dovrebbero.</translation>
     </message>
     <message>
@@ -8312,7 +8264,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Decompressione dell&apos;intero modello: %1</translation>
     </message>
     <message>
-        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <source>The server of &apos;%1&apos; requires a token. Give the one issued by its operator; on the command line with &apos;--token-file&apos;.</source>
         <translation>Il server di «%1» risponde solo a chi ha il suo token. Indicare quello stabilito da chi lo gestisce; sulla riga di comando con «--token-file».</translation>
     </message>
     <message>
@@ -8332,15 +8284,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Richiesta al server</translation>
     </message>
     <message>
-        <source>the server gives a web page or a list in place of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
+        <source>the server sends a web page or a list instead of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
         <translation>il server dà una pagina web o un elenco al posto dei dati. Aprire l&apos;indirizzo in un browser: forse occorre accedere, oppure scegliere lì un file e indicarne l&apos;indirizzo.</translation>
     </message>
     <message>
-        <source>the server answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <source>the server requires a token. Give the one issued by its operator; on the command line with &apos;--token-file&apos;.</source>
         <translation>il server risponde solo a chi ha il suo token. Indicare quello stabilito da chi lo gestisce; sulla riga di comando con «--token-file».</translation>
     </message>
     <message>
-        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has expired.</source>
+        <source>the server does not allow it (403). Ask its operator, or check whether the address has expired.</source>
         <translation>il server non lo permette (403). Chiedere a chi lo gestisce, o controllare se l&apos;indirizzo è scaduto.</translation>
     </message>
     <message>
@@ -8356,7 +8308,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Questo TAn non fa una mesh dei punti di «%1»: è stato compilato senza CGAL (TAN_CGAL). Usarne uno che lo abbia, o dati con una griglia o con celle.</translation>
     </message>
     <message>
-        <source>The history has more than %1 sites. Ask for a larger error, or build in blocks.</source>
+        <source>The history has more than %1 sites. Choose a larger error, or build in blocks.</source>
         <translation>La storia ha più di %1 siti. Chiedere un errore più grande, o costruire a blocchi.</translation>
     </message>
     <message>
@@ -8364,7 +8316,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sezione «%1» contiene numeri impossibili</translation>
     </message>
     <message>
-        <source>Cannot write &apos;%1&apos;: section &apos;%2&apos; was planned with %3 bytes, which does not fit what it holds. This is a fault of TAn: please report it.</source>
+        <source>Cannot write &apos;%1&apos;: section &apos;%2&apos; was planned with %3 bytes, which does not match its content. This is a fault of TAn: please report it.</source>
         <translation>Impossibile scrivere «%1»: la sezione «%2» era prevista di %3 byte, che non corrispondono a ciò che contiene. È un difetto di TAn: si prega di segnalarlo.</translation>
     </message>
     <message>
@@ -8372,15 +8324,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Non c&apos;è una cartella per i file temporanei: %1.</translation>
     </message>
     <message>
-        <source>The model cannot be packed into &apos;%1&apos;: the errors that it claims make no sense. &apos;tan verify&apos; tells more.</source>
+        <source>The model cannot be packed into &apos;%1&apos;: the errors that it claims are invalid. &apos;tan verify&apos; gives details.</source>
         <translation>Il modello non può essere compresso in «%1»: gli errori che dichiara non hanno senso. «tan verify» dice di più.</translation>
     </message>
     <message>
-        <source>The mesh has %1 tetrahedra, too many for the memory of this machine. Ask for a larger error or a part of it.</source>
+        <source>The mesh has %1 tetrahedra, too many for the memory of this machine. Choose a larger error or a part of it.</source>
         <translation>La mesh ha %1 tetraedri, troppi per la memoria di questo computer. Chiedere un errore più grande o una sua parte.</translation>
     </message>
     <message>
-        <source>something lies before section &apos;%1&apos;</source>
+        <source>something precedes section &apos;%1&apos;</source>
         <translation>c&apos;è qualcosa prima della sezione «%1»</translation>
     </message>
     <message>
@@ -8388,7 +8340,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Questo TAn non fa una mesh di punti sparsi: è stato compilato senza CGAL (TAN_CGAL). Usarne uno che lo abbia, o dati con una griglia o con celle.</translation>
     </message>
     <message>
-        <source>Cannot use the cache folder &apos;%1&apos;: %2. Set XDG_CACHE_HOME to a folder that is yours alone.</source>
+        <source>Cannot use the cache folder &apos;%1&apos;: %2. Set XDG_CACHE_HOME to a folder that only you can use.</source>
         <translation>Impossibile usare la cartella cache «%1»: %2. Impostare XDG_CACHE_HOME su una cartella che sia soltanto propria.</translation>
     </message>
     <message>
@@ -8412,7 +8364,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» non risponde: %2</translation>
     </message>
     <message>
-        <source>nothing came for %1 seconds, or too slowly. Check the network, and whether the server runs.</source>
+        <source>nothing arrived for %1 seconds, or too slowly. Check the network, and whether the server is running.</source>
         <translation>per %1 secondi non è arrivato nulla, o troppo lentamente. Controllare la rete, e che il server sia attivo.</translation>
     </message>
     <message>
@@ -8424,11 +8376,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il server dice che il file ha %1, più di qualsiasi modello. Controllare l&apos;indirizzo.</translation>
     </message>
     <message>
-        <source>it is not the address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
+        <source>it is not the address of a file. Write it as https://HOST/PATH, with spaces as %1.</source>
         <translation>non è l&apos;indirizzo di un file. Scriverlo come https://HOST/PERCORSO, e gli spazi come %1.</translation>
     </message>
     <message>
-        <source>This TAn was built without OpenGL (TAN_GL). Draw with the processor.</source>
+        <source>This TAn was built without OpenGL (TAN_GL). Use the CPU back end.</source>
         <translation>Questo TAn è stato compilato senza OpenGL (TAN_GL). Far disegnare il processore.</translation>
     </message>
     <message>
@@ -8440,7 +8392,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il sistema non può avviare un thread per il server: %1. %2</translation>
     </message>
     <message>
-        <source>The system takes no more connections: %1. %2</source>
+        <source>The system accepts no more connections: %1. %2</source>
         <translation>Il sistema non accetta altre connessioni: %1. %2</translation>
     </message>
     <message>
@@ -8448,7 +8400,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il file sta cambiando. Chiedere di nuovo.</translation>
     </message>
     <message>
-        <source>The server cannot look for its models now: %1. Ask again.</source>
+        <source>The server cannot read its models now: %1. Ask again.</source>
         <translation>Il server ora non può cercare i suoi modelli: %1. Chiedere di nuovo.</translation>
     </message>
     <message>
@@ -8460,11 +8412,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» appartiene a un altro utente, che potrebbe metterci qualsiasi programma. Copiare ciò di cui ci si fida in una cartella propria.</translation>
     </message>
     <message>
-        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Remove that right (chmod o-w), and see what is in it.</source>
+        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Remove that permission (chmod o-w), and check its content.</source>
         <translation>Ogni utente di questo computer può scrivere in «%1» e potrebbe metterci qualsiasi programma. Togliere questo permesso (chmod o-w), e controllare che cosa contiene.</translation>
     </message>
     <message>
-        <source>the array &apos;%1&apos; has no number anywhere: it cannot be computed from this solution. %2</source>
+        <source>the array &apos;%1&apos; is not a number anywhere: it cannot be computed from this solution. %2</source>
         <translation>il vettore «%1» non ha numeri da nessuna parte: non si può calcolare da questa soluzione. %2</translation>
     </message>
     <message>
@@ -8476,7 +8428,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il focus è disattivato: non è nel dominio.</translation>
     </message>
     <message>
-        <source>The window is off: it is not within the domain.</source>
+        <source>The crop box is off: it is not within the domain.</source>
         <translation>La finestra è disattivata: non è nel dominio.</translation>
     </message>
     <message>
@@ -8500,7 +8452,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La funzione di trasferimento non ha punti fra i valori del modello, perciò si mostra quella consueta.</translation>
     </message>
     <message>
-        <source>All values are shown: the model has none of the chosen ones.</source>
+        <source>All values are shown: the model has none of the selected ones.</source>
         <translation>Si mostrano tutti i valori: il modello non ha nessuno di quelli scelti.</translation>
     </message>
     <message>
@@ -8508,7 +8460,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Qui non c&apos;è una modalità di resa «%1», perciò si mostra come «%2». Forse appartiene a un plugin che non è installato.</translation>
     </message>
     <message>
-        <source>The model &apos;%1&apos; has changed since the session was saved: it was built anew, or replaced.</source>
+        <source>The model &apos;%1&apos; has changed since the session was saved: it was rebuilt or replaced.</source>
         <translation>Il modello «%1» è cambiato da quando la sessione è stata salvata: è stato ricostruito o sostituito.</translation>
     </message>
     <message>
@@ -8516,11 +8468,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Questo file non può essere letto come funzione di trasferimento. TAn legge le proprie e le preimpostazioni di ParaView in JSON, e le mappe di colori di ParaView in XML, ma non le tabelle di colori.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; holds a surface. TAn reads volumes: values everywhere in a body, not only on its skin.</source>
+        <source>&apos;%1&apos; holds a surface. TAn reads volumes: values throughout a body, not only on its surface.</source>
         <translation>«%1» contiene una superficie. TAn legge volumi: valori ovunque in un corpo, non solo sulla sua pelle.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens pictures that it has saved with their session.</source>
+        <source>&apos;%1&apos; is a picture. TAn reads volumes, including stacks of TIFF pictures, and opens pictures that it has saved with their session.</source>
         <translation>«%1» è un&apos;immagine. TAn legge volumi, fra cui pile di immagini TIFF, e apre le immagini che ha salvato con la loro sessione.</translation>
     </message>
     <message>
@@ -8528,7 +8480,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>TAn legge file come %1; il manuale li elenca tutti. I soli campioni, senza intestazione, si leggono come file grezzo.</translation>
     </message>
     <message>
-        <source>What &apos;%1&apos; says of its model is impossible: %2. Tell whoever runs the server, or fetch the model and look at it with &apos;tan verify&apos;.</source>
+        <source>What &apos;%1&apos; says of its model is impossible: %2. Tell its operator, or download the model and check it with &apos;tan verify&apos;.</source>
         <translation>Ciò che «%1» dice del suo modello è impossibile: %2. Avvisare chi gestisce il server, oppure scaricare il modello ed esaminarlo con «tan verify».</translation>
     </message>
     <message>
@@ -8572,11 +8524,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>una mesh mantiene %1 volte l&apos;errore</translation>
     </message>
     <message>
-        <source>a tetrahedron lives at errors that are not numbers from 0</source>
+        <source>a tetrahedron exists at errors that are not numbers of at least 0</source>
         <translation>un tetraedro vive a errori che non sono numeri da 0 in su</translation>
     </message>
     <message>
-        <source>the libcurl of this machine does not do what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
+        <source>the libcurl of this machine does not support what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
         <translation>la libcurl di questo computer non fa ciò che serve a TAn (%1). Controllare l&apos;indirizzo e SSL_CERT_FILE e installare una libcurl con HTTPS, 7.85 o successiva.</translation>
     </message>
     <message>
@@ -8596,7 +8548,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha una sezione «%1», che solo un reticolo regolare ha</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; makes no sense. Copy the file again, or build it again.</source>
+        <source>&apos;%1&apos; is damaged: its section &apos;%2&apos; is invalid. Copy the file again, or build it again.</source>
         <translation>«%1» è danneggiato: la sua sezione «%2» non ha senso. Copiare di nuovo il file, o costruirlo di nuovo.</translation>
     </message>
     <message>
@@ -8604,11 +8556,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Copia del modello</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would lie elsewhere than they were meant. Build it again from data that say where they lie.</source>
+        <source>&apos;%1&apos; was built with weights at places (&apos;%2&apos;), which would then lie elsewhere than intended. Build it again from data that state where they lie.</source>
         <translation>«%1» è stato costruito con pesi in certi luoghi («%2»), che si troverebbero altrove da dove erano intesi. Costruirlo di nuovo da dati che dicono dove si trovano.</translation>
     </message>
     <message>
-        <source>The model cannot lie there: %1</source>
+        <source>The model cannot be placed there: %1</source>
         <translation>Il modello non può trovarsi lì: %1</translation>
     </message>
     <message>
@@ -8628,7 +8580,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La memoria non basta per misurare lo scostamento. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
     </message>
     <message>
-        <source>its section &apos;%1&apos; makes no sense</source>
+        <source>its section &apos;%1&apos; is invalid</source>
         <translation>la sua sezione «%1» non ha senso</translation>
     </message>
     <message>
@@ -8648,7 +8600,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» ha coordinate in precisione singola, che non possono contenere questa superficie: è troppo grande o troppo piccola. Scrivere un file .vtp o .ply.</translation>
     </message>
     <message>
-        <source>Cannot write &apos;%1&apos;: whoever was to read it has ended. See what that program says.</source>
+        <source>Cannot write &apos;%1&apos;: the program that reads it has ended. Look at its messages.</source>
         <translation>Impossibile scrivere «%1»: il programma che doveva leggerlo è terminato. Vedere che cosa dice quel programma.</translation>
     </message>
     <message>
@@ -8656,7 +8608,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Impossibile scrivere «%1»: %2.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would be a second file beside &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
+        <source>&apos;%1&apos; would be a second file next to &apos;%2&apos;. Give the output a name instead of &apos;-&apos;.</source>
         <translation>«%1» sarebbe un secondo file accanto a «%2». Dare all&apos;uscita un nome invece di «-».</translation>
     </message>
     <message>
@@ -8672,19 +8624,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>deve essere un nome con un numero come «%03d», e i numeri del primo file, dell&apos;ultimo, e il passo.</translation>
     </message>
     <message>
-        <source>names %1 files, which is not the number that its sizes ask for. Correct the numbers of the first and the last file.</source>
+        <source>names %1 files, which is not the number that its sizes require. Correct the numbers of the first and the last file.</source>
         <translation>nomina %1 file, che non è il numero richiesto dalle sue dimensioni. Correggere i numeri del primo e dell&apos;ultimo file.</translation>
     </message>
     <message>
-        <source>is followed by the names of %1 files, which is not the number that its sizes ask for. Each stands in a line of its own.</source>
+        <source>is followed by the names of %1 files, which is not the number that its sizes require. Each is on a line of its own.</source>
         <translation>è seguito dai nomi di %1 file, che non è il numero richiesto dalle sue dimensioni. Ciascuno sta su una riga propria.</translation>
     </message>
     <message>
-        <source>one of its axes, of size %1, runs through time. A volume has three in space: take out one time step.</source>
+        <source>one of its axes, of size %1, is time. A volume has three axes in space: take out one time step.</source>
         <translation>uno dei suoi assi, di dimensione %1, corre nel tempo. Un volume ne ha tre nello spazio: estrarre un passo temporale.</translation>
     </message>
     <message>
-        <source>Its header calls its orientation &apos;%1&apos;, which by its matrix is &apos;%2&apos;. The matrix was taken.</source>
+        <source>Its header calls its orientation &apos;%1&apos;, but by its matrix it is &apos;%2&apos;. The matrix was used.</source>
         <translation>La sua intestazione chiama l&apos;orientamento «%1», che secondo la matrice è «%2». È stata usata la matrice.</translation>
     </message>
     <message>
@@ -8692,23 +8644,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua Direction è «%1» e non nove numeri.</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
+        <source>In &apos;%1&apos; x, y and z are smaller than in the data by %2, %3 and %4, because single precision is too coarse so far from the origin; the first node of the file adds these numbers.</source>
         <translation>In «%1» x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine; il primo nodo del file aggiunge questi numeri.</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; x, y and z are less than in the data by %2, %3 and %4, as single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
+        <source>In &apos;%1&apos; x, y and z are smaller than in the data by %2, %3 and %4, because single precision is too coarse so far from the origin: add these numbers to get places of the data.</source>
         <translation>In «%1» x, y e z sono minori che nei dati di %2, %3 e %4, perché la precisione singola è troppo grossolana così lontano dall&apos;origine: aggiungere questi numeri per ottenere luoghi dei dati.</translation>
     </message>
     <message>
-        <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or fetch the model.</source>
+        <source>The deviation is measured from the finest mesh, which stays at the server. Save without it, or download the model.</source>
         <translation>Lo scostamento si misura dalla mesh più fine, che rimane sul server. Salvare senza di esso, o scaricare il modello.</translation>
     </message>
     <message>
-        <source>The deviation is that of whole surfaces. Show all values, and cut off what lies outside of the crop box, or save without it.</source>
+        <source>The deviation is that of whole surfaces. Show all values, and cut off what lies outside the crop box, or save without it.</source>
         <translation>Lo scostamento è quello di superfici intere. Mostrare tutti i valori, e tagliare ciò che sta fuori dalla finestra, o salvare senza di esso.</translation>
     </message>
     <message>
-        <source>What lives in a range of errors lies over each other, so it makes no solid. Show the mesh of one error.</source>
+        <source>The tetrahedra of a range of errors overlap, so they make no solid. Show the mesh of one error.</source>
         <translation>Ciò che vive in un intervallo di errori si sovrappone, quindi non forma un solido. Mostrare la mesh di un solo errore.</translation>
     </message>
     <message>
@@ -8732,11 +8684,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Unità di lunghezza</translation>
     </message>
     <message>
-        <source>Files that do not tell it: the unit of coordinates, as in mm. It is shown, and converts nothing.</source>
+        <source>Files that do not state it: the unit of coordinates, such as mm. It is displayed; nothing is converted.</source>
         <translation>File che non la indicano: l&apos;unità delle coordinate, come mm. Viene mostrata e non converte nulla.</translation>
     </message>
     <message>
-        <source>The model lies as the directions of its data say, and was seen without them, as TAn up to version 0.1 read such data: its places were other ones. The camera shows all of it; choose regions anew.</source>
+        <source>The model is placed by the directions of its data, but its view was saved without them, because TAn up to version 0.1 read such data differently: its places were other ones. The camera shows all of it; choose regions again.</source>
         <translation>Il modello giace come dicono le direzioni dei suoi dati, ed era visto senza di esse, come TAn fino alla versione 0.1 leggeva tali dati: i suoi luoghi erano altri. La camera lo mostra tutto; scegliere di nuovo le regioni.</translation>
     </message>
     <message>
@@ -8744,15 +8696,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua origine %1 e la sua spaziatura %2 non sono finite, o sono troppo grandi o piccole per calcolare. Controllare entrambe.</translation>
     </message>
     <message>
-        <source>Files that do not tell it, raw ones among them: the distance of neighbouring points along x, y and z, as in 1x1x2.5; else 1 is assumed.</source>
+        <source>Files that do not state it, including raw ones: the distance between neighbouring points along x, y and z, as in 1x1x2.5; by default 1.</source>
         <translation>File che non la dicono, tra cui quelli grezzi: la distanza tra punti vicini lungo x, y e z, come in 1x1x2.5; altrimenti si suppone 1.</translation>
     </message>
     <message>
-        <source>Files that do not tell it: the position of the first point, as in 10,20,-5; else 0 is assumed.</source>
+        <source>Files that do not state it: the position of the first point, as in 10,20,-5; by default 0.</source>
         <translation>File che non la dicono: la posizione del primo punto, come in 10,20,-5; altrimenti si suppone 0.</translation>
     </message>
     <message>
-        <source>The file does not tell its spacing: %1 is assumed. Say what it is by &apos;--spacing&apos; or in Import Options, or afterwards by &apos;tan set-frame&apos;.</source>
+        <source>The file does not state its spacing: %1 is assumed. Give it with &apos;--spacing&apos; or in Import Options, or afterwards with &apos;tan set-frame&apos;.</source>
         <translation>Il file non indica la sua spaziatura: si suppone %1. La si indichi con «--spacing» o nelle opzioni di importazione, oppure in seguito con «tan set-frame».</translation>
     </message>
     <message>
@@ -8760,11 +8712,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>nomina %1 file. Mettere i campioni in un numero minore.</translation>
     </message>
     <message>
-        <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs take them as right-handed: they show the mirror image.</source>
+        <source>Its space &apos;%1&apos; is left-handed. Its coordinates are kept, and pictures and other programs treat them as right-handed: they show the mirror image.</source>
         <translation>Il suo spazio «%1» è sinistrorso. Le sue coordinate restano, e le immagini e gli altri programmi le prendono per destrorse: mostrano l&apos;immagine speculare.</translation>
     </message>
     <message>
-        <source>Its units differ from axis to axis: %1. Its numbers were taken as they are, without a unit.</source>
+        <source>Its units differ from axis to axis: %1. Its numbers were used as they are, without a unit.</source>
         <translation>Le sue unità cambiano da asse ad asse: %1. I suoi numeri sono stati presi come sono, senza unità.</translation>
     </message>
     <message>
@@ -8772,15 +8724,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ricerca di aperture</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; one triangle is left out, as two of its corners are the same in single precision.</source>
+        <source>In &apos;%1&apos; one triangle is left out, because two of its corners coincide in single precision.</source>
         <translation>In «%1» è omesso un triangolo, perché due dei suoi vertici sono uguali in precisione singola.</translation>
     </message>
     <message>
-        <source>In &apos;%1&apos; %2 triangles are left out, as two corners of each are the same in single precision.</source>
+        <source>In &apos;%1&apos; %2 triangles are left out, because two corners of each coincide in single precision.</source>
         <translation>In «%1» sono omessi %2 triangoli, perché due vertici di ciascuno sono uguali in precisione singola.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; does not have the triangles&apos; values (%2), as many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
+        <source>&apos;%1&apos; does not contain the triangles&apos; values (%2), because many programs cannot read a PLY file with such values. To keep them, write a .vtp file.</source>
         <translation>«%1» non ha i valori dei triangoli (%2), perché molti programmi non sanno leggere un file PLY con tali valori. Per conservarli, scrivere un file .vtp.</translation>
     </message>
     <message>
@@ -8800,7 +8752,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 Scostamento dalla mesh più fine, misurato in molti punti: massimo %2 (medio %3), e di quella da questa: massimo %4 (medio %5).</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a model of a regular lattice: its points lie where the data say, each by itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give &apos;--unit&apos; when you build the model.</source>
+        <source>&apos;%1&apos; is not a model of a regular lattice: each of its points has its own position. Spacing, origin and unit can be set afterwards for a lattice only; for other data give &apos;--unit&apos; when you build the model.</source>
         <translation>«%1» non è il modello di un reticolo: i suoi punti giacciono dove dicono i dati, ciascuno per sé. Solo di un reticolo si possono impostare in seguito spaziatura, origine e unità; di altri dati si dia «--unit» alla costruzione del modello.</translation>
     </message>
     <message>
@@ -8808,7 +8760,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» per «%2» non è comprensibile. Dare tre numeri, lungo x, y e z, come in %3.</translation>
     </message>
     <message>
-        <source>it tells its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; gives the model of a lattice another one.</source>
+        <source>it states its %1 itself. Leave &apos;--%1&apos; out; &apos;tan set-frame&apos; changes it in the model of a lattice.</source>
         <translation>dice da sé il suo valore di %1. Omettere «--%1»; «tan set-frame» ne dà un altro al modello di un reticolo.</translation>
     </message>
     <message>
@@ -8840,19 +8792,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Poliedri omessi perché le loro facce non racchiudono un volume: %1.</translation>
     </message>
     <message>
-        <source>The share of cells that may be faulty is %1; it has to be from 0 to 1.</source>
+        <source>The share of cells that may be faulty is %1; it must be from 0 to 1.</source>
         <translation>La quota di celle che possono essere difettose è %1; deve essere compresa tra 0 e 1.</translation>
     </message>
     <message>
-        <source>Faces of polyhedra have more points than are named (%1 in all, the first is of cell %2). The file is damaged.</source>
+        <source>Faces of polyhedra have more points than are listed (%1 in all, the first is of cell %2). The file is damaged.</source>
         <translation>Delle facce di poliedri hanno più punti di quanti ne siano nominati (%1 in tutto, la prima è della cella %2). Il file è danneggiato.</translation>
     </message>
     <message>
-        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than %3. The first is cell %4 at (%5, %6, %7): %8. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %9&apos;.</source>
+        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than %3. The first is cell %4 at (%5, %6, %7): %8. Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %9&apos;.</source>
         <translation>Almeno %1 delle %2 celle della mesh sono difettose, più di %3. La prima è la cella %4 in (%5, %6, %7): %8. Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %9».</translation>
     </message>
     <message>
-        <source>%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <source>%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %7&apos;.</source>
         <translation>%1 celle sono ripiegate o così deformate che nessun insieme di tetraedri le riempie, più di %2; la prima è la cella %3 in (%4, %5, %6). Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %7».</translation>
     </message>
     <message>
@@ -8860,7 +8812,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>cella %1 in (%2, %3, %4)</translation>
     </message>
     <message>
-        <source>%1 of the mesh&apos;s %2 cells are polyhedra in which no point sees all of their faces, more than %3; the first is %4. Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %5&apos;.</source>
+        <source>%1 of the mesh&apos;s %2 cells are polyhedra in which no point sees all of their faces, more than %3; the first is %4. Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %5&apos;.</source>
         <translation>%1 delle %2 celle della mesh sono poliedri in cui nessun punto vede tutte le facce, più di %3; la prima è %4. Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %5».</translation>
     </message>
     <message>
@@ -8868,7 +8820,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 delle %2 celle della mesh sono poliedri che nessun insieme di tetraedri tra i loro punti riempie, più di %3; la prima è %4. Con «--polyhedra centre» ricevono un punto al centro; con «--faulty %5» vengono omesse.</translation>
     </message>
     <message>
-        <source>The faces of %1 of the mesh&apos;s %2 cells do not enclose a volume; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be left out, as with &apos;--faulty %7&apos;.</source>
+        <source>The faces of %1 of the mesh&apos;s %2 cells do not enclose a volume; the first is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or allow more cells to be left out, as with &apos;--faulty %7&apos;.</source>
         <translation>Le facce di %1 delle %2 celle della mesh non racchiudono un volume; la prima è la cella %3 in (%4, %5, %6). Correggere la mesh nel programma che l&apos;ha creata, o consentire di omettere più celle, per esempio con «--faulty %7».</translation>
     </message>
     <message>
@@ -8876,7 +8828,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Unione delle zone</translation>
     </message>
     <message>
-        <source>The zone &apos;%1&apos; is no structured grid with a value for each point.</source>
+        <source>The zone &apos;%1&apos; is not a structured grid with a value for each point.</source>
         <translation>La zona «%1» non è una griglia strutturata con un valore per ogni punto.</translation>
     </message>
     <message>
@@ -8900,7 +8852,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Le sue %1 zone sono state messe in una sola mesh, in cui non ce ne sono due che condividono una faccia.</translation>
     </message>
     <message>
-        <source>Faces of zones that lie against another zone whose points there are others: %1. The mesh has a seam there, across which it does not hang together.</source>
+        <source>Faces of zones that meet another zone with different points there: %1. The mesh has a seam there, and is not connected across it.</source>
         <translation>Facce di zone che poggiano su un&apos;altra zona i cui punti in quel luogo sono diversi: %1. La mesh ha lì una giuntura, attraverso la quale non è connessa.</translation>
     </message>
     <message>
@@ -8952,7 +8904,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Celle difettose</translation>
     </message>
     <message>
-        <source>Meshes: the largest share of cells, or of their volume, that may be left out because they overlap others or are turned over, as in 5%; a mesh with more of them is refused.</source>
+        <source>Meshes: the largest share of cells, or of their volume, that may be left out because they overlap others or are inverted, as in 5%; a mesh with more of them is refused.</source>
         <translation>Mesh: la quota massima di celle, o del loro volume, che si può omettere perché si sovrappongono ad altre o sono rovesciate, per esempio 5%; una mesh che ne ha di più viene rifiutata.</translation>
     </message>
     <message>
@@ -8964,7 +8916,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Poliedri</translation>
     </message>
     <message>
-        <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; gives those that cannot be cut so a point in their middle.</source>
+        <source>Meshes with polyhedra: &apos;corners&apos; cuts each into tetrahedra between its own points; &apos;centre&apos; adds a point in the middle of those that cannot be cut in that way.</source>
         <translation>Mesh con poliedri: «vertici» suddivide ciascuno in tetraedri tra i suoi punti; «centro» dà a quelli che così non si possono suddividere un punto al centro.</translation>
     </message>
     <message>
@@ -8984,7 +8936,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un volume MINC</translation>
     </message>
     <message>
-        <source>Convert it to NIfTI, by &apos;mnc2nii&apos; of the MINC tools.</source>
+        <source>Convert it to NIfTI, with &apos;mnc2nii&apos; of the MINC tools.</source>
         <translation>Convertirlo in NIfTI, con «mnc2nii» degli strumenti MINC.</translation>
     </message>
     <message>
@@ -8992,7 +8944,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un volume di FreeSurfer</translation>
     </message>
     <message>
-        <source>Convert it to NIfTI, by &apos;mri_convert&apos; of FreeSurfer.</source>
+        <source>Convert it to NIfTI, with &apos;mri_convert&apos; of FreeSurfer.</source>
         <translation>Convertirlo in NIfTI, con «mri_convert» di FreeSurfer.</translation>
     </message>
     <message>
@@ -9000,7 +8952,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un campo AVS</translation>
     </message>
     <message>
-        <source>Save it as VTK or NRRD in a program that reads it, or write a NRRD header (.nhdr) that names the numbers of a uniform one as its data file.</source>
+        <source>Save it as VTK or NRRD in a program that reads it, or write an NRRD header (.nhdr) that names the numbers of a uniform one as its data file.</source>
         <translation>Salvarlo come VTK o NRRD in un programma che lo legge, o scrivere un&apos;intestazione NRRD (.nhdr) che, se il campo è uniforme, ne nomini i numeri come file di dati.</translation>
     </message>
     <message>
@@ -9024,7 +8976,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un file nel formato proprio di un microscopio</translation>
     </message>
     <message>
-        <source>Export it as OME-TIFF, by Fiji or the microscope&apos;s program.</source>
+        <source>Export it as OME-TIFF, with Fiji or the microscope&apos;s program.</source>
         <translation>Esportarlo come OME-TIFF, con Fiji o con il programma del microscopio.</translation>
     </message>
     <message>
@@ -9032,11 +8984,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>A giudicare dal nome, «%1» è %2, che TAn non legge. %3</translation>
     </message>
     <message>
-        <source>%1 needs more memory for it than the %2 that programs may take here. Raise the limit (ulimit -v).</source>
+        <source>%1 needs more memory for it than the %2 that programs may use here. Raise the limit (ulimit -v).</source>
         <translation>%1 richiede per questo più memoria dei %2 che i programmi possono occupare qui. Alzare il limite (ulimit -v).</translation>
     </message>
     <message>
-        <source>There are not enough memory, processes or open files to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
+        <source>There is not enough memory, or there are not enough processes or open files, to start the %1 readers (%2). Close other programs, or raise the limit (ulimit).</source>
         <translation>Non ci sono memoria, processi o file aperti sufficienti per avviare i lettori %1 (%2). Chiudere altri programmi, o alzare il limite (ulimit).</translation>
     </message>
     <message>
@@ -9052,15 +9004,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I lettori %1 non sono installati: %2. %3</translation>
     </message>
     <message>
-        <source>The %1 readers are installed badly: %2. %3</source>
+        <source>The %1 readers are not installed correctly: %2. %3</source>
         <translation>I lettori %1 sono installati male: %2. %3</translation>
     </message>
     <message>
-        <source>the system ended %1, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <source>the system ended %1, which happens when memory runs out. Close other programs, or take a part of the file.</source>
         <translation>il sistema ha terminato %1, come fa quando la memoria si esaurisce. Chiudere altri programmi, o prendere una parte del file.</translation>
     </message>
     <message>
-        <source>%1 has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <source>%1 has waited for its disk for minutes. Check whether the disk answers, or copy the file to another one.</source>
         <translation>%1 attende il suo disco da minuti. Verificare se il disco risponde, o copiare il file su un altro.</translation>
     </message>
     <message>
@@ -9112,23 +9064,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le facce del poliedro %1 sono danneggiate.</translation>
     </message>
     <message>
-        <source>Nodes in the faces of quadratic cells were not used: those of %1 cells.</source>
+        <source>Nodes in the faces of quadratic cells were not used: in %1 cells.</source>
         <translation>I nodi nelle facce di celle quadratiche non sono stati usati: quelli di %1 celle.</translation>
     </message>
     <message>
-        <source>Of the Lagrange cells of order %1 (%2) only the corners were used, with straight edges.</source>
+        <source>For the Lagrange cells of order %1 (%2) only the corners were used, with straight edges.</source>
         <translation>Delle celle di Lagrange di ordine %1 (%2) sono stati usati solo i vertici, con spigoli rettilinei.</translation>
     </message>
     <message>
-        <source>Of the Lagrange cells that are not of one order in all directions (%1) only the corners were used, with straight edges.</source>
+        <source>For the Lagrange cells whose order differs by direction (%1) only the corners were used, with straight edges.</source>
         <translation>Delle celle di Lagrange che non hanno lo stesso ordine in tutte le direzioni (%1) sono stati usati solo i vertici, con spigoli rettilinei.</translation>
     </message>
     <message>
-        <source>It says that it is of the time %1.</source>
+        <source>It states the time %1.</source>
         <translation>Il file dichiara di riferirsi al tempo %1.</translation>
     </message>
     <message>
-        <source>this TAn was built without GDCM, which reads DICOM. Build it anew after &apos;apt install libgdcm-dev&apos;, or convert the file to NRRD.</source>
+        <source>this TAn was built without GDCM, which reads DICOM. Rebuild it after &apos;apt install libgdcm-dev&apos;, or convert the file to NRRD.</source>
         <translation>questo TAn è stato compilato senza GDCM, che legge DICOM. Ricompilarlo dopo «apt install libgdcm-dev», o convertire il file in NRRD.</translation>
     </message>
     <message>
@@ -9184,7 +9136,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non si può leggere.</translation>
     </message>
     <message>
-        <source>it is no DICOM file, or ends too early. Copy the file again.</source>
+        <source>it is not a DICOM file, or ends too early. Copy the file again.</source>
         <translation>non è un file DICOM, o finisce troppo presto. Copiare di nuovo il file.</translation>
     </message>
     <message>
@@ -9192,11 +9144,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>Its slices lie unevenly, %1 to %2 mm apart; each was left where it lies.</source>
+        <source>Its slices are spaced unevenly, %1 to %2 mm apart; each was left where it lies.</source>
         <translation>I suoi strati sono disposti in modo irregolare, a distanze da %1 a %2 mm; ciascuno è stato lasciato dove si trova.</translation>
     </message>
     <message>
-        <source>Missing behind slice %1, between %2 and %3: %4.</source>
+        <source>Missing after slice %1, between %2 and %3: %4.</source>
         <translation>Mancanti dopo lo strato %1, tra %2 e %3: %4.</translation>
     </message>
     <message>
@@ -9208,31 +9160,31 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>pixel di %1 x %2 mm, come sul rivelatore (ImagerPixelSpacing)</translation>
     </message>
     <message>
-        <source>pixels 1 x 1 mm, as the file does not tell their size</source>
+        <source>pixels 1 x 1 mm, because the file does not state their size</source>
         <translation>pixel di 1 x 1 mm, perché il file non ne indica la dimensione</translation>
     </message>
     <message>
-        <source>its pixels are not all there. Copy the file again.</source>
+        <source>some of its pixels are missing. Copy the file again.</source>
         <translation>i suoi pixel non ci sono tutti. Copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>GDCM cannot unpack its pixels (%1). They are damaged, or of a kind that it does not know: unpack them by the program that wrote them.</source>
+        <source>GDCM cannot unpack its pixels (%1). They are damaged, or of a kind that it does not support: unpack them with the program that wrote them.</source>
         <translation>GDCM non riesce a decomprimere i suoi pixel (%1). Sono danneggiati, o di un genere che non conosce: decomprimerli con il programma che li ha scritti.</translation>
     </message>
     <message>
-        <source>it is the table of contents of a disk (DICOMDIR). Open one of the pictures that lie in the folders beside it.</source>
+        <source>it is the table of contents of a disk (DICOMDIR). Open one of the pictures in the folders next to it.</source>
         <translation>è l&apos;indice di un disco (DICOMDIR). Aprire una delle immagini che si trovano nelle cartelle accanto ad esso.</translation>
     </message>
     <message>
-        <source>it is a segmentation, whose pictures are the outlines of things and not of numbers. Export it as NRRD, for instance by 3D Slicer.</source>
+        <source>it is a segmentation, whose pictures are outlines of objects, not numbers. Export it as NRRD, for instance with 3D Slicer.</source>
         <translation>è una segmentazione, le cui immagini sono contorni di oggetti e non numeri. Esportarla come NRRD, per esempio con 3D Slicer.</translation>
     </message>
     <message>
-        <source>its pixels are floating point numbers (FloatPixelData), which TAn does not read of DICOM files. Export it as NRRD, for instance by 3D Slicer.</source>
+        <source>its pixels are floating-point numbers (FloatPixelData), which TAn does not read from DICOM files. Export it as NRRD, for instance with 3D Slicer.</source>
         <translation>i suoi pixel sono numeri in virgola mobile (FloatPixelData), che TAn non legge da file DICOM. Esportarlo come NRRD, per esempio con 3D Slicer.</translation>
     </message>
     <message>
-        <source>it holds no picture (%1). If it is to have one, it is cut short: copy it again. Else open a picture of the series that it belongs to.</source>
+        <source>it holds no picture (%1). If it should have one, it is cut short: copy it again. Otherwise open a picture of the series that it belongs to.</source>
         <translation>non contiene un&apos;immagine (%1). Se dovrebbe averne una, è troncato: copiarlo di nuovo. Altrimenti aprire un&apos;immagine della serie a cui appartiene.</translation>
     </message>
     <message>
@@ -9240,7 +9192,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 immagini</translation>
     </message>
     <message>
-        <source>the file &apos;%1&apos; of its series: it is no DICOM file, or ends too early. Copy the file again.</source>
+        <source>the file &apos;%1&apos; of its series: it is not a DICOM file, or ends too early. Copy the file again.</source>
         <translation>il file «%1» della sua serie: non è un file DICOM, o finisce troppo presto. Copiare di nuovo il file.</translation>
     </message>
     <message>
@@ -9248,7 +9200,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il file «%1» della sua serie: %2</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; beside it was not read: %2</source>
+        <source>The file &apos;%1&apos; next to it was not read: %2</source>
         <translation>Il file «%1» accanto ad esso non è stato letto: %2</translation>
     </message>
     <message>
@@ -9260,11 +9212,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le sue immagini sono a colori (%1), e TAn legge un solo valore per ogni punto. Esportarle in scala di grigi.</translation>
     </message>
     <message>
-        <source>each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI by dcm2niix.</source>
+        <source>each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI with dcm2niix.</source>
         <translation>ciascuna delle sue immagini è un mosaico di strati (Siemens). Convertirlo in NIfTI con dcm2niix.</translation>
     </message>
     <message>
-        <source>its pictures are moments of a film and not slices of a volume.</source>
+        <source>its pictures are frames of a film and not slices of a volume.</source>
         <translation>le sue immagini sono istanti di un filmato e non strati di un volume.</translation>
     </message>
     <message>
@@ -9272,7 +9224,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi pixel hanno %1 bit, e TAn legge quelli di 8, 16 e 32. Scriverli con 16.</translation>
     </message>
     <message>
-        <source>it says that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or export it again.</source>
+        <source>it states that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or export it again.</source>
         <translation>dichiara che contano %1 dei %2 bit di un pixel, fino al bit %3. Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -9280,15 +9232,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Le sue immagini vanno mostrate con i valori piccoli chiari (MONOCHROME1); i valori sono come nel file.</translation>
     </message>
     <message>
-        <source>Pixels outside of the picture have the value %1 (PixelPaddingValue), and are values as others.</source>
+        <source>Pixels outside the picture have the value %1 (PixelPaddingValue), and are treated as ordinary values.</source>
         <translation>I pixel fuori dall&apos;immagine hanno il valore %1 (PixelPaddingValue), e sono valori come gli altri.</translation>
     </message>
     <message>
-        <source>It has a table (ModalityLUT) that turns stored numbers into values; the stored numbers are taken.</source>
+        <source>It has a table (ModalityLUT) that converts stored numbers into values; the stored numbers are used.</source>
         <translation>Ha una tabella (ModalityLUT) che trasforma i numeri memorizzati in valori; si prendono i numeri memorizzati.</translation>
     </message>
     <message>
-        <source>It says that its pictures were compressed with loss.</source>
+        <source>It states that its pictures were compressed with loss.</source>
         <translation>Dichiara che le sue immagini sono state compresse con perdita.</translation>
     </message>
     <message>
@@ -9296,11 +9248,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 di %2: %3</translation>
     </message>
     <message>
-        <source>Beside it lies series %1: %2. Choose it with &apos;series&apos;.</source>
+        <source>Next to it is series %1: %2. Choose it with &apos;series&apos;.</source>
         <translation>Accanto ad esso si trova la serie %1: %2. Sceglierla con «series».</translation>
     </message>
     <message>
-        <source>%1 more series lie beside it.</source>
+        <source>%1 more series are next to it.</source>
         <translation>Accanto ad esso si trovano altre %1 serie.</translation>
     </message>
     <message>
@@ -9316,11 +9268,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 di %2</translation>
     </message>
     <message>
-        <source>its values are scaled beyond all numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
+        <source>its values are scaled beyond the range of numbers (RescaleSlope). The file is damaged: copy or export it again.</source>
         <translation>i suoi valori sono scalati oltre ogni numero rappresentabile (RescaleSlope). Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>%1 pictures of its series lie on one place, such as &apos;%2&apos; and &apos;%3&apos;, and nothing says which of them belong together. Put the slices of one volume alone into a folder.</source>
+        <source>%1 pictures of its series lie at one place, such as &apos;%2&apos; and &apos;%3&apos;, and nothing tells which of them belong together. Put the slices of one volume alone into a folder.</source>
         <translation>%1 immagini della sua serie si trovano nella stessa posizione, come «%2» e «%3», e nulla dice quali di esse vadano insieme. Mettere in una cartella solo gli strati di un volume.</translation>
     </message>
     <message>
@@ -9332,7 +9284,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il file «%1» della sua serie non dice dove si trova (ImagePositionPatient), mentre altri sì. Toglierlo dalla cartella, o esportare di nuovo la serie.</translation>
     </message>
     <message>
-        <source>it is a single picture, and no other slices of its series lie beside it. TAn reads volumes: put the files of the series into one folder and open one of them.</source>
+        <source>it is a single picture, and no other slices of its series are next to it. TAn reads volumes: put the files of the series into one folder and open one of them.</source>
         <translation>è una singola immagine, e accanto ad essa non ci sono altri strati della sua serie. TAn legge volumi: mettere i file della serie in una sola cartella e aprirne uno.</translation>
     </message>
     <message>
@@ -9344,7 +9296,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>di dimensione o direzione diversa</translation>
     </message>
     <message>
-        <source>all pictures of its series lie on one place. TAn reads volumes: it needs slices.</source>
+        <source>all pictures of its series lie at one place. TAn reads volumes: it needs slices.</source>
         <translation>tutte le immagini della sua serie si trovano nella stessa posizione. TAn legge volumi: gli servono strati.</translation>
     </message>
     <message>
@@ -9356,15 +9308,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Canale</translation>
     </message>
     <message>
-        <source>Of pictures with several channels: one, by name or number from 1; without it the first.</source>
+        <source>Pictures with several channels: one of them, by name or number from 1; by default the first.</source>
         <translation>Di immagini con più canali: uno, con il nome o il numero da 1; se vuoto il primo.</translation>
     </message>
     <message>
-        <source>Of pictures in colour: the number of one colour, from 0, or &apos;magnitude&apos;.</source>
+        <source>Colour pictures: the number of one colour, from 0, or &apos;magnitude&apos;.</source>
         <translation>Di immagini a colori: il numero di un colore, da 0, o «magnitude».</translation>
     </message>
     <message>
-        <source>Of pictures at several times, or of several volumes on one place: which one, from 1; 0 takes the first, of DICOM files that of the file.</source>
+        <source>Pictures at several times, or several volumes at one place: which one, from 1; 0 takes the first, or for DICOM files the one of the file.</source>
         <translation>Di immagini a più tempi, o di più volumi nella stessa posizione: quale, da 1; 0 prende il primo, e per file DICOM quello del file.</translation>
     </message>
     <message>
@@ -9372,7 +9324,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non è né DICOM né TIFF. Lasciare a TAn la scelta della lettura.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libgdcm-dev libtiff-dev&apos;), or convert the file to NRRD.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libgdcm-dev libtiff-dev&apos;), or convert the file to NRRD.</source>
         <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» dove si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libgdcm-dev libtiff-dev»), o convertire il file in NRRD.</translation>
     </message>
     <message>
@@ -9392,7 +9344,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha %1 canali e ne descrive %2</translation>
     </message>
     <message>
-        <source>a plane lies behind its %1 slices and %2 times</source>
+        <source>a plane lies beyond its %1 slices and %2 times</source>
         <translation>un piano sta oltre i suoi %1 strati e %2 tempi</translation>
     </message>
     <message>
@@ -9404,7 +9356,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1</translation>
     </message>
     <message>
-        <source>it has no images; the file that has them may be another one</source>
+        <source>it has no images; they may be in another file</source>
         <translation>non ha immagini; il file che le contiene può essere un altro</translation>
     </message>
     <message>
@@ -9428,11 +9380,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo ordine delle dimensioni è «%1»</translation>
     </message>
     <message>
-        <source>this TAn was built without libtiff, which reads TIFF. Build it anew after &apos;apt install libtiff-dev&apos;, or convert the file to NRRD.</source>
+        <source>this TAn was built without libtiff, which reads TIFF. Rebuild it after &apos;apt install libtiff-dev&apos;, or convert the file to NRRD.</source>
         <translation>questo TAn è compilato senza libtiff, che legge i file TIFF. Ricompilarlo dopo «apt install libtiff-dev», o convertire il file in NRRD.</translation>
     </message>
     <message>
-        <source>libtiff says: %1. The file is damaged, or of a kind that libtiff does not know: copy or export it again.</source>
+        <source>libtiff says: %1. The file is damaged, or of a kind that libtiff does not support: copy or export it again.</source>
         <translation>libtiff segnala: %1. Il file è danneggiato, o di un tipo che libtiff non conosce: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -9440,7 +9392,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>è diviso in pezzi di dimensione nulla.</translation>
     </message>
     <message>
-        <source>its pieces are of no size that can be.</source>
+        <source>its pieces have an impossible size.</source>
         <translation>i suoi pezzi hanno una dimensione impossibile.</translation>
     </message>
     <message>
@@ -9460,11 +9412,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi %1 tempi come strati</translation>
     </message>
     <message>
-        <source>its OME description names each plane many times. The file is damaged: export it again.</source>
+        <source>its OME description lists each plane many times. The file is damaged: export it again.</source>
         <translation>la sua descrizione OME nomina più volte ogni piano. Il file è danneggiato: esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its OME description says of slice %1 not where it is. Export the file again.</source>
+        <source>its OME description does not tell where slice %1 is. Export the file again.</source>
         <translation>la sua descrizione OME non dice dove si trova lo strato %1. Esportare di nuovo il file.</translation>
     </message>
     <message>
@@ -9476,15 +9428,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Contiene %1 immagini; le altre non vengono lette. Sceglierne una con «series».</translation>
     </message>
     <message>
-        <source>ImageJ&apos;s description says that it holds %1 slices, and their pixels are not all there. It is cut short: copy the file again.</source>
+        <source>ImageJ&apos;s description claims %1 slices, but some of their pixels are missing. It is cut short: copy the file again.</source>
         <translation>la descrizione di ImageJ dice che contiene %1 strati, ma i loro pixel non ci sono tutti. È troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>ImageJ&apos;s description names %1 planes, and there are %2 pages; each is taken for a slice.</source>
+        <source>ImageJ&apos;s description lists %1 planes, and there are %2 pages; each is read as a slice.</source>
         <translation>La descrizione di ImageJ nomina %1 piani, ma le pagine sono %2; ciascuna viene presa come uno strato.</translation>
     </message>
     <message>
-        <source>The numbers of its files, from %1 to %2, do not follow each other; the slices are taken to lie evenly.</source>
+        <source>The numbers of its files, from %1 to %2, are not consecutive; the slices are taken to be evenly spaced.</source>
         <translation>I numeri dei suoi file, da %1 a %2, non sono consecutivi; si suppone che gli strati siano a distanze uguali.</translation>
     </message>
     <message>
@@ -9492,19 +9444,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Fra i suoi file numerati mancano degli strati: %1 (%2). Le lacune restano, e i valori vi vengono interpolati.</translation>
     </message>
     <message>
-        <source>It has pages of its own; the %1 files beside it that are numbered as it is are not read.</source>
+        <source>It has pages of its own; the %1 files next to it with the same kind of number are not read.</source>
         <translation>Ha più pagine proprie; i %1 file accanto, numerati come questo, non vengono letti.</translation>
     </message>
     <message>
-        <source>its description names page %1, and it has %2. Export it again.</source>
+        <source>its description refers to page %1, and it has %2. Export it again.</source>
         <translation>la sua descrizione nomina la pagina %1, ma ne ha %2. Esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>page %1 is of another size or type than the first slice. The slices of one volume are of one size.</source>
+        <source>page %1 has another size or type than the first slice. The slices of one volume have one size.</source>
         <translation>la pagina %1 è di dimensione o tipo diversi dal primo strato. Gli strati di un volume hanno tutti la stessa dimensione.</translation>
     </message>
     <message>
-        <source>its pixels have %1 components, and number %2 is asked for. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
+        <source>its pixels have %1 components, and number %2 was requested. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
         <translation>i suoi pixel hanno %1 componenti, ed è stata chiesta la numero %2. Sceglierne una da 0 a %3, oppure «magnitude».</translation>
     </message>
     <message>
@@ -9536,19 +9488,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Le sue immagini vanno mostrate con i valori piccoli chiari; i valori restano quelli del file.</translation>
     </message>
     <message>
-        <source>its samples have %1 bits and the format %2 (SampleFormat), which TAn does not read. Write whole numbers or floating point numbers of 32 bits.</source>
+        <source>its samples have %1 bits and the format %2 (SampleFormat), which TAn does not read. Write whole numbers or floating-point numbers of 32 bits.</source>
         <translation>i suoi campioni hanno %1 bit e il formato %2 (SampleFormat), che TAn non legge. Scrivere numeri interi o numeri in virgola mobile a 32 bit.</translation>
     </message>
     <message>
-        <source>ImageJ&apos;s calibration of the values is not used: they are as they are stored.</source>
+        <source>ImageJ&apos;s calibration of the values is not used: the stored values are.</source>
         <translation>La calibrazione dei valori di ImageJ non viene usata: i valori sono quelli memorizzati.</translation>
     </message>
     <message>
-        <source>It says %1 pixels per inch, as pictures without a scale do; that is not used.</source>
+        <source>It states %1 pixels per inch, as pictures without a scale do; that is not used.</source>
         <translation>Dichiara %1 pixel per pollice, come fanno le immagini senza scala; il dato non viene usato.</translation>
     </message>
     <message>
-        <source>slices 1 %1 apart, as ImageJ takes it without &apos;spacing&apos;</source>
+        <source>slices 1 %1 apart, as ImageJ assumes without &apos;spacing&apos;</source>
         <translation>strati a distanza di 1 %1, come assume ImageJ senza «spacing»</translation>
     </message>
     <message>
@@ -9584,11 +9536,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo campo %1, «%2», non è comprensibile. Correggere la riga.</translation>
     </message>
     <message>
-        <source>The file does not tell the byte order of its numbers: that of this computer was assumed.</source>
+        <source>The file does not state the byte order of its numbers: that of this computer was assumed.</source>
         <translation>Il file non indica l&apos;ordine dei byte dei suoi numeri: si è supposto quello di questo computer.</translation>
     </message>
     <message>
-        <source>Its bytes from 0 to 255 became the numbers from %1 to %2, as it says.</source>
+        <source>Its bytes from 0 to 255 were converted to the numbers from %1 to %2, as it states.</source>
         <translation>I suoi byte da 0 a 255 sono diventati i numeri da %1 a %2, come il file stesso indica.</translation>
     </message>
     <message>
@@ -9624,11 +9576,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>finisce nell&apos;intestazione, dopo la riga %1. È troncato.</translation>
     </message>
     <message>
-        <source>line %1 of it is not %2, as a Gaussian cube has it there. Correct the line, or write the file again.</source>
+        <source>line %1 of it is not %2, which a Gaussian cube has there. Correct the line, or write the file again.</source>
         <translation>la sua riga %1 non contiene %2, come è d&apos;obbligo lì in un file cube di Gaussian. Correggere la riga, o scrivere di nuovo il file.</translation>
     </message>
     <message>
-        <source>an atom (its number, charge and place)</source>
+        <source>an atom (its number, charge and position)</source>
         <translation>un atomo (numero, carica e posizione)</translation>
     </message>
     <message>
@@ -9636,11 +9588,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo numero di atomi è negativo, ma agli atomi non segue un elenco di orbitali. Correggerlo, o scrivere di nuovo il file.</translation>
     </message>
     <message>
-        <source>the list behind its atoms does not have the numbers of %1 orbitals. Correct it, or write the file again.</source>
+        <source>the list after its atoms does not have the numbers of %1 orbitals. Correct it, or write the file again.</source>
         <translation>l&apos;elenco dopo i suoi atomi non ha i numeri di %1 orbitali. Correggerlo, o scrivere di nuovo il file.</translation>
     </message>
     <message>
-        <source>line 3 of it ends with &apos;%1&apos;, and a number of values at each point is wanted there. Correct it, or leave it out.</source>
+        <source>line 3 of it ends with &apos;%1&apos;, where a number of values at each point is expected. Correct it, or leave it out.</source>
         <translation>la sua riga 3 finisce con «%1», dove si vuole il numero di valori in ogni punto. Correggerlo, o ometterlo.</translation>
     </message>
     <message>
@@ -9656,7 +9608,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Nomina %1 atomi, che non vengono mostrati.</translation>
     </message>
     <message>
-        <source>its header asks for %1 values at each point, and at most %2 are read. Write fewer orbitals into a file.</source>
+        <source>its header requires %1 values at each point, and at most %2 are read. Write fewer orbitals into a file.</source>
         <translation>la sua intestazione chiede %1 valori in ogni punto, e se ne leggono al massimo %2. Scrivere meno orbitali in un file.</translation>
     </message>
     <message>
@@ -9692,7 +9644,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi valori sono di tipo «%1», che non si legge. Esportare numeri reali.</translation>
     </message>
     <message>
-        <source>its array does not say where its data are. Export it again.</source>
+        <source>its array does not state where its data are. Export it again.</source>
         <translation>il suo array non dice dove stanno i suoi dati. Esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -9708,7 +9660,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non è comprensibile come file OpenDX: %1. Scriverlo di nuovo come un solo campo con posizioni regolari.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; behind &apos;%2&apos; is no whole number</source>
+        <source>&apos;%1&apos; after &apos;%2&apos; is not a whole number</source>
         <translation>«%1» dopo «%2» non è un numero intero</translation>
     </message>
     <message>
@@ -9716,7 +9668,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>dopo «data file» non segue un nome</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; behind &apos;data&apos; says no place</source>
+        <source>&apos;%1&apos; after &apos;data&apos; is not a position</source>
         <translation>«%1» dopo «data» non indica una posizione</translation>
     </message>
     <message>
@@ -9736,7 +9688,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un suo array dovrebbe avere %1 elementi, ma il file finisce prima. È troncato, o il numero è sbagliato.</translation>
     </message>
     <message>
-        <source>&apos;--%1&apos; chooses among several volumes or components, and &apos;%2&apos; has one number for each point. Leave it out.</source>
+        <source>&apos;--%1&apos; selects among several volumes or components, and &apos;%2&apos; has one number for each point. Leave it out.</source>
         <translation>«--%1» sceglie fra più volumi o componenti, e «%2» ha un solo numero per ogni punto. Ometterlo.</translation>
     </message>
     <message>
@@ -9756,11 +9708,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua matrice ruota lo spazio nei suoi assi ulteriori. Scriverne un solo volume.</translation>
     </message>
     <message>
-        <source>Its header gives the same by two names, which differ: %1 was taken, and %2 (%3) was not.</source>
+        <source>Its header gives the same quantity under two names, with different values: %1 was used, and %2 (%3) was not.</source>
         <translation>La sua intestazione indica la stessa cosa con due nomi, in modo diverso: è stato preso %1, e non %2 (%3).</translation>
     </message>
     <message>
-        <source>it holds no image: its ObjectType is &apos;%1&apos;. TAn reads images alone of this format.</source>
+        <source>it holds no image: its ObjectType is &apos;%1&apos;. TAn reads only images of this format.</source>
         <translation>non contiene un&apos;immagine: il suo ObjectType è «%1». Di questo formato TAn legge solo immagini.</translation>
     </message>
     <message>
@@ -9768,11 +9720,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha %1 dimensioni, e un volume ne ha tre. Scrivere le sue immagini come un solo volume, o una sua parte che ne ha tre.</translation>
     </message>
     <message>
-        <source>Its header does not say in which order the bytes of a number are: that of this machine was taken, %1 endian.</source>
+        <source>Its header does not state the byte order of its numbers: that of this machine was assumed, %1 endian.</source>
         <translation>La sua intestazione non dice in quale ordine stanno i byte di un numero: è stato preso quello di questo computer, %1 endian.</translation>
     </message>
     <message>
-        <source>Its header says how intensities follow from samples (times %1, plus %2), which was not applied.</source>
+        <source>Its header states how intensities follow from samples (times %1, plus %2), which was not applied.</source>
         <translation>La sua intestazione dice come le intensità si ricavano dai campioni (moltiplicare per %1, aggiungere %2), cosa che non è stata applicata.</translation>
     </message>
     <message>
@@ -9780,23 +9732,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il suo CenterOfRotation non è stato usato: un campione sta in Offset più le direzioni per le distanze, come in ITK.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, and the header of a map alone has %2. It is no map, or cut short: copy the file again.</source>
+        <source>it has %1 bytes, and the header of a map alone has %2. It is cut short, or not a map: copy the file again.</source>
         <translation>ha %1 byte, e la sola intestazione di una mappa ne ha %2. Non è una mappa, o è troncato: copiare di nuovo il file.</translation>
     </message>
     <message>
-        <source>Its cell angles are %1, which no cell has; right angles were taken.</source>
+        <source>Its cell angles are %1, which no cell has; right angles were used.</source>
         <translation>Gli angoli della sua cella sono %1, che nessuna cella ha; sono stati presi angoli retti.</translation>
     </message>
     <message>
-        <source>Its header says that its columns, rows and sections run along the axes %1, %2 and %3, which cannot be; x, y and z were taken.</source>
+        <source>Its header states that its columns, rows and sections run along the axes %1, %2 and %3, which is impossible; x, y and z were used.</source>
         <translation>La sua intestazione dice che colonne, righe e sezioni corrono lungo gli assi %1, %2 e %3, il che è impossibile; sono stati presi x, y e z.</translation>
     </message>
     <message>
-        <source>Its ORIGIN is no finite number and was not used.</source>
+        <source>Its ORIGIN is not a finite number and was not used.</source>
         <translation>Il suo ORIGIN non è un numero finito e non è stato usato.</translation>
     </message>
     <message>
-        <source>By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at %2; its ORIGIN was taken.</source>
+        <source>By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at %2; its ORIGIN was used.</source>
         <translation>Secondo NXSTART, NYSTART e NZSTART (%1) il primo campione starebbe in %2; è stato preso il suo ORIGIN.</translation>
     </message>
     <message>
@@ -9808,15 +9760,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La sua intestazione ha una matrice che ruota la mappa (LSKFLG), che non è stata usata.</translation>
     </message>
     <message>
-        <source>Its bytes were taken as unsigned, from 0 to 255, as IMOD&apos;s flag says.</source>
+        <source>Its bytes were read as unsigned, from 0 to 255, as IMOD&apos;s flag states.</source>
         <translation>I suoi byte sono stati presi senza segno, da 0 a 255, come dice l&apos;indicatore di IMOD.</translation>
     </message>
     <message>
-        <source>Its bytes were taken as unsigned, from 0 to 255, since its header says that the largest value is %1.</source>
+        <source>Its bytes were read as unsigned, from 0 to 255, because its header states that the largest value is %1.</source>
         <translation>I suoi byte sono stati presi senza segno, da 0 a 255, perché la sua intestazione dice che il valore massimo è %1.</translation>
     </message>
     <message>
-        <source>its samples have four bits each (mode 101), which is not read. Write it with bytes (mode 0), for instance by IMOD&apos;s &apos;newstack -mode 0&apos;.</source>
+        <source>its samples have four bits each (mode 101), which is not read. Write it with bytes (mode 0), for instance with IMOD&apos;s &apos;newstack -mode 0&apos;.</source>
         <translation>i suoi campioni hanno quattro bit ciascuno (modo 101), cosa che non si legge. Scriverlo con byte (modo 0), per esempio con «newstack -mode 0» di IMOD.</translation>
     </message>
     <message>
@@ -9828,19 +9780,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I suoi campioni sono numeri complessi (modo %1), come di una trasformata di Fourier: le loro posizioni non sono quelle di un corpo.</translation>
     </message>
     <message>
-        <source>The machine stamp of its header does not say in which order its bytes are: the one in which its numbers make sense was taken, %1 endian.</source>
+        <source>The machine stamp of its header does not state the byte order: the one in which its numbers are plausible was used, %1 endian.</source>
         <translation>Il contrassegno del computer (machine stamp) nella sua intestazione non dice in quale ordine stanno i byte: è stato preso quello in cui i numeri hanno senso, %1 endian.</translation>
     </message>
     <message>
-        <source>Its header says that it is a stack of %1 pictures, and no volume (space group 0, MZ 1); it was read as a volume.</source>
+        <source>Its header states that it is a stack of %1 pictures and not a volume (space group 0, MZ 1); it was read as a volume.</source>
         <translation>La sua intestazione dice che è una pila di %1 immagini e non un volume (gruppo spaziale 0, MZ 1); è stato letto come volume.</translation>
     </message>
     <message>
-        <source>its header says that it has %1 x %2 x %3 points, behind an extension of %4 bytes. It is damaged, or no map: copy or export it again.</source>
+        <source>its header claims %1 x %2 x %3 points, after an extension of %4 bytes. It is damaged, or not a map: copy or export it again.</source>
         <translation>la sua intestazione dice che ha %1 x %2 x %3 punti, dopo un&apos;estensione di %4 byte. È danneggiato, o non è una mappa: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it does not begin as the headers of NIfTI and Analyze 7.5 do. It is of another format, or damaged.</source>
+        <source>it does not begin like a header of NIfTI or Analyze 7.5. It is of another format, or damaged.</source>
         <translation>non comincia come le intestazioni di NIfTI e Analyze 7.5. È di un altro formato, o danneggiato.</translation>
     </message>
     <message>
@@ -9880,7 +9832,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La sua qform lo collocherebbe altrove, a una distanza fino a %1; non è stata usata.</translation>
     </message>
     <message>
-        <source>Its pixdim says that samples are %1 x %2 x %3 apart, which was not used.</source>
+        <source>Its pixdim states that samples are %1 x %2 x %3 apart, which was not used.</source>
         <translation>Il suo pixdim dice che i campioni distano %1 x %2 x %3, cosa che non è stata usata.</translation>
     </message>
     <message>
@@ -9888,7 +9840,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>solo le distanze (pixdim)</translation>
     </message>
     <message>
-        <source>Its header says neither where it lies nor which side of it is the left one: it has no sform and no qform.</source>
+        <source>Its header states neither where it lies nor which side of it is the left one: it has no sform and no qform.</source>
         <translation>La sua intestazione non dice né dove si trova né quale lato è il sinistro: non ha né sform né qform.</translation>
     </message>
     <message>
@@ -9896,7 +9848,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le distanze, e l&apos;origine come la scrive SPM</translation>
     </message>
     <message>
-        <source>Its header, of Analyze 7.5, does not say which side of it is the left one. Convert it to NIfTI with a program that knows where it comes from.</source>
+        <source>Its header, of Analyze 7.5, does not state which side of it is the left one. Convert it to NIfTI with a program that knows where it comes from.</source>
         <translation>La sua intestazione, di Analyze 7.5, non dice quale lato è il sinistro. Convertirlo in NIfTI con un programma che ne conosca la provenienza.</translation>
     </message>
     <message>
@@ -9904,11 +9856,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il suo codice per l&apos;orientamento, %1, non è stato usato.</translation>
     </message>
     <message>
-        <source>Its sform leads nowhere (its steps lie in a plane, or are no finite numbers); it was not used.</source>
+        <source>Its sform is unusable (its steps lie in a plane, or are not finite numbers); it was not used.</source>
         <translation>La sua sform non porta da nessuna parte (i suoi passi stanno in un piano, o non sono numeri finiti); non è stata usata.</translation>
     </message>
     <message>
-        <source>Its qform leads nowhere (its numbers are not finite, or too large or small); it was not used.</source>
+        <source>Its qform is unusable (its numbers are not finite, or too large or small); it was not used.</source>
         <translation>La sua qform non porta da nessuna parte (i suoi numeri non sono finiti, o sono troppo grandi o piccoli); non è stata usata.</translation>
     </message>
     <message>
@@ -9920,7 +9872,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>qform, coordinate %1</translation>
     </message>
     <message>
-        <source>its samples are floating-point numbers of 128 bits, which are not read: what they are differs from machine to machine. Write them with 64 bits.</source>
+        <source>its samples are floating-point numbers of 128 bits, which are not read: their layout differs from machine to machine. Write them with 64 bits.</source>
         <translation>i suoi campioni sono numeri in virgola mobile a 128 bit, che non si leggono: il loro significato cambia da computer a computer. Scriverli a 64 bit.</translation>
     </message>
     <message>
@@ -9928,15 +9880,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi campioni sono singoli bit, che non si leggono. Scriverli come byte.</translation>
     </message>
     <message>
-        <source>its samples are of the type %1, which NIfTI does not know. The file is damaged: copy or export it again.</source>
+        <source>its samples are of the type %1, which NIfTI does not define. The file is damaged: copy or export it again.</source>
         <translation>i suoi campioni sono di tipo %1, che NIfTI non conosce. Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its header says that it has %1 dimensions. It is damaged: copy or export it again.</source>
+        <source>its header claims %1 dimensions. It is damaged: copy or export it again.</source>
         <translation>la sua intestazione dice che ha %1 dimensioni. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its header says that it has %1 points along its dimension %2. It is damaged: copy or export it again.</source>
+        <source>its header claims %1 points along its dimension %2. It is damaged: copy or export it again.</source>
         <translation>la sua intestazione dice che ha %1 punti lungo la dimensione %2. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -9944,23 +9896,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Contiene %1 volte tanti campioni lungo le ultime dimensioni; sono stati letti i primi.</translation>
     </message>
     <message>
-        <source>The samples were multiplied by %1, as SPM means it by the header&apos;s first unused field.</source>
+        <source>The samples were multiplied by %1, which SPM stores in the header&apos;s first unused field.</source>
         <translation>I campioni sono stati moltiplicati per %1, come SPM intende con il primo campo inutilizzato dell&apos;intestazione.</translation>
     </message>
     <message>
-        <source>The samples were multiplied by %1, and %2 was added, as the header of the file asks.</source>
+        <source>The samples were multiplied by %1, and %2 was added, as the header of the file requires.</source>
         <translation>I campioni sono stati moltiplicati per %1, e si è aggiunto %2, come chiede l&apos;intestazione del file.</translation>
     </message>
     <message>
-        <source>its header says that its samples begin at byte %1, where they cannot be. It is damaged: copy or export it again.</source>
+        <source>its header states that its samples begin at byte %1, which is impossible. It is damaged: copy or export it again.</source>
         <translation>la sua intestazione dice che i campioni cominciano al byte %1, dove non possono stare. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its samples are in a file &apos;%1&apos;, which is missing. Copy it into the folder of this one: the two belong together.</source>
+        <source>its samples are in a file &apos;%1&apos;, which is missing. Copy it into the same folder: the two belong together.</source>
         <translation>i suoi campioni stanno in un file «%1», che manca. Copiarlo nella cartella di questo: i due vanno insieme.</translation>
     </message>
     <message>
-        <source>its header is not that of a NumPy array: %1. Save the array again by numpy.save().</source>
+        <source>its header is not that of a NumPy array: %1. Save the array again with numpy.save().</source>
         <translation>la sua intestazione non è quella di un array NumPy: %1. Salvare di nuovo l&apos;array con numpy.save().</translation>
     </message>
     <message>
@@ -9976,11 +9928,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>manca «descr», «fortran_order» o «shape»</translation>
     </message>
     <message>
-        <source>its first bytes are others</source>
+        <source>its first bytes are different</source>
         <translation>i suoi primi byte sono altri</translation>
     </message>
     <message>
-        <source>it has version %1 of NumPy&apos;s format, and versions 1 to 3 are read. Save it again by numpy.save() of an earlier NumPy.</source>
+        <source>it has version %1 of NumPy&apos;s format, and versions 1 to 3 are read. Save it again with numpy.save() of an earlier NumPy.</source>
         <translation>ha la versione %1 del formato di NumPy, e si leggono le versioni da 1 a 3. Salvarlo di nuovo con numpy.save() di un NumPy meno recente.</translation>
     </message>
     <message>
@@ -9988,11 +9940,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ne manca la fine</translation>
     </message>
     <message>
-        <source>its elements are records of several fields. Save one field by itself: numpy.save(name, array[&apos;field&apos;]).</source>
+        <source>its elements are records of several fields. Save one field on its own: numpy.save(name, array[&apos;field&apos;]).</source>
         <translation>i suoi elementi sono record di più campi. Salvare un solo campo: numpy.save(name, array[&apos;field&apos;]).</translation>
     </message>
     <message>
-        <source>its elements are objects of Python, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
+        <source>its elements are Python objects, which only Python can read. Save an array of numbers: array.astype(&apos;float32&apos;).</source>
         <translation>i suoi elementi sono oggetti di Python, che solo Python sa leggere. Salvare un array di numeri: array.astype(&apos;float32&apos;).</translation>
     </message>
     <message>
@@ -10012,31 +9964,31 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>space directions</translation>
     </message>
     <message>
-        <source>Its samples stand for numbers from %1 to %2 (&apos;old min&apos;, &apos;old max&apos;), from which they were quantized; they are taken as they are stored.</source>
+        <source>Its samples stand for numbers from %1 to %2 (&apos;old min&apos;, &apos;old max&apos;), from which they were quantized; they are used as stored.</source>
         <translation>I suoi campioni rappresentano numeri da %1 a %2 («old min», «old max»), da cui sono stati quantizzati; vengono presi come sono memorizzati.</translation>
     </message>
     <message>
-        <source>Its spacings and the ends of its axes are not used: its space directions say where it lies.</source>
+        <source>Its spacings and the ends of its axes are not used: its space directions state where it lies.</source>
         <translation>Le sue spaziature e gli estremi dei suoi assi non vengono usati: le sue «space directions» dicono dove si trova.</translation>
     </message>
     <message>
-        <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as of a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
+        <source>its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 samples: as many as for a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.</source>
         <translation>i suoi campioni sono di un tipo che secondo il formato ha 4 byte, ma ci sono %1 byte per %2 campioni: quanti ne richiede un tipo di 8 byte. Scriverli come MET_INT o MET_LONG_LONG.</translation>
     </message>
     <message>
-        <source>%1 bytes behind its samples were not read.</source>
+        <source>%1 bytes after its samples were not read.</source>
         <translation>%1 byte dopo i suoi campioni non sono stati letti.</translation>
     </message>
     <message>
-        <source>its header asks for more samples than any file holds. It is damaged: copy or export it again.</source>
+        <source>its header requires more samples than any file holds. It is damaged: copy or export it again.</source>
         <translation>la sua intestazione chiede più campioni di quanti un file possa contenerne. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it has one time step, and number %1 was asked for. Leave &apos;--time&apos; out.</source>
+        <source>it has one time step, and number %1 was requested. Leave &apos;--time&apos; out.</source>
         <translation>ha un solo passo temporale, ed è stato chiesto il numero %1. Omettere «--time».</translation>
     </message>
     <message>
-        <source>it has %1 time steps, and number %2 was asked for. Give one from 1 to %1.</source>
+        <source>it has %1 time steps, and number %2 was requested. Give one from 1 to %1.</source>
         <translation>ha %1 passi temporali, ed è stato chiesto il numero %2. Indicarne uno da 1 a %1.</translation>
     </message>
     <message>
@@ -10048,7 +10000,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Contiene %1 volumi; gli altri non vengono letti.</translation>
     </message>
     <message>
-        <source>it has one number for each sample, and component &apos;%1&apos; was asked for. Leave &apos;--component&apos; out.</source>
+        <source>it has one number for each sample, and component &apos;%1&apos; was requested. Leave &apos;--component&apos; out.</source>
         <translation>ha un solo numero per ogni campione, ed è stata chiesta la componente «%1». Omettere «--component».</translation>
     </message>
     <message>
@@ -10072,11 +10024,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 ...</translation>
     </message>
     <message>
-        <source>Files with several sets of values (Gaussian cube, OpenDX): one, by name or by number from 1; nothing takes the first.</source>
+        <source>Files with several sets of values (Gaussian cube, OpenDX): one of them, by name or by number from 1; by default the first.</source>
         <translation>File con più insiemi di valori (Gaussian cube, OpenDX): uno, per nome o per numero da 1; se vuoto, il primo.</translation>
     </message>
     <message>
-        <source>it has no array &apos;%1&apos;, but a single one. Leave &apos;--array&apos; out.</source>
+        <source>it has only one array, and not &apos;%1&apos;. Leave &apos;--array&apos; out.</source>
         <translation>non ha un vettore «%1», ma uno solo. Omettere «--array».</translation>
     </message>
     <message>
@@ -10108,11 +10060,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Brick of values (*.bov)</translation>
     </message>
     <message>
-        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;, or write the mesh as .vtu.</source>
+        <source>Install Python and meshio with &apos;apt install python3-meshio&apos;, or write the mesh as .vtu.</source>
         <translation>Installare Python e meshio con «apt install python3-meshio», o scrivere la mesh come .vtu.</translation>
     </message>
     <message>
-        <source>Install Python and meshio by &apos;apt install python3-meshio&apos;.</source>
+        <source>Install Python and meshio with &apos;apt install python3-meshio&apos;.</source>
         <translation>Installare Python e meshio con «apt install python3-meshio».</translation>
     </message>
     <message>
@@ -10120,7 +10072,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Esportarlo di nuovo, come .vtu se il programma lo consente.</translation>
     </message>
     <message>
-        <source>it is of no format that TAn leaves to meshio. Let TAn choose the reader.</source>
+        <source>its format is not one that TAn leaves to meshio. Let TAn choose the reader.</source>
         <translation>non è di un formato che TAn lascia a meshio. Lasciare a TAn la scelta della lettura.</translation>
     </message>
     <message>
@@ -10148,16 +10100,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mesh Medit (*.mesh *.meshb)</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos;, which does not lie in its folder. Move the files together.</source>
+        <source>it refers to the file &apos;%1&apos;, which is not in its folder. Put the files into one folder.</source>
         <translation>nomina il file «%1», che non si trova nella sua cartella. Spostare i file insieme.</translation>
     </message>
     <message>
         <source>it holds a mesh, and no values at its points or cells. Export the results with the mesh, as .vtu if the program can.</source>
         <translation>contiene una mesh, ma nessun valore nei suoi punti o nelle sue celle. Esportare i risultati insieme alla mesh, come .vtu se il programma lo consente.</translation>
-    </message>
-    <message>
-        <source>it has no array &apos;%1&apos;; there are %2.</source>
-        <translation>non ha un vettore «%1»; ci sono %2.</translation>
     </message>
     <message>
         <source>its array &apos;%1&apos; has the components 0 to %2, and no component %3.</source>
@@ -10168,23 +10116,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>una delle sue celle ha un vertice che non è uno dei suoi %1 punti. È danneggiato.</translation>
     </message>
     <message>
-        <source>its points lie in a plane. A mesh of three dimensions is wanted.</source>
+        <source>its points lie in a plane. A three-dimensional mesh is needed.</source>
         <translation>i suoi punti giacciono in un piano. Serve una mesh a tre dimensioni.</translation>
     </message>
     <message>
-        <source>%1 cells of the kind &apos;%2&apos; were left out: TAn knows none like them.</source>
+        <source>%1 cells of the kind &apos;%2&apos; were left out: TAn does not support them.</source>
         <translation>%1 celle del tipo «%2» sono state omesse: TAn non ne conosce di simili.</translation>
     </message>
     <message>
-        <source>meshio, which reads such files, is not installed. Install it by &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
+        <source>meshio, which reads such files, is not installed. Install it with &apos;apt install python3-meshio&apos; (other systems: &apos;pip install meshio&apos;), or write the mesh as .vtu.</source>
         <translation>meshio, che legge file di questo tipo, non è installato. Installarlo con «apt install python3-meshio» (altri sistemi: «pip install meshio»), o scrivere la mesh come .vtu.</translation>
     </message>
     <message>
-        <source>meshio needs the Python module &apos;%1&apos; for it. Install it by &apos;apt install python3-%1&apos;, or write the mesh as .vtu.</source>
+        <source>meshio needs the Python module &apos;%1&apos; for it. Install it with &apos;apt install python3-%1&apos;, or write the mesh as .vtu.</source>
         <translation>meshio richiede per questo file il modulo Python «%1». Installarlo con «apt install python3-%1», o scrivere la mesh come .vtu.</translation>
     </message>
     <message>
-        <source>the system says: %1. See that the file and those that it names can be read.</source>
+        <source>the system says: %1. Check that the file and those that it refers to can be read.</source>
         <translation>il sistema segnala: %1. Verificare che il file e quelli che nomina siano leggibili.</translation>
     </message>
     <message>
@@ -10196,15 +10144,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» per «index» non è comprensibile. Indicare il nome di ogni dimensione con un numero da 1, come in member=3,type=1.</translation>
     </message>
     <message>
-        <source>its list &apos;%1&apos; is missing or shorter than its elements ask for. It is damaged: export it again.</source>
+        <source>its list &apos;%1&apos; is missing or shorter than its elements require. It is damaged: export it again.</source>
         <translation>il suo elenco «%1» manca o è più corto di quanto richiedono i suoi elementi. È danneggiato: esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its list &apos;%1&apos; names number %2, and there are %3. It is damaged: export it again.</source>
+        <source>its list &apos;%1&apos; contains number %2, and there are %3. It is damaged: export it again.</source>
         <translation>il suo elenco «%1» nomina il numero %2, e ce ne sono %3. È danneggiato: esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has not %2 values at time step %3. It is damaged or was not written to its end: export it again.</source>
+        <source>its variable &apos;%1&apos; does not have %2 values at time step %3. It is damaged or was not written completely: export it again.</source>
         <translation>la sua variabile «%1» non ha %2 valori al passo temporale %3. È danneggiato o non è stato scritto fino alla fine: esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -10216,7 +10164,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le sue coordinate «%1» non sono quelle di %2 nodi. È danneggiato: esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it names a variable number %1 at its nodes and has no values of it. Export it again.</source>
+        <source>it lists a variable number %1 at its nodes but has no values of it. Export it again.</source>
         <translation>nomina una variabile numero %1 nei suoi nodi e non ne ha i valori. Esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -10224,7 +10172,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 e altri %2</translation>
     </message>
     <message>
-        <source>it has no part &apos;%1&apos;. There is: %2.</source>
+        <source>it has no part &apos;%1&apos;. Available: %2.</source>
         <translation>non ha una parte «%1». Parti presenti: %2.</translation>
     </message>
     <message>
@@ -10232,7 +10180,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha elementi. Scriverlo con una mesh.</translation>
     </message>
     <message>
-        <source>its elements are of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <source>its elements are of a shape that TAn does not support: %1. Divide them into simpler ones.</source>
         <translation>i suoi elementi sono di una forma che TAn non conosce: %1. Dividerli in elementi più semplici.</translation>
     </message>
     <message>
@@ -10248,7 +10196,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>con lo spostamento «%1»</translation>
     </message>
     <message>
-        <source>It has displacements (&apos;%1&apos;); its nodes stay where they were before. &apos;displace&apos; moves them.</source>
+        <source>It has displacements (&apos;%1&apos;); its nodes are not moved by them. &apos;displace&apos; moves them.</source>
         <translation>Ha degli spostamenti («%1»); i suoi nodi restano dove erano prima. «displace» li sposta.</translation>
     </message>
     <message>
@@ -10260,7 +10208,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 dei suoi blocchi hanno linee o superfici e sono omessi.</translation>
     </message>
     <message>
-        <source>%1 of its blocks have elements of a shape that TAn does not know (&apos;%2&apos;) and are left out.</source>
+        <source>%1 of its blocks have elements of a shape that TAn does not support (&apos;%2&apos;) and are left out.</source>
         <translation>%1 dei suoi blocchi hanno elementi di una forma che TAn non conosce («%2») e sono omessi.</translation>
     </message>
     <message>
@@ -10268,7 +10216,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha spostamenti, i cui nomi cominciano con «disp». Omettere «displace».</translation>
     </message>
     <message>
-        <source>%1 elements have nodes besides those of linear and quadratic shapes, which were left out.</source>
+        <source>%1 elements have nodes beyond those of linear and quadratic shapes, which were left out.</source>
         <translation>%1 elementi hanno nodi oltre a quelli delle forme lineari e quadratiche, che sono stati omessi.</translation>
     </message>
     <message>
@@ -10292,11 +10240,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha una variabile «%1» con tre dimensioni spaziali. Sceglierne una di queste: %2.</translation>
     </message>
     <message>
-        <source>it is a mesh by the conventions %1, which are not read. Convert it to .vtu, for instance with ParaView.</source>
+        <source>it is a mesh that follows the conventions %1, which are not read. Convert it to .vtu, for instance with ParaView.</source>
         <translation>è una mesh secondo le convenzioni %1, che non si leggono. Convertirla in .vtu, per esempio con ParaView.</translation>
     </message>
     <message>
-        <source>it holds no variables but coordinates. Write it with values.</source>
+        <source>it holds no variables other than coordinates. Write it with values.</source>
         <translation>non contiene variabili, tranne le coordinate. Scriverlo con i valori.</translation>
     </message>
     <message>
@@ -10316,7 +10264,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha passi temporali: nulla è stato scritto lungo la sua dimensione «%1».</translation>
     </message>
     <message>
-        <source>it has %1 numbers along &apos;%2&apos;, and %3 is asked for with &apos;index&apos;.</source>
+        <source>it has %1 numbers along &apos;%2&apos;, and %3 was requested with &apos;index&apos;.</source>
         <translation>ha %1 numeri lungo «%2», e con «index» si chiede il numero %3.</translation>
     </message>
     <message>
@@ -10324,7 +10272,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 %2 di %3</translation>
     </message>
     <message>
-        <source>its variable %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <source>its variable %1 has no further dimension &apos;%2&apos;, which was requested with &apos;index&apos;.</source>
         <translation>la sua variabile %1 non ha un&apos;altra dimensione «%2», che viene chiesta con «index».</translation>
     </message>
     <message>
@@ -10336,7 +10284,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, tempo %2 (%3)</translation>
     </message>
     <message>
-        <source>%1, with which the NetCDF library fills what nobody wrote</source>
+        <source>%1, with which the NetCDF library fills what was never written</source>
         <translation>%1, con cui la libreria NetCDF riempie ciò che nessuno ha scritto</translation>
     </message>
     <message>
@@ -10348,7 +10296,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua variabile «%1»</translation>
     </message>
     <message>
-        <source>it does not begin as NetCDF files do. It is of another format, or damaged.</source>
+        <source>it does not begin like a NetCDF file. It is of another format, or damaged.</source>
         <translation>non comincia come i file NetCDF. È di un altro formato, o danneggiato.</translation>
     </message>
     <message>
@@ -10368,11 +10316,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le sue dimensioni</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has a dimension that no group around it has. It is damaged: copy or export it again.</source>
+        <source>its variable &apos;%1&apos; has a dimension that none of its enclosing groups has. It is damaged: copy or export it again.</source>
         <translation>la sua variabile «%1» ha una dimensione che nessun gruppo attorno a essa possiede. È danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>Its longitudes &apos;%1&apos; begin anew within it: they were continued by whole turns of 360 degrees.</source>
+        <source>Its longitudes &apos;%1&apos; start again within it: they were continued in full turns of 360 degrees.</source>
         <translation>Le sue longitudini «%1» ricominciano da capo al suo interno: sono state proseguite con giri interi di 360 gradi.</translation>
     </message>
     <message>
@@ -10380,7 +10328,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>numeri di «%1»</translation>
     </message>
     <message>
-        <source>Its coordinate &apos;%1&apos; counts downwards; it is z as it is, so that up is where z falls.</source>
+        <source>Its coordinate &apos;%1&apos; counts downwards; it is used as z unchanged, so that up is where z decreases.</source>
         <translation>La sua coordinata «%1» conta verso il basso; viene presa come z così com&apos;è, perciò l&apos;alto è dove z diminuisce.</translation>
     </message>
     <message>
@@ -10388,7 +10336,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, %2, %3</translation>
     </message>
     <message>
-        <source>It says which map projection its coordinates belong to (&apos;%1&apos;), which is not used.</source>
+        <source>It states which map projection its coordinates belong to (&apos;%1&apos;), which is not used.</source>
         <translation>Dice a quale proiezione cartografica appartengono le sue coordinate («%1»), ma questa non viene usata.</translation>
     </message>
     <message>
@@ -10412,7 +10360,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, %2, altezza (PH + PHB) / 9.81 in m</translation>
     </message>
     <message>
-        <source>Of Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <source>Exodus variables with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
         <translation>Di variabili Exodus con più componenti: il numero di una, da 0, oppure «magnitude».</translation>
     </message>
     <message>
@@ -10420,11 +10368,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Altre dimensioni</translation>
     </message>
     <message>
-        <source>Of variables with more dimensions than space and time: the number along each, from 1, as in member=3; else the first is taken.</source>
+        <source>Variables with more dimensions than space and time: the number along each, from 1, as in member=3; by default the first.</source>
         <translation>Di variabili con più dimensioni di quelle di spazio e tempo: il numero lungo ciascuna, da 1, come in member=3; altrimenti si prende il primo.</translation>
     </message>
     <message>
-        <source>Of Exodus files: one element block, by its name, its number from 1 or its id; without it all that have the values.</source>
+        <source>Exodus files: one element block, by its name, its number from 1 or its id; by default all that have the values.</source>
         <translation>Di file Exodus: un blocco di elementi, per nome, per numero da 1 o per id; se vuoto, tutti quelli che hanno i valori.</translation>
     </message>
     <message>
@@ -10432,11 +10380,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Sposta</translation>
     </message>
     <message>
-        <source>Of Exodus files with displacements: moves the nodes by them.</source>
+        <source>Exodus files with displacements: moves the nodes by them.</source>
         <translation>Di file Exodus con spostamenti: sposta i nodi secondo questi.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libnetcdf-dev&apos;), or convert the file to NRRD or VTU.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libnetcdf-dev&apos;), or convert the file to NRRD or VTU.</source>
         <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libnetcdf-dev»), o convertire il file in NRRD o VTU.</translation>
     </message>
     <message>
@@ -10444,7 +10392,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Installare la libreria NetCDF con «apt install libnetcdf19» (altri sistemi: netcdf-c).</translation>
     </message>
     <message>
-        <source>Copy or export it again; &apos;ncdump -h&apos; tells what is in it.</source>
+        <source>Copy or export it again; &apos;ncdump -h&apos; shows its content.</source>
         <translation>Copiarlo o esportarlo di nuovo; «ncdump -h» dice che cosa contiene.</translation>
     </message>
     <message>
@@ -10452,7 +10400,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>NetCDF (*.nc *.nc4 *.netcdf *.cdf *.ncdf)</translation>
     </message>
     <message>
-        <source>The solution says: Mach number %1, angle of attack %2, Reynolds number %3, time %4. They are not used.</source>
+        <source>The solution states: Mach number %1, angle of attack %2, Reynolds number %3, time %4. They are not used.</source>
         <translation>La soluzione indica: numero di Mach %1, angolo di attacco %2, numero di Reynolds %3, tempo %4. Non vengono usati.</translation>
     </message>
     <message>
@@ -10468,11 +10416,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Contiene %1 griglie; le altre non vengono lette.</translation>
     </message>
     <message>
-        <source>its %1 grids make no mesh together. %2 Or choose one of them: &apos;grid&apos; from 1 to %3.</source>
+        <source>its %1 grids do not make a mesh together. %2 Alternatively choose one of them: &apos;grid&apos; from 1 to %3.</source>
         <translation>le sue %1 griglie non formano insieme una mesh. %2 Oppure scegliere una di esse: «grid» da 1 a %3.</translation>
     </message>
     <message>
-        <source>Which grid of a PLOT3D file that holds several, from 1; 0 joins all into one mesh.</source>
+        <source>Which grid of a PLOT3D file with several, from 1; 0 joins all into one mesh.</source>
         <translation>Quale griglia di un file PLOT3D che ne contiene più d&apos;una, da 1; 0 le unisce tutte in una mesh.</translation>
     </message>
     <message>
@@ -10480,7 +10428,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha numeri in %1 delle sue colonne, e i punti ne richiedono almeno quattro: x, y, z e un valore.</translation>
     </message>
     <message>
-        <source>which of its columns are x, y and z? It has %1. Name three of them by &apos;--positions&apos;, or in Import Options, as in --positions %2.</source>
+        <source>which of its columns are x, y and z? It has %1. Name three of them with &apos;--positions&apos;, or in Import Options, as in --positions %2.</source>
         <translation>quali delle sue colonne sono x, y e z? Ha %1. Indicarne tre con «--positions», o nelle opzioni di importazione, come in --positions %2.</translation>
     </message>
     <message>
@@ -10488,7 +10436,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I punti delle sue %1 parti sono stati riuniti.</translation>
     </message>
     <message>
-        <source>Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; &apos;automatic&apos; finds them by their names; if there are no names, it takes the first three.</source>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; &apos;automatic&apos; finds them by their names, or takes the first three if there are no names.</source>
         <translation>Tabelle di punti: le colonne di x, y e z, per nome o numero, come in a,b,c o 1,2,3; «automatic» le trova dai loro nomi; se non ci sono nomi, prende le prime tre.</translation>
     </message>
     <message>
@@ -10496,11 +10444,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La sua sezione «%1» non viene letta.</translation>
     </message>
     <message>
-        <source>Its coordinates are in different units (%1, %2, %3) and are taken as they stand.</source>
+        <source>Its coordinates are in different units (%1, %2, %3) and are used as they are.</source>
         <translation>Le sue coordinate sono in unità diverse (%1, %2, %3) e vengono prese così come sono.</translation>
     </message>
     <message>
-        <source>Its depths (&apos;%1&apos;) are taken for z as they stand: if they are positive, the data stand on their head.</source>
+        <source>Its depths (&apos;%1&apos;) are used for z as they are: if they are positive, the data are upside down.</source>
         <translation>Le sue profondità («%1») vengono prese come z così come sono: se sono positive, i dati risultano capovolti.</translation>
     </message>
     <message>
@@ -10508,11 +10456,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha una sezione «[Data]», e quindi nemmeno punti.</translation>
     </message>
     <message>
-        <source>line %1 says that %2 points follow, and there are more.</source>
+        <source>line %1 announces %2 points, and there are more.</source>
         <translation>la riga %1 dice che seguono %2 punti, e ce ne sono di più.</translation>
     </message>
     <message>
-        <source>line %1 says that %2 points follow, and there are %3. The copy may be incomplete: copy the file again.</source>
+        <source>line %1 announces %2 points, and there are %3. The copy may be incomplete: copy the file again.</source>
         <translation>la riga %1 dice che seguono %2 punti, e ce ne sono %3. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
     </message>
     <message>
@@ -10524,7 +10472,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il suo vettore «%1» ha %2 valori per %3 punti e non viene letto.</translation>
     </message>
     <message>
-        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in ParaView by the filter Tetrahedralize or Tessellate.</source>
+        <source>it has cells of a shape that TAn does not support: %1. Divide them into simpler ones, in ParaView with the filter Tetrahedralize or Tessellate.</source>
         <translation>ha celle di una forma che TAn non conosce: %1. Dividerle in celle più semplici, in ParaView con il filtro Tetrahedralize o Tessellate.</translation>
     </message>
     <message>
@@ -10552,7 +10500,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Le zone del suo contorno (patch) non vengono lette: %1.</translation>
     </message>
     <message>
-        <source>Its zones of cells are not told apart: %1.</source>
+        <source>Its zones of cells are not distinguished: %1.</source>
         <translation>Le sue zone di celle non vengono distinte: %1.</translation>
     </message>
     <message>
@@ -10572,7 +10520,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le cartelle di %1 processori</translation>
     </message>
     <message>
-        <source>Its case as a whole is not read: the folders of its processors go on to later times.</source>
+        <source>Its case as a whole is not read: the folders of its processors contain later times.</source>
         <translation>Il suo caso intero non viene letto: le cartelle dei suoi processori arrivano a tempi successivi.</translation>
     </message>
     <message>
@@ -10608,11 +10556,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>VTK non vi trova nulla che possa leggere. Esportarlo in un altro formato (.vtu, .vti).</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos;, which does not lie in its folder or below it. Put it there, and write its name anew.</source>
+        <source>it refers to the file &apos;%1&apos;, which is not in its folder or below it. Put it there, and correct its name.</source>
         <translation>nomina il file «%1», che non si trova nella sua cartella o al di sotto di essa. Metterlo lì, e scriverne di nuovo il nome.</translation>
     </message>
     <message>
-        <source>it has the time &apos;%1&apos;, which is no number.</source>
+        <source>it has the time &apos;%1&apos;, which is not a number.</source>
         <translation>ha il tempo «%1», che non è un numero.</translation>
     </message>
     <message>
@@ -10628,7 +10576,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha un elenco di «files».</translation>
     </message>
     <message>
-        <source>its file number %1 is not told by a &apos;name&apos; and a &apos;time&apos; as a number.</source>
+        <source>its file number %1 does not have a &apos;name&apos; and a &apos;time&apos; that is a number.</source>
         <translation>il suo file numero %1 non è indicato da un «name» e da un «time» che sia un numero.</translation>
     </message>
     <message>
@@ -10636,11 +10584,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha %1 byte, più di quanti ne ha un elenco di file.</translation>
     </message>
     <message>
-        <source>it is a list of files, and names none.</source>
+        <source>it is a list of files, but names none.</source>
         <translation>è un elenco di file, e non ne nomina nessuno.</translation>
     </message>
     <message>
-        <source>its file &apos;%1&apos; is of none of VTK&apos;s own formats. Open that file by itself.</source>
+        <source>its file &apos;%1&apos; is not of VTK&apos;s own formats. Open that file on its own.</source>
         <translation>il suo file «%1» non è di nessuno dei formati propri di VTK. Aprire quel file da solo.</translation>
     </message>
     <message>
@@ -10648,7 +10596,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>VTK segnala: %1 TAn non può stabilire se il file è danneggiato o di un tipo che VTK non legge. Confrontarlo con il suo originale, o esportarlo in un altro formato (.vtu, .vti).</translation>
     </message>
     <message>
-        <source>VTK reads it twice and finds other values: where the file has none, it gives what was in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export it again, or in another format (.vtu, .vti).</source>
+        <source>VTK reads different values each time: where the file has none, it returns what was in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export it again, or in another format (.vtu, .vti).</source>
         <translation>VTK lo legge due volte e trova valori diversi: dove il file non ne ha, restituisce ciò che era in memoria. Il file è incompleto, o di un tipo che VTK legge in modo errato. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
     </message>
     <message>
@@ -10656,7 +10604,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Elenchi di file VTK (*.pvd *.series)</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
         <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
     </message>
     <message>
@@ -10668,7 +10616,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Installare la libreria NetCDF con «apt install libnetcdf19».</translation>
     </message>
     <message>
-        <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Take a smaller one.</source>
+        <source>its variable &apos;%1&apos; has %2 values, which do not fit into half of the memory of this machine. Choose a smaller one.</source>
         <translation>la sua variabile «%1» ha %2 valori, che non entrano in metà della memoria di questa macchina. Prenderne una più piccola.</translation>
     </message>
     <message>
@@ -10676,7 +10624,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La regione non è nella griglia, di cui richiede i numeri dei punti e non le coordinate: lungo %1 numeri interi da 0 a %2.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a file of an OpenFOAM case, which is opened as a whole: by &apos;system/controlDict&apos; in its folder, or by an empty file whose name ends in &apos;.foam&apos; there.%2</source>
+        <source>&apos;%1&apos; is a file of an OpenFOAM case, which is opened as a whole: open &apos;system/controlDict&apos; in its folder, or an empty file there whose name ends in &apos;.foam&apos;.%2</source>
         <translation>«%1» è un file di un caso OpenFOAM, che si apre per intero: con «system/controlDict» nella sua cartella, o con un file vuoto nella stessa cartella il cui nome finisce in «.foam».%2</translation>
     </message>
     <message>
@@ -10696,11 +10644,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 richiede per questo file più di %2 di memoria, di cui file di queste dimensioni non hanno bisogno. Può essere danneggiato; altrimenti, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
     </message>
     <message>
-        <source>%1 needs more than %2 seconds of the processor for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
+        <source>%1 needs more than %2 seconds of processor time for it, which files of its size do not need. It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).</source>
         <translation>%1 richiede per questo file più di %2 secondi di processore, di cui file di queste dimensioni non hanno bisogno. Può essere danneggiato; altrimenti, scriverlo in un altro formato (.vtu, .vti, .nrrd).</translation>
     </message>
     <message>
-        <source>%1&apos;s reader crashed, and TAn cannot tell why: the file may be damaged, or of a kind that %1 reads badly. %2</source>
+        <source>%1&apos;s reader crashed, and TAn cannot tell why: the file may be damaged, or of a kind that %1 reads incorrectly. %2</source>
         <translation>Il lettore di %1 si è arrestato in modo anomalo, e TAn non sa dire perché: il file può essere danneggiato, o di un tipo che %1 legge male. %2</translation>
     </message>
     <message>
@@ -10708,11 +10656,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non ha valori, né di punti né di celle. Scriverlo con dei valori.</translation>
     </message>
     <message>
-        <source>it has polyhedra, but not their faces: these stand in the arrays &apos;faces&apos; and &apos;faceoffsets&apos; or, since VTK 9.4, &apos;face_connectivity&apos;, &apos;face_offsets&apos;, &apos;polyhedron_to_faces&apos; and &apos;polyhedron_offsets&apos;. Save it anew, or divide its cells into tetrahedra.</source>
+        <source>it has polyhedra, but not their faces: these are in the arrays &apos;faces&apos; and &apos;faceoffsets&apos; or, since VTK 9.4, &apos;face_connectivity&apos;, &apos;face_offsets&apos;, &apos;polyhedron_to_faces&apos; and &apos;polyhedron_offsets&apos;. Save it again, or divide its cells into tetrahedra.</source>
         <translation>ha dei poliedri, ma non le loro facce: queste stanno nei vettori «faces» e «faceoffsets» oppure, da VTK 9.4, in «face_connectivity», «face_offsets», «polyhedron_to_faces» e «polyhedron_offsets». Salvarlo di nuovo, o dividere le sue celle in tetraedri.</translation>
     </message>
     <message>
-        <source>the offsets of its faces do not rise, or lead beyond their points.</source>
+        <source>the offsets of its faces do not rise, or point beyond their points.</source>
         <translation>gli inizi delle sue facce non crescono, o portano oltre i loro punti.</translation>
     </message>
     <message>
@@ -10732,19 +10680,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>L&apos;array da prendere, con il suo percorso nel file, come in /fields/density, o con il numero; «automatic» prende quello che il file mostra per primo (NeXus), altrimenti il più grande.</translation>
     </message>
     <message>
-        <source>Of arrays with several time steps: which one, from 1.</source>
+        <source>Arrays with several time steps: which one, from 1.</source>
         <translation>Di array con più passi temporali: quale, da 1.</translation>
     </message>
     <message>
-        <source>Of arrays with several channels: the number of one, from 1; without it the first.</source>
+        <source>Arrays with several channels: the number of one, from 1; by default the first.</source>
         <translation>Di array con più canali: il numero di uno, da 1; se vuoto il primo.</translation>
     </message>
     <message>
-        <source>Of arrays with more dimensions than space, time and channels: the number along each, from 1, as in d2=3; else the first is taken.</source>
+        <source>Arrays with more dimensions than space, time and channels: the number along each, from 1, as in d2=3; by default the first.</source>
         <translation>Di array con altre dimensioni oltre a spazio, tempo e canali: il numero lungo ciascuna di esse, da 1, come in d2=3; altrimenti si prende il primo.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libhdf5-dev&apos;), or save the array as .npy, for instance with h5py and NumPy.</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libhdf5-dev&apos;), or save the array as .npy, for instance with h5py and NumPy.</source>
         <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libhdf5-dev»), o salvare l&apos;array come .npy, per esempio con h5py e NumPy.</translation>
     </message>
     <message>
@@ -10752,11 +10700,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Installare la libreria HDF5 con «apt install libhdf5-103-1» (altri sistemi: hdf5).</translation>
     </message>
     <message>
-        <source>Copy or export it again; &apos;h5dump -H&apos; tells what is in it.</source>
+        <source>Copy or export it again; &apos;h5dump -H&apos; shows its content.</source>
         <translation>Copiarlo o esportarlo di nuovo; «h5dump -H» mostra che cosa contiene.</translation>
     </message>
     <message>
-        <source>it has %1 %2, and number %3 is asked for with &apos;%4&apos;.</source>
+        <source>it has %1 %2, and number %3 was requested with &apos;%4&apos;.</source>
         <translation>ha %1 %2, e con «%4» si chiede il numero %3.</translation>
     </message>
     <message>
@@ -10768,7 +10716,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>numeri lungo «%1»</translation>
     </message>
     <message>
-        <source>its array %1 has no further dimension &apos;%2&apos;, which is asked for with &apos;index&apos;.</source>
+        <source>its array %1 has no further dimension &apos;%2&apos;, which was requested with &apos;index&apos;.</source>
         <translation>il suo array %1 non ha un&apos;altra dimensione «%2», che viene chiesta con «index».</translation>
     </message>
     <message>
@@ -10776,7 +10724,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>canali</translation>
     </message>
     <message>
-        <source>its array %1 has fewer than three dimensions of space: the others are of time or channels. TAn takes volumes: choose another array, or write one.</source>
+        <source>its array %1 has fewer than three dimensions of space: the others are time or channels. TAn reads volumes: choose another array, or write one.</source>
         <translation>il suo array %1 ha meno di tre dimensioni spaziali: le altre sono di tempo o di canali. TAn accetta volumi: scegliere un altro array, o scriverne uno.</translation>
     </message>
     <message>
@@ -10796,7 +10744,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, «%2» nell&apos;ordine degli assi dell&apos;array</translation>
     </message>
     <message>
-        <source>Its coordinates &apos;%1&apos; are the edges of bins: the middles were taken.</source>
+        <source>Its coordinates &apos;%1&apos; are the edges of bins: their midpoints were used.</source>
         <translation>Le sue coordinate «%1» sono i bordi di intervalli: ne sono stati presi i punti medi.</translation>
     </message>
     <message>
@@ -10808,7 +10756,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i blocchi (chunk) del suo array «%1»</translation>
     </message>
     <message>
-        <source>nothing was written to its array %1: all that it has is a fill value. Choose another array, or write this one.</source>
+        <source>nothing was written to its array %1: it holds only a fill value. Choose another array, or write this one.</source>
         <translation>nel suo array %1 non è stato scritto nulla: ha soltanto un valore di riempimento. Scegliere un altro array, o scrivere questo.</translation>
     </message>
     <message>
@@ -10824,7 +10772,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, %2, il valore di riempimento dell&apos;array</translation>
     </message>
     <message>
-        <source>0 in %1 of %2 chunks, which nobody wrote</source>
+        <source>0 in %1 of %2 chunks, which were never written</source>
         <translation>0 in %1 di %2 blocchi (chunk), che non sono mai stati scritti</translation>
     </message>
     <message>
@@ -10832,11 +10780,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo array «%1»</translation>
     </message>
     <message>
-        <source>Its numbers of more than 64 bits became floating-point numbers of 53 bits.</source>
+        <source>Its numbers of more than 64 bits were converted to floating-point numbers, which are exact to 53 bits.</source>
         <translation>I suoi numeri di più di 64 bit sono diventati numeri in virgola mobile a 53 bit.</translation>
     </message>
     <message>
-        <source>It holds more than %1 groups and arrays, or groups more than %2 deep: not all of them were looked at.</source>
+        <source>It holds more than %1 groups and arrays, or groups nested more than %2 levels deep: not all of them were examined.</source>
         <translation>Contiene più di %1 gruppi e array, o gruppi annidati a più di %2 livelli: non tutti sono stati esaminati.</translation>
     </message>
     <message>
@@ -10844,7 +10792,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I suoi collegamenti ad altri file non vengono seguiti: %1.</translation>
     </message>
     <message>
-        <source>it is a file of %1, which TAn knows by its name. Give it the ending %2.</source>
+        <source>it is a file of %1, which TAn recognises by its name. Give it the ending %2.</source>
         <translation>è un file di %1, che TAn riconosce dal nome. Dargli l&apos;estensione %2.</translation>
     </message>
     <message>
@@ -10868,7 +10816,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i valori del suo array «%1» si trovano in altri file o array, che non vengono aperti. Copiarli in un array a parte, per esempio con h5py.</translation>
     </message>
     <message>
-        <source>its array %1 holds no numbers that are read. Choose another one.</source>
+        <source>its array %1 holds no numbers that can be read. Choose another one.</source>
         <translation>il suo array %1 non contiene numeri che si leggano. Sceglierne un altro.</translation>
     </message>
     <message>
@@ -10884,11 +10832,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 (in altri file)</translation>
     </message>
     <message>
-        <source>its array &apos;%1&apos; does not tell how it is packed. The file is damaged: copy or export it again.</source>
+        <source>its array &apos;%1&apos; does not state how it is packed. The file is damaged: copy or export it again.</source>
         <translation>il suo array «%1» non dice come è compresso. Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its array &apos;%1&apos; is packed by the filter %2, which is no part of HDF5 and is not read. Write it with gzip or unpacked: &apos;h5repack -f GZIP=4 old.h5 new.h5&apos; does it where the filter is installed.</source>
+        <source>its array &apos;%1&apos; is packed with the filter %2, which is not part of HDF5 and is not read. Write it with gzip or unpacked: &apos;h5repack -f GZIP=4 old.h5 new.h5&apos; does so where the filter is installed.</source>
         <translation>il suo array «%1» è compresso con il filtro %2, che non fa parte di HDF5 e non si legge. Scriverlo con gzip o senza compressione: «h5repack -f GZIP=4 old.h5 new.h5» lo fa dove il filtro è installato.</translation>
     </message>
     <message>
@@ -10896,11 +10844,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>errore della libreria HDF5 (%1): %2. Copiare o esportare di nuovo il file.</translation>
     </message>
     <message>
-        <source>its size cannot be told: %1.</source>
+        <source>its size cannot be determined: %1.</source>
         <translation>la sua dimensione non si può determinare: %1.</translation>
     </message>
     <message>
-        <source>it unpacks to more than %1, which pictures in so few bytes do not. It is damaged; if not, export it without compression.</source>
+        <source>it unpacks to more than %1, which pictures of so few bytes do not. It is damaged; if not, export it without compression.</source>
         <translation>decompresso supera %1, cosa che immagini in così pochi byte non fanno. È danneggiato; altrimenti, esportarlo senza compressione.</translation>
     </message>
     <message>
@@ -10920,15 +10868,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>its folder holds one series, and &apos;%1&apos; is asked for. Leave &apos;series&apos; out.</source>
+        <source>its folder holds one series, and &apos;%1&apos; was requested. Leave &apos;series&apos; out.</source>
         <translation>la sua cartella contiene una sola serie, e si chiede «%1». Omettere «series».</translation>
     </message>
     <message>
-        <source>its folder holds %1 series, and &apos;%2&apos; is asked for. Choose one with &apos;series&apos;, by its number from 1 or its description: %3.</source>
+        <source>its folder holds %1 series, and &apos;%2&apos; was requested. Choose one with &apos;series&apos;, by its number from 1 or its description: %3.</source>
         <translation>la sua cartella contiene %1 serie, e si chiede «%2». Sceglierne una con «series», per numero a partire da 1 o per descrizione: %3.</translation>
     </message>
     <message>
-        <source>Beside it lies series %1: %2.</source>
+        <source>Next to it is series %1: %2.</source>
         <translation>Accanto c&apos;è la serie %1: %2.</translation>
     </message>
     <message>
@@ -10936,11 +10884,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La serie contiene %1 volumi; gli altri non vengono letti.</translation>
     </message>
     <message>
-        <source>Of a folder with several DICOM series, or an OME file with several images: which one, by number from 1, by its description or name, or by its SeriesInstanceUID; without it that of the file, or the first.</source>
+        <source>A folder with several DICOM series, or an OME file with several images: which one, by number from 1, by its description or name, or by its SeriesInstanceUID; by default that of the file, or the first.</source>
         <translation>Di una cartella con più serie DICOM, o di un file OME con più immagini: quale, per numero a partire da 1, per descrizione o nome, o per SeriesInstanceUID; senza indicazione quella del file, o la prima.</translation>
     </message>
     <message>
-        <source>a piece of %1 has %2 bytes, which cannot hold the %3 that its size asks for.</source>
+        <source>a piece of %1 has %2 bytes, which cannot hold the %3 that its size requires.</source>
         <translation>un pezzo di %1 ha %2 byte, che non possono contenere i %3 che la sua dimensione richiede.</translation>
     </message>
     <message>
@@ -10948,7 +10896,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua descrizione, o la sua risoluzione,</translation>
     </message>
     <message>
-        <source>behind page %1 follows no page, or one that was there before.</source>
+        <source>page %1 is followed by no page, or by an earlier one.</source>
         <translation>dopo la pagina %1 non ne segue alcuna, o ne segue una già incontrata.</translation>
     </message>
     <message>
@@ -10980,11 +10928,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Contiene %1 immagini; le altre non vengono lette.</translation>
     </message>
     <message>
-        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, int64, uint64, float and double.</source>
+        <source>its type &apos;%1&apos; is not known. Use uint8, int8, uint16, int16, uint32, int32, int64, uint64, float or double.</source>
         <translation>il suo tipo «%1» non è noto. Ci sono uint8, int8, uint16, int16, uint32, int32, int64, uint64, float e double.</translation>
     </message>
     <message>
-        <source>its samples are matrices of %1 numbers (&apos;%2&apos;), of which the magnitude means nothing. Choose one of them by &apos;--component&apos;, from 0.</source>
+        <source>its samples are matrices of %1 numbers (&apos;%2&apos;), whose magnitude has no meaning. Choose one of them with &apos;--component&apos;, from 0.</source>
         <translation>i suoi campioni sono matrici di %1 numeri («%2»), il cui modulo non significa nulla. Sceglierne uno con «--component», da 0.</translation>
     </message>
     <message>
@@ -11000,11 +10948,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>nomina «%1», che non è un file ordinario. Copiarne prima il contenuto in uno.</translation>
     </message>
     <message>
-        <source>its values &apos;%1&apos; name a node or an element %2, which it does not have.</source>
+        <source>its values &apos;%1&apos; refer to a node or an element %2, which it does not have.</source>
         <translation>i suoi valori «%1» nominano un nodo o un elemento %2, che non ha.</translation>
     </message>
     <message>
-        <source>Of &apos;%1&apos; it has %2 steps; the last one is read.</source>
+        <source>&apos;%1&apos; has %2 steps; the last one is read.</source>
         <translation>Di «%1» ha %2 passi; si legge l&apos;ultimo.</translation>
     </message>
     <message>
@@ -11012,7 +10960,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1, %2 (%3 %4)</translation>
     </message>
     <message>
-        <source>Of NetCDF and Exodus files: the variable, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
+        <source>NetCDF and Exodus files: the variable, by name or number; &apos;automatic&apos; takes the first that is not constant.</source>
         <translation>Di file NetCDF ed Exodus: la variabile, per nome o numero; «automatic» prende la prima che non è costante.</translation>
     </message>
     <message>
@@ -11032,27 +10980,27 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il suo file «%1» finisce senza fine riga: se è stato troncato lì, il suo ultimo numero è sbagliato.</translation>
     </message>
     <message>
-        <source>cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: from VTK 9.4 on they are written in another way, which TAn reads in a single .vtu that is not packed, or packed by zlib. Save it as one.</source>
+        <source>cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: since VTK 9.4 they are written differently, which TAn reads in a single .vtu that is not compressed, or compressed with zlib. Save it as one.</source>
         <translation>la cella %1 (da 0) è un poliedro, e VTK 9.1 non ne trova le facce: da VTK 9.4 in poi sono scritte in un altro modo, che TAn legge in un singolo .vtu non compresso, o compresso con zlib. Salvare i dati così.</translation>
     </message>
     <message>
-        <source>VTK reads its places in single precision: they may be up to %1 from those in the file.</source>
+        <source>VTK reads its positions in single precision: they may be up to %1 from those in the file.</source>
         <translation>VTK ne legge le posizioni in precisione singola: possono discostarsi fino a %1 da quelle del file.</translation>
     </message>
     <message>
-        <source>Its families (boundary conditions and the like) are not told apart: %1.</source>
+        <source>Its families (boundary conditions and the like) are not distinguished: %1.</source>
         <translation>Le sue famiglie (condizioni al contorno e simili) non vengono distinte: %1.</translation>
     </message>
     <message>
-        <source>its part &apos;%1&apos; has %2 points, and its size says another number.</source>
+        <source>its part &apos;%1&apos; has %2 points, and its size states another number.</source>
         <translation>la sua parte «%1» ha %2 punti, e la sua dimensione dice un altro numero.</translation>
     </message>
     <message>
-        <source>Its grids make no mesh together, and only the first one is read. %1</source>
+        <source>Its grids do not make a mesh together, and only the first one is read. %1</source>
         <translation>Le sue griglie non formano insieme una mesh, e si legge solo la prima. %1</translation>
     </message>
     <message>
-        <source>Of files with several blocks or parts: one, by name or number from 1; without it all volumes that have the values, as one mesh.</source>
+        <source>Files with several blocks or parts: one, by name or number from 1; by default all volumes that have the values, as one mesh.</source>
         <translation>Di file con più blocchi o parti: uno, con il nome o il numero da 1; se vuoto tutti i volumi che hanno i valori, come una sola mesh.</translation>
     </message>
     <message>
@@ -11068,7 +11016,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha %1 assi.</translation>
     </message>
     <message>
-        <source>its transformation &apos;%1&apos; stands in an array of its own, which TAn does not read.</source>
+        <source>its transformation &apos;%1&apos; is in a separate array, which TAn does not read.</source>
         <translation>la sua trasformazione «%1» sta in un array a parte, che TAn non legge.</translation>
     </message>
     <message>
@@ -11128,7 +11076,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi blocchi (chunk) sono compressi con «%1»</translation>
     </message>
     <message>
-        <source>its numbers went through the filter &apos;%1&apos;</source>
+        <source>its numbers were passed through the filter &apos;%1&apos;</source>
         <translation>i suoi numeri sono passati per il filtro «%1»</translation>
     </message>
     <message>
@@ -11144,19 +11092,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>i suoi elementi sono di tipo «%1»</translation>
     </message>
     <message>
-        <source>Write whole numbers, or floating point numbers of 16, 32 or 64 bits.</source>
+        <source>Write whole numbers, or floating-point numbers of 16, 32 or 64 bits.</source>
         <translation>Scrivere numeri interi, o numeri in virgola mobile a 16, 32 o 64 bit.</translation>
     </message>
     <message>
-        <source>its codec &apos;%1&apos; stands in an unusual place</source>
+        <source>its codec &apos;%1&apos; is in an unusual place</source>
         <translation>il suo codec «%1» sta in una posizione insolita</translation>
     </message>
     <message>
-        <source>its chunks went through the codec &apos;%1&apos;</source>
+        <source>its chunks were passed through the codec &apos;%1&apos;</source>
         <translation>i suoi blocchi (chunk) sono passati per il codec «%1»</translation>
     </message>
     <message>
-        <source>its shards are no whole number of chunks. It is damaged.</source>
+        <source>its shards are not a whole number of chunks. It is damaged.</source>
         <translation>i suoi shard non sono composti da un numero intero di blocchi (chunk). È danneggiato.</translation>
     </message>
     <message>
@@ -11180,7 +11128,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>usa la trasformazione di memorizzazione (storage transformer) «%1»</translation>
     </message>
     <message>
-        <source>Write it without.</source>
+        <source>Write it without one.</source>
         <translation>Scriverlo senza.</translation>
     </message>
     <message>
@@ -11216,7 +11164,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Le sue etichette, che numerano le parti di un&apos;immagine, non vengono lette.</translation>
     </message>
     <message>
-        <source>It holds %1 arrays besides (%2), which are not read. Choose one with &apos;array&apos;.</source>
+        <source>It holds %1 other arrays (%2), which are not read. Choose one with &apos;array&apos;.</source>
         <translation>Contiene altri %1 array (%2), che non vengono letti. Sceglierne uno con «array».</translation>
     </message>
     <message>
@@ -11224,7 +11172,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 dei suoi gruppi e array hanno metadati che non si possono leggere.</translation>
     </message>
     <message>
-        <source>It has more groups and arrays than are looked at; &apos;array&apos; takes any of them by its path.</source>
+        <source>It has more groups and arrays than are listed; &apos;array&apos; takes any of them by its path.</source>
         <translation>Ha più gruppi e array di quanti se ne esaminino; «array» ne prende uno qualsiasi dal suo percorso.</translation>
     </message>
     <message>
@@ -11236,11 +11184,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>contiene %1 array, e nessuno di numeri lungo tre o più assi.</translation>
     </message>
     <message>
-        <source>it holds no array. Open the folder in which the arrays are, or copy it again.</source>
+        <source>it holds no array. Open the folder that contains the arrays, or copy it again.</source>
         <translation>non contiene un array. Aprire la cartella in cui si trovano gli array, o copiarla di nuovo.</translation>
     </message>
     <message>
-        <source>it has %1 of &apos;%2&apos;, and number %3 is asked for. Choose one from 1 to %1.</source>
+        <source>it has %1 of &apos;%2&apos;, and number %3 was requested. Choose one from 1 to %1.</source>
         <translation>ha %1 di «%2», e si chiede il numero %3. Sceglierne uno da 1 a %1.</translation>
     </message>
     <message>
@@ -11280,7 +11228,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua scala lungo un asse spaziale è 0. Esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>Its attributes %1 are not used: values are as they are stored.</source>
+        <source>Its attributes %1 are not used: the stored values are.</source>
         <translation>I suoi attributi %1 non vengono usati: i valori sono come sono memorizzati.</translation>
     </message>
     <message>
@@ -11292,7 +11240,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo livello «%1» ha %2 assi, e ne sono descritti %3. Esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>its level &apos;%1&apos; is not there. The copy is not complete: copy the folder again, or choose another level with &apos;part&apos;.</source>
+        <source>its level &apos;%1&apos; is missing. The copy is not complete: copy the folder again, or choose another level with &apos;part&apos;.</source>
         <translation>il suo livello «%1» non c&apos;è. La copia non è completa: copiare di nuovo la cartella, o scegliere un altro livello con «part».</translation>
     </message>
     <message>
@@ -11300,7 +11248,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>è danneggiato: %1. Copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>it unpacks to more than the %1 bytes that it should</source>
+        <source>it unpacks to more than the expected %1 bytes</source>
         <translation>decompresso dà più dei %1 byte che dovrebbe dare</translation>
     </message>
     <message>
@@ -11312,11 +11260,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Zstandard segnala «%1»</translation>
     </message>
     <message>
-        <source>it does not begin as Blosc writes, or is cut short</source>
+        <source>it does not begin like Blosc data, or is cut short</source>
         <translation>non comincia come scrive Blosc, o è troncato</translation>
     </message>
     <message>
-        <source>it unpacks to %1 bytes, more than the %2 that it should</source>
+        <source>it unpacks to %1 bytes, more than the expected %2</source>
         <translation>decompresso dà %1 byte, più dei %2 che dovrebbe dare</translation>
     </message>
     <message>
@@ -11328,11 +11276,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la sua somma di controllo è sbagliata</translation>
     </message>
     <message>
-        <source>its differences of numbers of 16 bits (the filter &apos;delta&apos;) are not read. Write it without.</source>
+        <source>its differences of numbers of 16 bits (the filter &apos;delta&apos;) are not read. Write it without them.</source>
         <translation>le sue differenze di numeri a 16 bit (il filtro «delta») non si leggono. Scriverlo senza.</translation>
     </message>
     <message>
-        <source>it has %1 bytes, more than its %2 bytes of numbers can become</source>
+        <source>it has %1 bytes, more than its %2 bytes of numbers can yield</source>
         <translation>ha %1 byte, più di quanti ne possano risultare dai suoi %2 byte di numeri</translation>
     </message>
     <message>
@@ -11348,23 +11296,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non si può leggere (%1). Controllare il nome e i permessi.</translation>
     </message>
     <message>
-        <source>it names &apos;%1&apos;, which is no path inside the folder. Only what lies in the folder is read.</source>
+        <source>it refers to &apos;%1&apos;, which is not a path inside the folder. Only what is in the folder is read.</source>
         <translation>nomina «%1», che non è un percorso all&apos;interno della cartella. Si legge solo ciò che si trova nella cartella.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is a link to what is not there. Copy the folder with what its links lead to.</source>
+        <source>its &apos;%1&apos; is a link to something that does not exist. Copy the folder together with the targets of its links.</source>
         <translation>il suo elemento «%1» è un collegamento a qualcosa che non c&apos;è. Copiare la cartella con ciò a cui portano i suoi collegamenti.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is a link that leads out of the folder. Only what lies in the folder is read: put a copy in its place.</source>
+        <source>its &apos;%1&apos; is a link that leads out of the folder. Only what is in the folder is read: put a copy in its place.</source>
         <translation>il suo elemento «%1» è un collegamento che porta fuori dalla cartella. Si legge solo ciò che si trova nella cartella: metterne una copia al suo posto.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is no file. Copy or export it again.</source>
+        <source>its &apos;%1&apos; is not a file. Copy or export it again.</source>
         <translation>il suo elemento «%1» non è un file. Copiare o esportare di nuovo la cartella.</translation>
     </message>
     <message>
-        <source>its &apos;%1&apos; is larger than metadata are (%2). It is damaged, or no Zarr.</source>
+        <source>its &apos;%1&apos; is larger than metadata are (%2). It is damaged, or not Zarr.</source>
         <translation>il suo file «%1» è più grande di quanto lo siano dei metadati (%2). È danneggiato, o non è Zarr.</translation>
     </message>
     <message>
@@ -11372,7 +11320,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo file «%1» %2</translation>
     </message>
     <message>
-        <source>is no JSON: %1 at byte %2. Copy or export it again.</source>
+        <source>is not JSON: %1 at byte %2. Copy or export it again.</source>
         <translation>non è JSON: %1 al byte %2. Copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
@@ -11384,15 +11332,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il suo file «%1» è cambiato durante la lettura. Riprovare.</translation>
     </message>
     <message>
-        <source>none of the %1 files with its values is there, such as &apos;%2&apos;. The copy is not complete, or nobody has written them: copy or export it again.</source>
+        <source>none of the %1 files with its values exists, such as &apos;%2&apos;. The copy is not complete, or they were never written: copy or export it again.</source>
         <translation>nessuno dei %1 file con i suoi valori è presente, per esempio «%2». La copia non è completa, o non sono mai stati scritti: copiarlo o esportarlo di nuovo.</translation>
     </message>
     <message>
-        <source>%1 of its %2 chunks are not there: as the format has it, their values are the fill value %3.</source>
+        <source>%1 of its %2 chunks are missing: as the format specifies, their values are the fill value %3.</source>
         <translation>%1 dei suoi %2 blocchi (chunk) non ci sono: come prevede il formato, i loro valori sono il valore di riempimento %3.</translation>
     </message>
     <message>
-        <source>%1 of its %2 chunks are not there, and it has no fill value: %3 is assumed.</source>
+        <source>%1 of its %2 chunks are missing, and it has no fill value: %3 is assumed.</source>
         <translation>%1 dei suoi %2 blocchi (chunk) non ci sono, e non ha un valore di riempimento: si assume %3.</translation>
     </message>
     <message>
@@ -11412,7 +11360,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>la somma di controllo dell&apos;indice dei suoi blocchi (chunk) è sbagliata</translation>
     </message>
     <message>
-        <source>the index of its chunks leads beyond its end</source>
+        <source>the index of its chunks points beyond its end</source>
         <translation>l&apos;indice dei suoi blocchi (chunk) porta oltre la sua fine</translation>
     </message>
     <message>
@@ -11420,11 +11368,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» per «index» non si capisce. Indicare il nome di ogni asse con un numero da 1, come in angle=3,type=1.</translation>
     </message>
     <message>
-        <source>Of Zarr groups: the array to take, or the image, by its path in the folder; &apos;automatic&apos; takes the first.</source>
+        <source>Zarr groups: the array to take, or the image, by its path in the folder; &apos;automatic&apos; takes the first.</source>
         <translation>Di gruppi Zarr: l&apos;array da prendere, o l&apos;immagine, con il suo percorso nella cartella; «automatic» prende il primo.</translation>
     </message>
     <message>
-        <source>Of OME-Zarr with several images: one, by its path or number from 1; without it the first.</source>
+        <source>OME-Zarr with several images: one, by its path or number from 1; by default the first.</source>
         <translation>Di OME-Zarr con più immagini: una, con il suo percorso o il numero da 1; se vuoto la prima.</translation>
     </message>
     <message>
@@ -11432,11 +11380,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Livello</translation>
     </message>
     <message>
-        <source>Of OME-Zarr: the level of detail, by its path or by its number, 0 being the finest; without it that one.</source>
+        <source>OME-Zarr: the level of detail, by its path or by its number, 0 being the finest, which is the default.</source>
         <translation>Di OME-Zarr: il livello di dettaglio, con il suo percorso o il suo numero, dove 0 è il più fine; se vuoto quello.</translation>
     </message>
     <message>
-        <source>Of pictures at several times: which one, from 1; 0 takes the first.</source>
+        <source>Pictures at several times: which one, from 1; 0 takes the first.</source>
         <translation>Di immagini a più tempi: quale, da 1; 0 prende la prima.</translation>
     </message>
     <message>
@@ -11444,15 +11392,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Altri assi</translation>
     </message>
     <message>
-        <source>Of arrays with more axes than space, time and channels: the number along each, from 1, as in angle=3; an axis without a name is called by its number from 1. Else the first is taken.</source>
+        <source>Arrays with more axes than space, time and channels: the number along each, from 1, as in angle=3; an axis without a name is called by its number from 1. By default the first is taken.</source>
         <translation>Di array con altri assi oltre a spazio, tempo e canali: il numero lungo ciascuno di essi, da 1, come in angle=3; un asse senza nome si indica con il suo numero da 1. Altrimenti si prende il primo.</translation>
     </message>
     <message>
-        <source>it is no folder of Zarr, nor a file that describes one (zarr.json, .zarray, .zattrs, .zgroup). Let TAn choose the reader.</source>
+        <source>it is neither a Zarr folder nor a file that describes one (zarr.json, .zarray, .zattrs, .zgroup). Let TAn choose the reader.</source>
         <translation>non è una cartella Zarr, né un file che ne descrive una (zarr.json, .zarray, .zattrs, .zgroup). Lasciare a TAn la scelta della lettura.</translation>
     </message>
     <message>
-        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libblosc-dev libzstd-dev&apos;), or save the array as NumPy&apos;s (.npy).</source>
+        <source>Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; in the folder of that file (if you built TAn yourself: rebuild it after &apos;apt install libblosc-dev libzstd-dev&apos;), or save the array as NumPy&apos;s (.npy).</source>
         <translation>Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» nella cartella in cui si trova il file (se TAn è stato compilato in proprio: ricompilarlo dopo «apt install libblosc-dev libzstd-dev»), o salvare l&apos;array nel formato di NumPy (.npy).</translation>
     </message>
     <message>
@@ -11480,23 +11428,23 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salvare l&apos;array con l&apos;opzione «-v7.3», o come NIfTI, con niftiwrite().</translation>
     </message>
     <message>
-        <source>The scale &apos;%1&apos; is not understood. Give &apos;linear&apos;, &apos;log&apos;, or &apos;log:&apos; and the positive number that smaller values are taken as, as in log:1e-6.</source>
+        <source>The scale &apos;%1&apos; is not understood. Give &apos;linear&apos;, &apos;log&apos;, or &apos;log:&apos; and the positive number that replaces smaller values, as in log:1e-6.</source>
         <translation>La scala «%1» non è comprensibile. Indicare «linear», «log», oppure «log:» seguito dal numero positivo che prende il posto dei valori minori, come in log:1e-6.</translation>
     </message>
     <message>
-        <source>None of the %1 values is positive, so they have no logarithms. Take the scale linear.</source>
+        <source>None of the %1 values is positive, so they have no logarithms. Choose the linear scale.</source>
         <translation>Nessuno dei %1 valori è positivo, quindi non hanno logaritmi. Usare la scala lineare.</translation>
     </message>
     <message>
-        <source>No value is larger than %1, which smaller ones are to be taken as: the largest is %2. Give a smaller number.</source>
+        <source>No value is larger than %1, which is to replace smaller ones: the largest is %2. Give a smaller number.</source>
         <translation>Nessun valore è maggiore di %1, il numero che deve prendere il posto dei valori minori: il massimo è %2. Indicare un numero più piccolo.</translation>
     </message>
     <message>
-        <source>%1 of %2 values are not positive, so they have no logarithm. The smallest positive value is %3: with the scale log:%3 smaller ones are taken as that value.</source>
+        <source>%1 of %2 values are not positive, so they have no logarithm. The smallest positive value is %3: with the scale log:%3 smaller ones are replaced by that value.</source>
         <translation>%1 di %2 valori non sono positivi, quindi non hanno logaritmo. Il minimo valore positivo è %3: con la scala log:%3 questo valore prende il posto di quelli minori.</translation>
     </message>
     <message>
-        <source>%1 of %2 values are smaller than %3, and were taken as %3.</source>
+        <source>%1 of %2 values are smaller than %3, and were replaced by %3.</source>
         <translation>%1 di %2 valori sono minori di %3, e sono stati presi come %3.</translation>
     </message>
     <message>
@@ -11540,7 +11488,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>nella griglia e nello spazio</translation>
     </message>
     <message>
-        <source>What is guaranteed is the error in the grid; the error in space, at the place where you look, may be larger.</source>
+        <source>The guarantee is for the error in the grid; the error in space, at the place where you look, may be larger.</source>
         <translation>È garantito l&apos;errore nella griglia; l&apos;errore nello spazio, nel punto che si guarda, può essere maggiore.</translation>
     </message>
     <message>
@@ -11552,19 +11500,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«tan verify» misura l&apos;errore nello spazio.</translation>
     </message>
     <message>
-        <source>The isovalue %1 is within the error that is shown, %2, of where the data end, %3: what is seen of its surface may be error alone.</source>
+        <source>The isovalue %1 is within the displayed error, %2, of the end of the data range, %3: what you see of its surface may be error alone.</source>
         <translation>L&apos;isovalore %1 dista dall&apos;estremo dei valori dei dati, %3, non più dell&apos;errore mostrato, %2: ciò che si vede della sua superficie può essere soltanto errore.</translation>
     </message>
     <message>
-        <source>The isovalue %1 is within the error that is shown, %2, of %3, the value of most of the domain: what is seen of its surface may be error alone.</source>
+        <source>The isovalue %1 is within the displayed error, %2, of %3, the value of most of the domain: what you see of its surface may be error alone.</source>
         <translation>L&apos;isovalore %1 dista da %3, il valore della maggior parte del dominio, non più dell&apos;errore mostrato, %2: ciò che si vede della sua superficie può essere soltanto errore.</translation>
     </message>
     <message>
-        <source>The transfer function shows values from %1 on, which is within the error that is shown, %2, of %3, the value of most of the domain: what is seen there may be error alone.</source>
+        <source>The transfer function shows values from %1 on, which is within the displayed error, %2, of %3, the value of most of the domain: what you see there may be error alone.</source>
         <translation>La funzione di trasferimento mostra i valori a partire da %1, che dista da %3, il valore della maggior parte del dominio, non più dell&apos;errore mostrato, %2: ciò che si vede lì può essere soltanto errore.</translation>
     </message>
     <message>
-        <source>The values that the transfer function shows about %1 are fewer than the error that is shown, %2: the mesh cannot tell them from others.</source>
+        <source>The values that the transfer function shows around %1 span less than the displayed error, %2: the mesh cannot distinguish them from others.</source>
         <translation>I valori che la funzione di trasferimento mostra attorno a %1 formano un intervallo più stretto dell&apos;errore mostrato, %2: la mesh non può distinguerli da altri.</translation>
     </message>
     <message>
@@ -11572,7 +11520,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Scegliere altri valori.</translation>
     </message>
     <message>
-        <source>An error of at most %1 % would do, everywhere or for values near %2 alone.</source>
+        <source>An error of at most %1 % would be enough, everywhere or for values near %2 alone.</source>
         <translation>Basterebbe un errore di al massimo %1 %, ovunque o solo per i valori vicini a %2.</translation>
     </message>
     <message>
@@ -11580,11 +11528,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Illuminato</translation>
     </message>
     <message>
-        <source>Lights surfaces in the colours of values, so that their shape is seen better; their colours are then no longer those of the colour bar.</source>
+        <source>Lights surfaces in the colours of values, so that their shape is easier to see; their colours then differ from those of the colour bar.</source>
         <translation>Illumina le superfici nei colori dei valori, così che se ne veda meglio la forma; i loro colori non sono più quelli della barra dei colori.</translation>
     </message>
     <message>
-        <source>The preset goes from 0 to 1, and is stretched over the values of the data, %1 to %2.</source>
+        <source>The preset covers 0 to 1, and is stretched over the values of the data, %1 to %2.</source>
         <translation>La preimpostazione va da 0 a 1 e viene estesa a tutti i valori dei dati, da %1 a %2.</translation>
     </message>
     <message>
@@ -11600,7 +11548,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha più passi temporali di quanti se ne possano elencare. Indicare per «--time» il numero di uno di essi, da 1.</translation>
     </message>
     <message>
-        <source>it has one time step, and tells no time. Leave &apos;--time&apos; out.</source>
+        <source>it has one time step, and states no time. Leave &apos;--time&apos; out.</source>
         <translation>ha un solo passo temporale, e non indica alcun tempo. Omettere «--time».</translation>
     </message>
     <message>
@@ -11620,7 +11568,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>le dimensioni dell&apos;array sono x, y, z</translation>
     </message>
     <message>
-        <source>the array&apos;s dimensions are x, y, z; give &apos;--axes zyx&apos; if they are z, y, x, as those of stacks of images are</source>
+        <source>the array&apos;s dimensions are x, y, z; give &apos;--axes zyx&apos; if they are z, y, x, as in stacks of images</source>
         <translation>le dimensioni dell&apos;array sono x, y, z; indicare «--axes zyx» se sono z, y, x, come quelle delle pile di immagini</translation>
     </message>
     <message>
@@ -11632,7 +11580,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Array NumPy: se sono indicizzati come array[x, y, z], o come array[z, y, x], come le pile di immagini di scikit-image, imageio e tifffile.</translation>
     </message>
     <message>
-        <source>&apos;--%1&apos; says how a NumPy array is indexed, and &apos;%2&apos; is none. Leave it out.</source>
+        <source>&apos;--%1&apos; says how a NumPy array is indexed, and &apos;%2&apos; is not one. Leave it out.</source>
         <translation>«--%1» dice come è indicizzato un array NumPy, e «%2» non lo è. Ometterlo.</translation>
     </message>
     <message>
@@ -11644,11 +11592,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Nessuno degli isovalori è fra i valori del modello, da %1 a %2, perciò le loro superfici sono vuote.</translation>
     </message>
     <message>
-        <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is none.</source>
+        <source>Only curvilinear grids can be decimated in one space or the other, and &apos;%1&apos; is not one.</source>
         <translation>Solo le griglie curvilinee possono essere decimate in uno spazio o nell&apos;altro, e «%1» non lo è.</translation>
     </message>
     <message>
-        <source>The grid &apos;%1&apos; cannot be taken as a mesh: %2 Refine it instead.</source>
+        <source>The grid &apos;%1&apos; cannot be used as a mesh: %2 Refine it instead.</source>
         <translation>La griglia «%1» non può essere presa come mesh: %2 Raffinarla invece.</translation>
     </message>
     <message>
@@ -11656,7 +11604,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La griglia ha %1 celle, la cui mesh richiede fino a %2 di memoria, su %3. Raffinarla invece, oppure prenderne una parte o meno campioni.</translation>
     </message>
     <message>
-        <source>%1 of its points lie on the place of another one and have another value.</source>
+        <source>%1 of its points lie at the same place as another and have another value.</source>
         <translation>%1 dei suoi punti si trovano nel posto di un altro e hanno un altro valore.</translation>
     </message>
     <message>
@@ -11664,11 +11612,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 delle sue celle sono piegate, si sovrappongono ad altre o sono così deformate che nessun tetraedro le riempie.</translation>
     </message>
     <message>
-        <source>%1 of its points belong to cells without volume alone.</source>
+        <source>%1 of its points belong only to cells without volume.</source>
         <translation>%1 dei suoi punti appartengono solo a celle senza volume.</translation>
     </message>
     <message>
-        <source>it has %1 points, and %2 is the most.</source>
+        <source>it has %1 points, and the limit is %2.</source>
         <translation>ha %1 punti, e il massimo è %2.</translation>
     </message>
     <message>
@@ -11676,19 +11624,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 angoli delle sue celle sono piegati.</translation>
     </message>
     <message>
-        <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and has blocks.</source>
+        <source>For grids whose points lie anywhere: &apos;physical&apos; builds where they lie, by decimation from the mesh of the grid&apos;s cells, or by refinement (of rectilinear grids) from the points alone; &apos;computational&apos; by their indices, as the paper did, which takes less memory and supports blocks.</source>
         <translation>Per griglie i cui punti si trovano ovunque: «fisico» costruisce dove si trovano, per decimazione dalla mesh delle celle della griglia, per raffinamento (di griglie rettilinee) dai soli punti; «computazionale» secondo i loro indici, come nell&apos;articolo, il che richiede meno memoria e permette i blocchi.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest tetrahedra for an error in space, where the points lie.</source>
+        <source>A curvilinear grid: decimation uses the mesh of its cells, and needs the fewest tetrahedra for an error in space, where the points lie.</source>
         <translation>Una griglia curvilinea: la decimazione prende la mesh delle sue celle e richiede il minor numero di tetraedri per un errore nello spazio, cioè dove si trovano i punti.</translation>
     </message>
     <message>
-        <source>For curvilinear data: &apos;grid&apos; keeps the error in the grid, at the points&apos; indices, as the paper did; &apos;space&apos; also the error in space, where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps both of grids of up to a million points that are refined as a whole, by both thresholds.</source>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error in the grid, at the points&apos; indices, as the paper did; &apos;space&apos; also the error in space, where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory. &apos;automatic&apos; keeps both for grids of up to a million points that are refined as a whole, using both thresholds.</source>
         <translation>Per dati curvilinei: «nella griglia» mantiene l&apos;errore nella griglia, agli indici dei punti, come nell&apos;articolo; «nello spazio» anche l&apos;errore nello spazio, dove si trovano i punti, cioè quello che si vede. Ciò richiede più vertici e tempo, e tutta la griglia in memoria. «automatico» li mantiene entrambi per griglie fino a un milione di punti raffinate per intero e secondo entrambe le soglie.</translation>
     </message>
     <message>
-        <source>A curvilinear grid: refinement in computational space bounds the error in the grid and the warping, also where cells of the grid are folded, and can bound the error in space.</source>
+        <source>A curvilinear grid: refinement in computational space bounds the error in the grid and the warping, even where cells of the grid are folded, and can bound the error in space.</source>
         <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita l&apos;errore nella griglia e la deformazione, anche dove le celle della griglia sono piegate, e può limitare l&apos;errore nello spazio.</translation>
     </message>
     <message>
@@ -11696,19 +11644,19 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>è un elenco di casi EnSight, che VTK 9.1 non legge. Aprire uno dei casi che nomina.</translation>
     </message>
     <message>
-        <source>its files name each other more than %1 deep.</source>
+        <source>its files refer to each other more than %1 levels deep.</source>
         <translation>i suoi file si nominano a vicenda per più di %1 livelli.</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos;, which names it in turn.</source>
+        <source>it refers to the file &apos;%1&apos;, which refers back to it.</source>
         <translation>nomina il file «%1», che a sua volta lo nomina.</translation>
     </message>
     <message>
-        <source>it names the file &apos;%1&apos; twice for one time. Write each part once.</source>
+        <source>it lists the file &apos;%1&apos; twice for one time. Write each part once.</source>
         <translation>nomina il file «%1» due volte per un istante. Scrivere ogni parte una volta.</translation>
     </message>
     <message>
-        <source>its chunks went through %1 codecs, more than %2</source>
+        <source>its chunks were passed through %1 codecs, more than %2</source>
         <translation>i suoi blocchi (chunk) sono passati per %1 codec, più di %2</translation>
     </message>
     <message>
@@ -11724,11 +11672,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>zyx</translation>
     </message>
     <message>
-        <source>%1 or a comment before it is longer than %2 bytes, and so not one of a table of points.</source>
+        <source>%1 or a comment before it is longer than %2 bytes, so this is not a table of points.</source>
         <translation>la %1 o un commento che la precede supera %2 byte, perciò non è di una tabella di punti.</translation>
     </message>
     <message>
-        <source>%1 has %2 columns, and at most %3 are read. Write a file of the columns of places and values that you need.</source>
+        <source>%1 has %2 columns, and at most %3 are read. Write a file with only the columns of positions and values that you need.</source>
         <translation>la %1 ha %2 colonne, e se ne leggono al massimo %3. Scrivere un file con le colonne delle posizioni e dei valori che servono.</translation>
     </message>
     <message>
@@ -11752,11 +11700,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ha %1 livelli di dettaglio, di cui 0 è il più fine; gli altri non vengono letti. Sceglierne uno con il suo array, per esempio «%2».</translation>
     </message>
     <message>
-        <source>%1 has values whose bracket stands right behind the last one, of which VTK then leaves out a digit. Put an end of line before the bracket, or export the file again.</source>
+        <source>%1 has values whose closing bracket directly follows the last one, of which VTK then drops a digit. Put an end of line before the bracket, or export the file again.</source>
         <translation>%1 ha valori la cui parentesi sta subito dietro l&apos;ultimo, del quale VTK tralascia allora una cifra. Mettere un a capo prima della parentesi, o esportare di nuovo il file.</translation>
     </message>
     <message>
-        <source>it names %1 files %2 times in all.</source>
+        <source>it lists %1 files %2 times in all.</source>
         <translation>nomina %1 file %2 volte in tutto.</translation>
     </message>
     <message>
@@ -11768,7 +11716,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ha più di %1 zone. Scrivere file con meno zone.</translation>
     </message>
     <message>
-        <source>Its chunks are unpacked whole, however little of them is wanted, which takes %1 MB of memory.</source>
+        <source>Its chunks are unpacked whole, however little of them is needed, which takes %1 MB of memory.</source>
         <translation>I suoi blocchi (chunk) vengono spacchettati per intero, per quanto poco ne serva: occorrono %1 MB di memoria.</translation>
     </message>
     <message>
@@ -11784,7 +11732,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>È stato compilato per una versione precedente di TAn. Installare una versione più recente del plugin, o ricompilarlo con gli header di questo TAn.</translation>
     </message>
     <message>
-        <source>it is no shared library for this machine.</source>
+        <source>it is not a shared library for this machine.</source>
         <translation>non è una libreria condivisa per questa macchina.</translation>
     </message>
     <message>
@@ -11812,11 +11760,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>deve essere un oggetto, tra graffe.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no plane: give x, y or z and a place, as in z=12.5, or nx,ny,nz,offset for the points with nx x + ny y + nz z = offset, the first three not all zero.</source>
+        <source>&apos;%1&apos; is not a plane: give x, y or z and a position, as in z=12.5, or nx,ny,nz,offset for the points with nx x + ny y + nz z = offset, the first three not all zero.</source>
         <translation>«%1» non è un piano: dare x, y o z con una posizione, come z=12.5, oppure nx,ny,nz,distanza per i punti con nx x + ny y + nz z = distanza, i primi tre non tutti nulli.</translation>
     </message>
     <message>
-        <source>The plane &apos;%1&apos; misses the data, which reach from %2 to %3 in its direction.</source>
+        <source>The plane &apos;%1&apos; misses the data, which extend from %2 to %3 in its direction.</source>
         <translation>Il piano «%1» non incontra i dati, che nella sua direzione vanno da %2 a %3.</translation>
     </message>
     <message>
@@ -11832,7 +11780,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Proiezione</translation>
     </message>
     <message>
-        <source>Which value along each line of sight is shown: the largest (&apos;maximum&apos;), or the smallest (&apos;minimum&apos;).</source>
+        <source>Which value along each line of sight is shown: the largest (&apos;maximum&apos;) or the smallest (&apos;minimum&apos;).</source>
         <translation>Quale valore lungo ogni linea di vista si mostra: il più grande («massimo») o il più piccolo («minimo»).</translation>
     </message>
     <message>
@@ -11852,7 +11800,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Asse</translation>
     </message>
     <message>
-        <source>The axis that the plane lies across; &apos;all&apos; shows three planes, one across each.</source>
+        <source>The axis perpendicular to the plane; &apos;all&apos; shows three planes, one for each axis.</source>
         <translation>L&apos;asse a cui il piano è perpendicolare; «tutti» mostra tre piani, uno per ciascuno.</translation>
     </message>
     <message>
@@ -11860,7 +11808,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Posizione</translation>
     </message>
     <message>
-        <source>Where the plane lies along its axis: at 0 where the data begin, at 100 where they end.</source>
+        <source>Where the plane lies along its axis: 0 where the data begin, 100 where they end.</source>
         <translation>Dove si trova il piano lungo il suo asse: a 0 dove i dati iniziano, a 100 dove finiscono.</translation>
     </message>
     <message>
@@ -11868,20 +11816,76 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Piani</translation>
     </message>
     <message>
-        <source>Planes in place of those across the axes: each by its axis and its place in the coordinates of the data, as in z=12.5, or of any direction: nx,ny,nz,offset, for the points with nx x + ny y + nz z = offset.</source>
+        <source>Planes instead of those perpendicular to the axes: each by its axis and its position in the coordinates of the data, as in z=12.5, or in any direction: nx,ny,nz,offset, for the points with nx x + ny y + nz z = offset.</source>
         <translation>Piani al posto di quelli degli assi: ciascuno con il suo asse e la sua posizione nelle coordinate dei dati, come z=12.5, o in qualsiasi direzione: nx,ny,nz,distanza, per i punti con nx x + ny y + nz z = distanza.</translation>
     </message>
     <message>
-        <source>Whether slices hide what lies behind (&apos;opaque&apos;), or each value is as opaque as the transfer &apos;function&apos; makes a layer of its unit of thickness.</source>
+        <source>Whether slices hide what is behind them (&apos;opaque&apos;), or each value is as opaque as the transfer &apos;function&apos; makes a layer of its unit of thickness.</source>
         <translation>Se le sezioni nascondono ciò che sta dietro («opaca») o se ogni valore è opaco quanto la «funzione» di trasferimento rende uno strato del suo spessore unitario.</translation>
     </message>
     <message>
-        <source>The slices are as at first: theirs are for another domain.</source>
+        <source>The slices have their default position: the saved ones are for another domain.</source>
         <translation>Le sezioni sono come all&apos;inizio: i loro piani sono di un altro dominio.</translation>
     </message>
     <message>
         <source>%</source>
         <translation>%</translation>
+    </message>
+    <message>
+        <source>%1 %2 at the target</source>
+        <translation>%1 %2 alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>1 unit at the target</source>
+        <translation>1 unità alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>1 unit</source>
+        <translation>1 unità</translation>
+    </message>
+    <message>
+        <source>%1 units at the target</source>
+        <translation>%1 unità alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation>%1 unità</translation>
+    </message>
+    <message>
+        <source>This system has no font to write into pictures. Install one, such as the package fonts-dejavu-core of Debian, or take the picture without annotations.</source>
+        <translation>Questo sistema non ha nessun tipo di carattere per scrivere nelle immagini. Installarne uno, come il pacchetto fonts-dejavu-core di Debian, o fare l&apos;immagine senza annotazioni.</translation>
+    </message>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
+    </message>
+    <message>
+        <source>There is no frame %1 in this film, which has %2 of them.</source>
+        <translation>Questo filmato non ha il fotogramma %1: ne ha %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 in the focus, %3 outside</source>
+        <translation>%1 %2 nel focus, %3 all&apos;esterno</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 da %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1, in space up to %2</source>
+        <translation>%1, nello spazio fino a %2</translation>
+    </message>
+    <message>
+        <source>%1 (in space up to %2)</source>
+        <translation>%1 (nello spazio fino a %2)</translation>
     </message>
 </context>
 <context>
@@ -11936,7 +11940,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Modelli (*.tan)</translation>
     </message>
     <message>
-        <source>All that can be opened (%1)</source>
+        <source>All supported files (%1)</source>
         <translation>Tutto ciò che si può aprire (%1)</translation>
     </message>
     <message>
@@ -11948,11 +11952,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Sessioni (*.tansession)</translation>
     </message>
     <message>
-        <source>Pictures with their sessions (*.png)</source>
+        <source>Pictures saved by TAn (*.png)</source>
         <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
     <message>
-        <source>Datasets packed by gzip (*.gz)</source>
+        <source>Datasets compressed with gzip (*.gz)</source>
         <translation>Dati compressi con gzip (*.gz)</translation>
     </message>
 </context>
@@ -11995,7 +11999,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Dragging turns the model freely, in any direction, instead of around the up axis</source>
+        <source>Dragging turns the model freely in any direction, instead of around the up axis</source>
         <translation>Trascinando, il modello ruota liberamente in ogni direzione anziché intorno all&apos;asse verticale</translation>
     </message>
     <message>
@@ -12029,7 +12033,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Scegli</translation>
     </message>
     <message>
-        <source>Pick the value at the pointer, or in the middle of the picture</source>
+        <source>Pick the value at the pointer, or in the centre of the picture</source>
         <translation>Sceglie il valore sotto il puntatore, o al centro dell&apos;immagine</translation>
     </message>
     <message>
@@ -12061,7 +12065,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Aprire prima un modello</translation>
     </message>
     <message>
-        <source>Click a place in the picture first, or pick one</source>
+        <source>Click or pick a place in the picture first</source>
         <translation>Fare prima clic su un punto dell&apos;immagine o sceglierne uno</translation>
     </message>
 </context>
@@ -12076,7 +12080,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salva immagine</translation>
     </message>
     <message>
-        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be made again: opening it offers its view</source>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it offers its view</source>
         <translation>Programma, modello, accuratezza, camera, funzione di trasferimento e isovalori, così che l&apos;immagine si possa rifare: aprendola viene offerta la sua vista</translation>
     </message>
     <message>
@@ -12092,7 +12096,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Chiudi</translation>
     </message>
     <message>
-        <source>Put it on the clipboard</source>
+        <source>Copy it to the clipboard</source>
         <translation>La mette negli appunti</translation>
     </message>
 </context>
@@ -12159,7 +12163,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>A scelta</translation>
     </message>
     <message>
-        <source>Annotations and lines take as much of the picture as they do of the view</source>
+        <source>Annotations and lines take up the same share of the picture as of the view</source>
         <translation>Annotazioni e linee occupano nell&apos;immagine quanto nella vista</translation>
     </message>
     <message>
@@ -12195,7 +12199,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Mantieni le proporzioni</translation>
     </message>
     <message>
-        <source>Width and height follow each other, so that nothing is added or cut off</source>
+        <source>Width and height change together, so that nothing is added or cut off</source>
         <translation>Larghezza e altezza si seguono, così che nulla venga aggiunto o tagliato</translation>
     </message>
 </context>
@@ -12226,7 +12230,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il plugin %1 non può essere usato. %2</translation>
     </message>
     <message>
-        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space turns a plugin on or off.</source>
         <translation>Che cosa si è trovato, e perché qualcosa non si usa. La barra spaziatrice attiva o disattiva un plugin.</translation>
     </message>
     <message>
@@ -12269,7 +12273,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Opacità</translation>
     </message>
     <message>
-        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <source>Opacity of the selected points: percentage of light absorbed per unit distance</source>
         <translation>Opacità dei punti selezionati: percentuale di luce assorbita per distanza unitaria</translation>
     </message>
     <message>
@@ -12285,7 +12289,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Distanza unitaria</translation>
     </message>
     <message>
-        <source>The thickness, in the units of the data, that a layer must have for the opacities to hold: less makes everything denser</source>
+        <source>The thickness of a layer to which the opacities apply, in data units: a smaller one makes everything denser</source>
         <translation>Lo spessore, nelle unità dei dati, che uno strato deve avere perché valgano le opacità: meno rende tutto più denso</translation>
     </message>
     <message>
@@ -12331,7 +12335,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Gruppo</translation>
     </message>
     <message>
-        <source>In the units of the data</source>
+        <source>In data units</source>
         <translation>Nelle unità dei dati</translation>
     </message>
     <message>
@@ -12386,15 +12390,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Preimpostazioni</translation>
     </message>
     <message>
-        <source>Keep the transfer function as it is now, for this and for other models</source>
+        <source>Keep the current transfer function for this and other models</source>
         <translation>Conserva la funzione di trasferimento com&apos;è ora, per questo e per altri modelli</translation>
     </message>
     <message>
-        <source>Delete the chosen preset, if it is one of your own</source>
+        <source>Delete the selected preset, if it is one of your own</source>
         <translation>Elimina la preimpostazione scelta, se è propria</translation>
     </message>
     <message>
-        <source>One of your own</source>
+        <source>Your own preset</source>
         <translation>Propria</translation>
     </message>
     <message>
@@ -12433,7 +12437,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Sposta il focus al punto mirato dalla camera</translation>
     </message>
     <message>
-        <source>&amp;Window</source>
+        <source>Crop Bo&amp;x</source>
         <translation>&amp;Finestra</translation>
     </message>
     <message>
@@ -12441,7 +12445,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra solo la parte del dominio in un parallelepipedo</translation>
     </message>
     <message>
-        <source>Switch on a focus first</source>
+        <source>Turn on a focus first</source>
         <translation>Attivare prima un focus</translation>
     </message>
     <message>
@@ -12460,7 +12464,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
 <context>
     <name>tetra::RegionPanel</name>
     <message>
-        <source>Only a &amp;window</source>
+        <source>&amp;Only a crop box</source>
         <translation>Solo una fin&amp;estra</translation>
     </message>
     <message>
@@ -12468,7 +12472,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra solo la parte del dominio in un parallelepipedo (W)</translation>
     </message>
     <message>
-        <source>Bounds of the window, in data coordinates</source>
+        <source>Corners of the crop box, in data coordinates</source>
         <translation>Limiti della finestra, nelle coordinate dei dati</translation>
     </message>
     <message>
@@ -12496,11 +12500,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Bordo</translation>
     </message>
     <message>
-        <source>Make the window as large as the domain</source>
+        <source>Make the crop box as large as the domain</source>
         <translation>Rende la finestra grande quanto il dominio</translation>
     </message>
     <message>
-        <source>In the units of the data: %1 to %2</source>
+        <source>In data units: %1 to %2</source>
         <translation>Nelle unità dei dati: da %1 a %2</translation>
     </message>
     <message>
@@ -12532,11 +12536,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ma&amp;ssimo</translation>
     </message>
     <message>
-        <source>Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are not seen, or only in part.</source>
+        <source>Show only tetrahedra that can contain a value in a range. Isosurfaces of other values disappear, or are shown only in part.</source>
         <translation>Mostra solo i tetraedri che possono contenere un valore di un intervallo. Isosuperfici di altri valori non si vedono, o solo in parte.</translation>
     </message>
     <message>
-        <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
+        <source>How tetrahedra at the border of the crop box are treated: cut exactly there, or kept or left out whole</source>
         <translation>Come finisce la finestra: i tetraedri al suo bordo si tagliano esattamente lì, o si tengono o tralasciano interi</translation>
     </message>
     <message>
@@ -12544,11 +12548,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Tutti i tetraedri in un intervallo di &amp;errori</translation>
     </message>
     <message>
-        <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
+        <source>Overlay the tetrahedra of every mesh between two errors, as surfaces. The crop box does not cut them.</source>
         <translation>Al posto di una mesh mostra i tetraedri di tutte le mesh tra due errori, sovrapposti, come superfici. Una finestra li lascia interi.</translation>
     </message>
     <message>
-        <source>in percent of the value range; 100 is no limit</source>
+        <source>in percent of the value range; 100 means no limit</source>
         <translation>in percento dell&apos;intervallo dei valori; 100 non pone limiti</translation>
     </message>
     <message>
@@ -12576,47 +12580,47 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La mesh di questo errore è la più grossolana dell&apos;intervallo, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Bor&amp;n above</source>
+        <source>&amp;Appear above</source>
         <translation>&amp;Nati sopra</translation>
     </message>
     <message>
-        <source>Born above</source>
+        <source>Appear above</source>
         <translation>Nati sopra</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
+        <source>Only tetrahedra that first appear above this error, in percent of the value range</source>
         <translation>Solo i tetraedri presenti nelle mesh a partire da un errore maggiore di questo, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Born &amp;up to</source>
+        <source>Appear &amp;up to</source>
         <translation>Nati fino &amp;a</translation>
     </message>
     <message>
-        <source>Born up to</source>
+        <source>Appear up to</source>
         <translation>Nati fino a</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are in no mesh of a larger error than this, %1</source>
+        <source>Only tetrahedra that first appear at or below this error, %1</source>
         <translation>Solo i tetraedri che non sono in mesh di errore maggiore di questo, %1</translation>
     </message>
     <message>
-        <source>Replace&amp;d from</source>
+        <source>&amp;Disappear from</source>
         <translation>Sostituiti &amp;da</translation>
     </message>
     <message>
-        <source>Replaced from</source>
+        <source>Disappear from</source>
         <translation>Sostituiti da</translation>
     </message>
     <message>
-        <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
+        <source>Only tetrahedra that are replaced at this error or a larger one, in percent of the value range</source>
         <translation>Solo i tetraedri sostituiti a questo errore o prima, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Re&amp;placed up to</source>
+        <source>Disap&amp;pear up to</source>
         <translation>Sostituiti &amp;fino a</translation>
     </message>
     <message>
-        <source>Replaced up to</source>
+        <source>Disappear up to</source>
         <translation>Sostituiti fino a</translation>
     </message>
     <message>
@@ -12639,7 +12643,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation> fotogrammi/s</translation>
     </message>
     <message>
-        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the picture at rest is always complete.</source>
+        <source>The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller and with fewer tetrahedra; the still picture is always complete.</source>
         <translation>La frequenza da mantenere mentre qualcosa si muove. Se il computer è troppo lento, i fotogrammi sono più piccoli e con meno tetraedri; l&apos;immagine ferma è sempre completa.</translation>
     </message>
     <message>
@@ -12659,7 +12663,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Che cosa disegnare durante il movimento</translation>
     </message>
     <message>
-        <source>What to draw while something moves. The picture at rest is always complete.</source>
+        <source>What to draw while something moves. The still picture is always complete.</source>
         <translation>Che cosa disegnare mentre qualcosa si muove. L&apos;immagine ferma è sempre completa.</translation>
     </message>
     <message>
@@ -12703,7 +12707,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Tempo fino all&apos;immagine completa</translation>
     </message>
     <message>
-        <source>When nothing has moved for this long, in milliseconds, the full picture is drawn.</source>
+        <source>The full picture is drawn when nothing has moved for this long, in milliseconds.</source>
         <translation>Quando nulla si è mosso per questo tempo, in millisecondi, si disegna l&apos;immagine completa.</translation>
     </message>
     <message>
@@ -12734,7 +12738,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Scala</translation>
     </message>
     <message>
-        <source>Linear takes the values as they are. Logarithmic takes their logarithms to base 10, for values over many powers of ten: errors are factors then, the same at large and at small values</source>
+        <source>Linear uses the values as they are. Logarithmic uses their logarithms to base 10, for values spanning many powers of ten: errors are then factors, the same for large and small values</source>
         <translation>Lineare prende i valori come sono. Logaritmica prende i loro logaritmi in base 10, per valori che coprono molte potenze di dieci: gli errori sono allora fattori, gli stessi per valori grandi e piccoli</translation>
     </message>
     <message>
@@ -12754,14 +12758,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>tutti i valori sono positivi</translation>
     </message>
     <message>
-        <source>What smaller values are taken as, zero and negative ones too: they have no logarithm. Empty: all values have to be positive</source>
+        <source>Values smaller than this are replaced by it, including zero and negative ones, which have no logarithm. Leave empty if all values are positive</source>
         <translation>Il valore che prende il posto di quelli minori, anche zero e negativi: questi non hanno logaritmo. Vuoto: tutti i valori devono essere positivi</translation>
     </message>
 </context>
 <context>
     <name>tetra::SceneService</name>
     <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <source>No renderer plugin could be loaded, so models cannot be shown. %1</source>
         <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
     </message>
 </context>
@@ -12772,11 +12776,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Non è stato possibile mantenere tutta la sessione.</translation>
     </message>
     <message>
-        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <source>The session %1 is not changed; saving will ask for another file name.</source>
         <translation>La sessione %1 resta com&apos;è; al salvataggio verrà chiesto un altro nome di file.</translation>
     </message>
     <message>
-        <source>It is shown as the session says.</source>
+        <source>The view saved in the session is applied.</source>
         <translation>Lo si mostra come dice la sessione.</translation>
     </message>
     <message>
@@ -12845,7 +12849,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salva solidi</translation>
     </message>
     <message>
-        <source>The isosurfaces shown are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as a 3D printer needs it.</source>
+        <source>The displayed isosurfaces are closed where they meet the boundary of the mesh, so that each is the surface of a solid, as 3D printing requires.</source>
         <translation>Le isosuperfici mostrate vengono chiuse dove incontrano il contorno della mesh, in modo che ciascuna sia la superficie di un solido, come serve a una stampante 3D.</translation>
     </message>
     <message>
@@ -12865,11 +12869,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Dove si trova il solido: da quale lato dell&apos;isosuperficie</translation>
     </message>
     <message>
-        <source>Save of each surface only the part with the largest area</source>
+        <source>Save only the part of each surface with the largest area</source>
         <translation>Salva di ogni superficie solo la parte con l&apos;area maggiore</translation>
     </message>
     <message>
-        <source>Also measure how far the surfaces are from those of the finest mesh; that takes as long as to show the model at error 0</source>
+        <source>Also measure how far the surfaces are from those of the finest mesh; this takes as long as showing the model at error 0</source>
         <translation>Misura anche quanto le superfici distano da quelle della mesh più fine; richiede quanto mostrare il modello con errore 0</translation>
     </message>
     <message>
@@ -12904,7 +12908,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra le celle &amp;difettose</translation>
     </message>
     <message>
-        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and those of a grid that are folded or have no volume</source>
+        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and the cells of a grid that are folded or have no volume</source>
         <translation>Contorna, sopra l&apos;immagine, le celle tralasciate perché hanno un difetto e quelle di una griglia che sono ripiegate o senza volume</translation>
     </message>
     <message>
@@ -12912,7 +12916,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Questo modello non elenca celle difettose: i suoi dati non ne hanno, oppure l&apos;ha costruito una versione precedente di TAn</translation>
     </message>
     <message>
-        <source>What the mesh of each error costs: its error in percent of the range of values and in their units or as a factor, its size, the time to extract it, as measured here, and the memory that it occupies. Choose a line to see that mesh.</source>
+        <source>What the mesh of each error costs: its error in percent of the value range and in units of the values or as a factor, its size, the time to extract it, measured on this computer, and the memory that it occupies. Choose a row to see that mesh.</source>
         <translation>Quanto costa la mesh di ogni errore: l&apos;errore in percento dell&apos;intervallo dei valori e nelle loro unità o come fattore, la dimensione, il tempo per estrarla, come misurato qui, e la memoria che occupa. Scegliere una riga per vedere quella mesh.</translation>
     </message>
 </context>
@@ -12943,7 +12947,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Memoria occupata dal programma, compresi i file mappati</translation>
     </message>
     <message>
-        <source>Rendering back end: OpenGL or the processor</source>
+        <source>Rendering back end: OpenGL or the CPU</source>
         <translation>Disegno con OpenGL o con il processore</translation>
     </message>
     <message>
@@ -12983,11 +12987,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Valore scelto e la sua posizione, nelle unità dei dati. Un clic altrove ne sceglie un altro, Esc toglie il segno.</translation>
     </message>
     <message>
-        <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
+        <source>Time to draw the last picture; during movement, the frame rate, and the reduced size and number of tetrahedra</source>
         <translation>Tempo per disegnare l&apos;ultima immagine; in movimento la frequenza dei fotogrammi, la dimensione ridotta e il numero ridotto di tetraedri</translation>
     </message>
     <message>
-        <source>The server finds the mesh, or the picture is being drawn</source>
+        <source>The server is extracting the mesh, or the picture is being drawn</source>
         <translation>Il server trova la mesh, o l&apos;immagine viene disegnata</translation>
     </message>
     <message>
@@ -13056,11 +13060,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Lo&amp;garitmico</translation>
     </message>
     <message>
-        <source>Give the point two sides: what lies below its value ends there, and what lies above begins</source>
+        <source>Give the point two sides: one colour and opacity for the values below it, another for those above</source>
         <translation>Dà al punto due lati: ciò che sta sotto il suo valore finisce lì, e ciò che sta sopra vi comincia</translation>
     </message>
     <message>
-        <source>Show how often values occur on a logarithmic scale, so that rare ones are seen</source>
+        <source>Show how often values occur on a logarithmic scale, so that rare ones are visible</source>
         <translation>Mostra in scala logaritmica quanto spesso si presentano i valori, così che si vedano quelli rari</translation>
     </message>
     <message>
@@ -13080,7 +13084,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Carica…</translation>
     </message>
     <message>
-        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: TAn&apos;s own, or ParaView presets (JSON or XML)</source>
         <translation>Prende una funzione di trasferimento da un file: una di TAn o preimpostazioni di ParaView (JSON o XML)</translation>
     </message>
     <message>
@@ -13108,7 +13112,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salva…</translation>
     </message>
     <message>
-        <source>Save the transfer function as a JSON file, which “tan render” takes, too</source>
+        <source>Save the transfer function as a JSON file, which “tan render” also accepts</source>
         <translation>Salva la funzione di trasferimento come file JSON, accettato anche da «tan render»</translation>
     </message>
     <message>
@@ -13152,11 +13156,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra &amp;tutto</translation>
     </message>
     <message>
-        <source>Value, opacity, colour and how often it occurs, at the pointer</source>
+        <source>Value, opacity, colour and frequency of occurrence, at the pointer</source>
         <translation>Valore, opacità, colore e frequenza, al puntatore</translation>
     </message>
     <message>
-        <source>Add a point after the selected one, or click on the curve, or double click in the plot</source>
+        <source>Add a point after the selected one; or click the curve, or double-click the plot</source>
         <translation>Aggiunge un punto dopo quello selezionato; oppure fare clic sulla curva, o doppio clic nel grafico</translation>
     </message>
     <message>
@@ -13214,10 +13218,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Logarithmic: by &amp;factors</source>
         <translation>Logaritmico: per &amp;fattori</translation>
-    </message>
-    <message>
-        <source>Which of the rendering mode&apos;s transfer functions is edited</source>
-        <translation>Quale delle funzioni di trasferimento della modalità di resa si modifica</translation>
     </message>
     <message>
         <source>Transfer function to edit</source>
@@ -13346,7 +13346,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Carica la camera da un file JSON</translation>
     </message>
     <message>
-        <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
+        <source>Save the camera as a JSON file, which “tan render --camera” also accepts</source>
         <translation>Salva la camera come file JSON, accettato anche da «tan render --camera»</translation>
     </message>
     <message>
@@ -13398,7 +13398,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Direzione intorno all&apos;asse verticale, in gradi</translation>
     </message>
     <message>
-        <source>Height above the plane across the up axis, in degrees</source>
+        <source>Height above the plane perpendicular to the up axis, in degrees</source>
         <translation>Altezza sul piano perpendicolare all&apos;asse verticale, in gradi</translation>
     </message>
     <message>
@@ -13446,14 +13446,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Trascina</translation>
     </message>
     <message>
-        <source>Frame what is shown, or the focus; once more: the whole domain (Home)</source>
+        <source>Frame what is shown, or the focus; press again for the whole domain (Home)</source>
         <translation>Inquadra ciò che si mostra, o il focus; ancora una volta: l&apos;intero dominio (Home)</translation>
     </message>
 </context>
 <context>
     <name>tetra::Viewport</name>
     <message>
-        <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
+        <source>OpenGL cannot be used; the CPU draws the picture instead. %1</source>
         <translation>OpenGL non si può usare, l&apos;immagine è disegnata dal processore. %1</translation>
     </message>
 </context>

@@ -12,6 +12,7 @@ one, in which the window looks first. --check: only says what is missing, or has
 import argparse
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -42,6 +43,8 @@ def extract(target):
                               "-I", str(root), "-I", str(root / "core/include"), "@" + listed.name, "-ts", target],
                              capture_output=True, text=True)
     problems = [line for line in run.stderr.splitlines() if "tr() like this" in line or "cannot be called" in line]
+    problems += [f"{path}: tr() within {call[1]}() is not seen; give that function another name" for path in sources()
+                 for call in re.finditer(r"\b(say|marked)\((?:[^\"()]|\([^\"()]*\))*\btr\(", pathlib.Path(path).read_text(encoding="utf-8"))]
     if run.returncode != 0 or problems:
         sys.exit("update.py: " + "\n".join(problems or [run.stderr]))
 

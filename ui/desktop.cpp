@@ -68,9 +68,9 @@ bool hasDisplay([[maybe_unused]] std::span<char*> arguments)
 
 int refuseWithoutDisplay()
 {
-    const QString text = Desktop::tr(
-        "There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” draws pictures "
-        "into files instead; “tan --help” says what else works without a window.");
+    const QString text =
+        Desktop::tr("There is no display for the window: neither DISPLAY nor WAYLAND_DISPLAY is set. “tan render” "
+                    "draws pictures into files instead; “tan --help” lists what else works without a window.");
     fputs(qPrintable(text + '\n'), stderr);
     return 4;
 }
@@ -104,7 +104,8 @@ int runDesktop(int argc, char** argv)
     parser.addVersionOption();
     parser.addOption({"backend", Desktop::tr("Rendering back end: auto, cpu or gl."), "name", "auto"});
     parser.addPositionalArgument(
-        "file", Desktop::tr("A dataset, a .tan model or a session to open; each in a window of its own."), "[file...]");
+        "file", Desktop::tr("A dataset, a .tan model or a session to open; each opens in its own window."),
+        "[file...]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
     if (!backend) {

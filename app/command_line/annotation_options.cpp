@@ -22,13 +22,13 @@ const std::vector<KindOption>& kindOptions()
         {AnnotationKind::ColourBar,
          {.name = "colour-bar",
           .placeholder = "",
-          .explanation = "Writes what the colours mean over the picture: the transfer function, the isovalues."}},
+          .explanation = "Adds a legend of the colours to the picture: the transfer function, the isovalues."}},
         {AnnotationKind::Axes,
          {.name = "axes", .placeholder = "", .explanation = "Shows the directions of the axes in a corner."}},
         {AnnotationKind::ScaleBar,
          {.name = "scale-bar",
           .placeholder = "",
-          .explanation = "Shows a length in the units of the data; in perspective it holds at the camera's target."}},
+          .explanation = "Shows a length in data units; in perspective it applies at the camera's target."}},
         {AnnotationKind::Title,
          {.name = "title", .placeholder = "TEXT", .explanation = "Writes a text into the upper left corner."}}};
     return all;
@@ -42,8 +42,7 @@ Result<std::optional<BarEnds>> barEndsOf(const Arguments& arguments)
     if (!text)
         return std::optional<BarEnds>();
     if (!arguments.has("colour-bar"))
-        return Error{ErrorKind::WrongUsage,
-                     "'--bar-range' says from where to where the colour bar goes: it needs '--colour-bar'."};
+        return Error{ErrorKind::WrongUsage, "'--bar-range' sets the ends of the colour bar: it needs '--colour-bar'."};
     const auto colon = text->find(':');
     const std::string_view words = *text;
     const auto least = parseFieldValue(words.substr(0, colon));
@@ -72,22 +71,6 @@ std::vector<Option> annotationOptions()
     return options;
 }
 
-bool askForAnnotations(std::span<const std::string> words)
-{
-    const auto isPicture = [&](std::size_t at) {
-        return words[at].ends_with(".png") && (at == 0 || !words[at - 1].starts_with('-'));
-    };
-    for (std::size_t at = 0; at < words.size(); ++at)
-        if (words[at].ends_with(".tansession") || isPicture(at))
-            return true;
-    return std::ranges::any_of(words, [](const std::string& word) {
-        const std::string given = word.substr(0, word.find('='));
-        return given == "--lens" || std::ranges::any_of(kindOptions(), [&](const KindOption& entry) {
-                   return given == "--" + entry.option.name;
-               });
-    });
-}
-
 Result<AnnotationContent> annotationsOf(const Arguments& arguments)
 {
     const auto ends = barEndsOf(arguments);
@@ -97,7 +80,7 @@ Result<AnnotationContent> annotationsOf(const Arguments& arguments)
     content.state.barEnds = *ends;
     for (const auto& [kind, option] : kindOptions())
         content.state[kind].shown = arguments.has(option.name);
-    content.title = QString::fromStdString(arguments.value("title").value_or(""));
+    content.title = arguments.value("title").value_or("");
     return content;
 }
 

@@ -2,16 +2,13 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "ui/annotations/annotation_content.h"
+#include "core/picture/annotations/annotation_content.h"
 
 namespace tetra {
 
 /// What is written over a picture, as the window writes it: --colour-bar, --axes, --scale-bar, --title; and the ends of
 /// the colour bar, --bar-range.
 std::vector<Option> annotationOptions();
-
-/// Whether words of a command line ask for any, or name a session, which may, so that fonts are needed.
-bool askForAnnotations(std::span<const std::string> words);
 
 /// Which of them, each in its usual corner; the content says nothing more than the title yet. Errors (WrongUsage): ends
 /// that are no range, or of a bar that is not asked for.

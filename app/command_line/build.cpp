@@ -147,11 +147,10 @@ Status checkAbilities(const Arguments& arguments, const Provided<Builder>& build
     const BuildAbilities abilities = builder.plugin->abilities(dataset, values);
     const std::string build = "This build of '" + dataset.source.name + "' by '" + builder.id + "'";
     if (arguments.has("resume") && !abilities.resumes)
-        return Error{ErrorKind::WrongUsage,
-                     build + " leaves nothing behind that could be gone on with. Leave '--resume' out."};
+        return Error{ErrorKind::WrongUsage, build + " cannot be resumed. Leave '--resume' out."};
     if (arguments.has("keep") && !abilities.keeps)
         return Error{ErrorKind::WrongUsage, build + " has no mesh before it ends. Leave '--keep' out" +
-                                                (abilities.resumes ? "; '--resume' goes on with it later." : ".")};
+                                                (abilities.resumes ? "; '--resume' continues it later." : ".")};
     return {};
 }
 
@@ -219,9 +218,9 @@ void tellThreads(const Arguments& arguments, int threads, const Provided<Builder
     outcome.figures["threads"] = usesThreads ? allowed : 1;
     if (!arguments.has("threads") || threads == 1 || usesThreads)
         return;
-    outcome.text += "One thread was used: such a build has no work for more.";
+    outcome.text += "One thread was used: such a build cannot use more.";
     if (abilitiesInBlocks(*builder.plugin, dataset, values).usesThreads)
-        outcome.text += " In blocks it has: " + optionInQuotes("block " + std::string(usualBlock)) + ".";
+        outcome.text += " In blocks it can: " + optionInQuotes("block " + std::string(usualBlock)) + ".";
     outcome.text += "\n";
 }
 
@@ -237,7 +236,7 @@ ImportOptions toKeep(ImportOptions imported, const Arguments& arguments)
 Option buildThreadsOption()
 {
     Option option = threadsOption();
-    option.explanation += " Only refinement in blocks has work for more than one.";
+    option.explanation += " Only refinement in blocks can use more than one.";
     return option;
 }
 
@@ -247,42 +246,40 @@ Syntax buildSyntax(PluginHost& host)
 {
     Syntax syntax{
         .purpose = "build a multiresolution model from a dataset",
-        .explanation =
-            "The model holds the whole history of the mesh, coarse to fine, so that any accuracy can be had "
-            "from it later without building again. The file appears when it is complete; when the build is "
-            "cancelled or fails, nothing is left (but see --keep and --resume) and an older model of that name stays "
-            "as it was. Until then all files of the build lie in the folder MODEL.work.",
-        .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers knows.")}},
-        .options = {outputOption("MODEL", "The model to write, conventionally *.tan."),
-                    {.name = "builder",
-                     .placeholder = idChoices(host.builders()),
-                     .explanation = "Builder plugin.",
-                     .byDefault = "the one that suits the dataset best"},
-                    {.name = "keep",
-                     .placeholder = "",
-                     .explanation = "If the build is interrupted, keep what is finished, of refinement as a model of "
-                                    "lower accuracy, of decimation as one without the coarser meshes. It does not "
-                                    "replace a MODEL that is there, but is kept beside it under a name with the error "
-                                    "that it has, like engine-25-percent.tan. A build in "
-                                    "blocks refines all of them coarsely first, for which it takes about a tenth more "
-                                    "time, and keeps that."},
-                    {.name = "packed",
-                     .placeholder = "",
-                     .explanation = "Write a packed model, as 'tan pack' does; the model itself lies in the folder "
-                                    "MODEL.packing until it is packed."},
-                    buildThreadsOption(),
-                    {.name = "resume",
-                     .placeholder = "",
-                     .explanation = "Continue an interrupted build of the same model, of the same data and with the "
-                                    "same options, if there is one; the result is the same. If this build is "
-                                    "interrupted, it can be continued in turn: give it to a long build from its "
-                                    "beginning."}},
+        .explanation = "The model holds the whole history of the mesh, from coarse to fine, so that any accuracy can "
+                       "be extracted later without building again. The file appears when it is complete; if the build "
+                       "is cancelled or fails, nothing is left (but see --keep and --resume) and an older model of "
+                       "that name is not changed. Until then all files of the build are in the folder MODEL.work.",
+        .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers supports.")}},
+        .options =
+            {outputOption("MODEL", "The model to write, conventionally *.tan."),
+             {.name = "builder",
+              .placeholder = idChoices(host.builders()),
+              .explanation = "Builder plugin.",
+              .byDefault = "the one that suits the dataset best"},
+             {.name = "keep",
+              .placeholder = "",
+              .explanation =
+                  "If the build is interrupted, keep what is finished: from refinement as a model of lower accuracy, "
+                  "from decimation as one without the coarser meshes. It does not replace an existing MODEL, but is "
+                  "kept next to it under a name with its error, such as engine-25-percent.tan. A build in blocks "
+                  "refines all of them coarsely first, which takes about a tenth more time, and keeps that."},
+             {.name = "packed",
+              .placeholder = "",
+              .explanation = "Write a packed model, as 'tan pack' does; until it is packed, the model itself is in the "
+                             "folder MODEL.packing."},
+             buildThreadsOption(),
+             {.name = "resume",
+              .placeholder = "",
+              .explanation = "Continue an interrupted build of the same model, from the same data and with the same "
+                             "options, if there is one; the result is the same. If this build is interrupted, it can "
+                             "be continued in turn: use this option from the start of a long build."}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
                      {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",
                       "A part of the data, more coarsely."},
                      {"tan build flow.vtu --array nut --scale log:1e-9 -o nut.tan",
-                      "Values over many powers of ten: errors are factors."}}};
+                      "Values spanning many powers of ten: errors are factors."}}};
     addPluginOptions(syntax, allParameters(host.builders()));
     addImportOptions(syntax, host);
     return syntax;
@@ -302,9 +299,8 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (const Status safe = checkOutputs(input, output); !safe)
         return safe.error();
     if (arguments.has("packed") && arguments.has("keep"))
-        return Error{ErrorKind::WrongUsage,
-                     "'--keep' and '--packed' do not go together: what an interrupted build keeps "
-                     "is packed by 'tan pack'. Leave one of the two out."};
+        return Error{ErrorKind::WrongUsage, "'--keep' and '--packed' cannot be combined: what an interrupted build "
+                                            "keeps can be packed with 'tan pack'. Leave one of the two out."};
 
     auto imported = importOptions(invocation, input);
     if (!imported)

@@ -229,21 +229,13 @@ bool isForWindow(std::span<const std::string> words)
            (isAddress(words[0]) || std::filesystem::exists(words[0], problem));
 }
 
-bool needsFonts(std::span<const std::string> words)
-{
-    if (asksForHelp(words))
-        return false;
-    const Subcommand* subcommand = words.empty() ? nullptr : findSubcommand(words[0]);
-    return subcommand != nullptr && subcommand->needsFonts != nullptr && subcommand->needsFonts(words.subspan(1));
-}
-
 int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,
                    const std::stop_token& stop)
 {
     const std::string first = words.empty() ? "--help" : words[0];
     if (first == "help" && words.size() > 2)
         return fail(streams, Error{ErrorKind::WrongUsage, "'tan help' explains one subcommand at a time, so '" +
-                                                              words[2] + "' does not go with it."});
+                                                              words[2] + "' cannot be combined with it."});
     if (first == "help" && words.size() == 2) {
         const Subcommand* const asked = findSubcommand(words[1]);
         if (asked == nullptr)

@@ -25,7 +25,4 @@ int runCommandLine(std::span<const std::string> words, PluginHost& host, const S
 /// Whether `words` ask for the window: none at all, or one that is a file and no subcommand.
 bool isForWindow(std::span<const std::string> words);
 
-/// Whether these words, as runCommandLine() gets them, need the fonts of a QGuiApplication; a display they never need.
-bool needsFonts(std::span<const std::string> words);
-
 } // namespace tetra

@@ -48,7 +48,7 @@ Result<Outcome> copyInput(const Invocation& invocation, const std::optional<Accu
         names += (names.empty() ? "" : ", ") + visibleText(section);
     }
     outcome.figures["derived"] = derived;
-    outcome.text += "Made anew by this version, and not byte for byte what was packed: " + names + ".\n";
+    outcome.text += "Rebuilt by this version, and not byte for byte what was packed: " + names + ".\n";
     return outcome;
 }
 
@@ -84,18 +84,16 @@ Option limitOption(Option option, bool required)
 
 Syntax cutSyntax(PluginHost&)
 {
-    return {
-        .purpose = "write the coarse levels of a model as a smaller one",
-        .explanation =
-            "The new model has the meshes of the old one up to the accuracy asked for, and nothing finer: to share, "
-            "to send, or to keep of a model that is too large. It is whole in itself, and 'tan verify' proves it "
-            "against the same data.",
-        .positionals = {{"MODEL", modelExplanation()}},
-        .options = {limitOption(errorOption(), true), limitOption(warpingOption(), false),
-                    outputOption("FILE", "The model to write, conventionally *.tan."), tokenFileOption()},
-        .examples = {{"tan cut engine.tan --error 1 -o engine-1.tan", "All meshes down to an error of 1 %."},
-                     {"tan cut https://example.org/engine.tan --error 4 -o engine-4.tan",
-                      "Of a model on a server; only that much is fetched."}}};
+    return {.purpose = "write the coarse levels of a model as a smaller one",
+            .explanation = "The new model has the meshes of the old one up to the requested accuracy, and nothing "
+                           "finer: to share, to send, or to keep of a model that is too large. It is complete in "
+                           "itself, and 'tan verify' proves it against the same data.",
+            .positionals = {{"MODEL", modelExplanation()}},
+            .options = {limitOption(errorOption(), true), limitOption(warpingOption(), false),
+                        outputOption("FILE", "The model to write, conventionally *.tan."), tokenFileOption()},
+            .examples = {{"tan cut engine.tan --error 1 -o engine-1.tan", "All meshes down to an error of 1 %."},
+                         {"tan cut https://example.org/engine.tan --error 4 -o engine-4.tan",
+                          "From a model on a server; only that much is fetched."}}};
 }
 
 Result<Outcome> runCut(const Invocation& invocation)
@@ -108,8 +106,8 @@ Result<Outcome> runCut(const Invocation& invocation)
 Syntax unpackSyntax(PluginHost&)
 {
     return {.purpose = "write a packed model as an ordinary one",
-            .explanation = "The result is the model that was packed, byte for byte; where a later version of TAn "
-                           "makes some part of it differently, that is said. With an accuracy only the beginning is "
+            .explanation = "The result is the model that was packed, byte for byte; if a later version of TAn makes "
+                           "some part of it differently, a message says so. With an accuracy only the beginning is "
                            "unpacked, in a fraction of the time.",
             .positionals = {{"PACKED", "The packed model: a file, or its address on a server (http:// or https://)."}},
             .options = {limitOption(errorOption(), false), limitOption(warpingOption(), false),
@@ -128,9 +126,9 @@ Result<Outcome> runUnpack(const Invocation& invocation)
     if (!facts)
         return facts.error();
     if (facts->form != ModelForm::Packed)
-        return Error{ErrorKind::WrongUsage, "'" + input +
-                                                "' is not packed: every command takes it as it is. 'tan cut' "
-                                                "writes its coarse levels."};
+        return Error{ErrorKind::WrongUsage,
+                     "'" + input +
+                         "' is not packed: every command accepts it as it is. 'tan cut' writes its coarse levels."};
     const auto limits = limitsOf(invocation.arguments, input, invocation.progress.part(0, 0));
     return limits ? copyInput(invocation, *limits) : limits.error();
 }

@@ -132,25 +132,24 @@ void addImportOptions(Syntax& syntax, PluginHost& host)
         {.name = "region",
          .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
          .explanation =
-             "The part of the dataset to take: of grids the first and the last point along each axis, counted "
-             "from 0; of other data a box in space, of irregular meshes the tetrahedra that lie in it.",
+             "The part of the dataset to take: for grids the first and the last point along each axis, counted from 0; "
+             "for other data a box in space, and for irregular meshes the tetrahedra that lie in it.",
          .byDefault = "all of it"});
     syntax.options.push_back({.name = "stride",
                               .placeholder = "N[,N,N]",
-                              .explanation = "Of grids: takes every Nth point along each axis.",
+                              .explanation = "For grids: takes every Nth point along each axis.",
                               .byDefault = "1"});
-    syntax.options.push_back(
-        {.name = "scale",
-         .placeholder = "linear|log|log:SMALLEST",
-         .explanation = "With log the logarithms to base 10 of the values are taken, for values over many powers of "
-                        "ten: errors are factors then. All values have to be positive, unless SMALLEST says what "
-                        "smaller ones are taken as.",
-         .byDefault = "linear"});
+    syntax.options.push_back({.name = "scale",
+                              .placeholder = "linear|log|log:SMALLEST",
+                              .explanation = "With log the logarithms to base 10 of the values are used, for values "
+                                             "spanning many powers of ten: errors are then factors. All values must be "
+                                             "positive, unless SMALLEST is given, which replaces smaller ones.",
+                              .byDefault = "linear"});
     addPluginOptions(syntax, allParameters(host.readers()));
     for (Option& option : syntax.options)
         if (option.ofPlugin && option.name == timeId) {
             option.placeholder = "NUMBER|first|last|t=TIME";
-            option.explanation += " Of any file: the first or the last one, or that of a time, as in t=0.25.";
+            option.explanation += " For any file: the first or the last one, or that of a time, as in t=0.25.";
         }
 }
 

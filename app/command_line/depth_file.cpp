@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/depth_file.h"
 
-#include "core/base/text.h"
-#include "ui/scenes/picture_file.h"
-
-#include <QImage>
+#include "core/base/file_writer.h"
+#include "core/picture/png_file.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <new>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -38,25 +39,23 @@ std::uint16_t greyOf(double depth, const DepthScale& scale)
 } // namespace
 
 Result<DepthScale> writeDepth(const std::filesystem::path& path, const Picture& picture)
-{
+try {
     if (picture.depth.size() != picture.pixels.size())
-        return Error{ErrorKind::OutOfResource, "This back end gives no depths. Leave '--depth' out, or take another."};
-    const DepthScale scale = scaleOf(picture.depth);
-    QImage image(picture.width, picture.height, QImage::Format_Grayscale16);
-    if (image.isNull())
         return Error{ErrorKind::OutOfResource,
-                     "Not enough memory for the picture of depths. Make the picture smaller."};
-    auto depth = picture.depth.begin();
-    for (int row = 0; row < picture.height; ++row) {
-        auto* greys = reinterpret_cast<std::uint16_t*>(image.scanLine(row));
-        for (int column = 0; column < picture.width; ++column)
-            greys[column] = greyOf(*depth++, scale);
-    }
-    image.setText("nearest", QString::fromStdString(formatNumber(scale.nearest)));
-    image.setText("farthest", QString::fromStdString(formatNumber(scale.farthest)));
-    if (const Status written = writePicture(image, path); !written)
+                     "This back end provides no depths. Leave '--depth' out, or choose another."};
+    const DepthScale scale = scaleOf(picture.depth);
+    std::vector<std::uint16_t> greys(picture.depth.size());
+    std::ranges::transform(picture.depth, greys.begin(), [&](float depth) { return greyOf(depth, scale); });
+    const auto file =
+        pngOfGreys(greys, picture.width, picture.height,
+                   {.texts = {{"nearest", formatNumber(scale.nearest)}, {"farthest", formatNumber(scale.farthest)}}});
+    if (!file)
+        return file.error();
+    if (const Status written = writeWholeFile(path, *file); !written)
         return written.error();
     return scale;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorKind::OutOfResource, "Not enough memory for the picture of depths. Make the picture smaller."};
 }
 
 } // namespace tetra

@@ -79,8 +79,8 @@ Option againstOption()
     return {.name = "against",
             .placeholder = "IN",
             .explanation =
-                "The dataset that the model was built from, opened in the same way: also measure the error of "
-                "the mesh at every point of it, which takes about as long as 'tan verify' does for one level."};
+                "The dataset that the model was built from, opened in the same way: also measures the error of the "
+                "mesh at every point of it, which takes about as long as 'tan verify' for one level."};
 }
 
 /// --against: what there is to measure of the mesh, compared with the dataset. Errors: also that the mesh is none of
@@ -118,12 +118,11 @@ std::vector<Message> remarksOn(const ModelDescription& model, const MeshQuery& q
 {
     std::vector<Message> remarks;
     if (found.scale > 1 && !query.budget && !query.range)
-        remarks.emplace_back("The model has no finer mesh than this, which keeps less than what was asked for.");
+        remarks.emplace_back("The model has no finer mesh than this, which keeps less than requested.");
     const bool boundaryMoves = model.warpingWeight > 0 && model.domain != DomainClass::Curvilinear;
     if (boundaryMoves && found.reached && found.reached->warping > 0 && !isMeasured)
-        remarks.emplace_back(
-            "Points that the moved boundary leaves outside of the mesh are compared with a place within "
-            "the warping; at the nearest place they may be off by more, which '--against' measures.");
+        remarks.emplace_back("Points that the moved boundary leaves outside the mesh are compared with a place within "
+                             "the warping; at the nearest place they may be off by more, which '--against' measures.");
     return remarks;
 }
 
@@ -198,7 +197,7 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     const Arguments& arguments = invocation.arguments;
     if (arguments.has("against"))
         return Error{ErrorKind::WrongUsage,
-                     "'--against' needs the model at hand, so '--at-server' does not go with it."};
+                     "'--against' needs the model at hand, so '--at-server' cannot be combined with it."};
     const auto token = tokenOption(arguments, arguments.positionals[0]);
     if (!token)
         return token.error();
@@ -252,13 +251,12 @@ Syntax extractSyntax(PluginHost& host)
 {
     Syntax syntax{
         .purpose = "write a mesh of a model",
-        .explanation =
-            "The smallest mesh that keeps what is asked for: the same error everywhere, or a smaller one in a focus or "
-            "near certain values, without cracks; or the best one of so many tetrahedra; or a part of it. The file is "
-            "a VTK XML unstructured grid (.vtu) or a legacy one (.vtk), with the values of the vertices, called as in "
-            "the data; or the boundary of the mesh alone, as triangles: VTK polydata (.vtp), binary PLY (.ply), STL "
-            "(.stl), Wavefront text (.obj) or binary glTF (.glb). Surfaces on which the data have a value are "
-            "written by 'tan isosurface'.",
+        .explanation = "The smallest mesh of the requested accuracy: the same error everywhere, or a smaller one in a "
+                       "focus or near certain values, without cracks; or the best mesh with a given number of "
+                       "tetrahedra; or a part of it. The file is a VTK XML unstructured grid (.vtu) or a legacy one "
+                       "(.vtk), with the values of the vertices, named as in the data; or the boundary of the mesh "
+                       "alone, as triangles: VTK polydata (.vtp), binary PLY (.ply), STL (.stl), Wavefront text (.obj) "
+                       "or binary glTF (.glb). Isosurfaces are written by 'tan isosurface'.",
         .positionals = {{"MODEL", modelExplanation()}},
         .options = queryOptions(),
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},
@@ -267,7 +265,7 @@ Syntax extractSyntax(PluginHost& host)
                      {"tan extract engine.tan --budget 300000 -o engine.vtk", "As good as 300,000 tetrahedra allow."},
                      {"tan extract engine.tan --error 1 -o - --format vtu", "Into a pipe, to another program."},
                      {"tan extract engine.tan --budget 300000 --against engine.nrrd -o engine.vtk",
-                      "And how good that is on the whole."}}};
+                      "Also reports how accurate it is overall."}}};
     syntax.options.push_back(againstOption());
     std::ranges::move(serverOptions(), std::back_inserter(syntax.options));
     std::ranges::move(resultOptions(host, WrittenContent::Mesh), std::back_inserter(syntax.options));
@@ -288,7 +286,7 @@ Result<Outcome> runExtract(const Invocation& invocation)
         return query.error();
     if (arguments.has("against") && (query->window || query->range || !query->values.empty()))
         return Error{ErrorKind::WrongUsage, "'--against' measures one mesh of the whole domain, so '--window', "
-                                            "'--values' and '--range' do not go with it."};
+                                            "'--values' and '--range' cannot be combined with it."};
     const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Mesh));
     if (!values)
         return values.error();

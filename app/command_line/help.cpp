@@ -93,8 +93,8 @@ std::vector<std::pair<std::string, std::string>> exitCodes()
     return {
         {"0", "done"},
         {"1", "verification failed: the model is not what it claims to be"},
-        {"2", "wrong usage: an unknown option, a value that does not fit, an output that would replace its input"},
-        {"3", "bad input: a file that is missing, damaged, or of no known format"},
+        {"2", "wrong usage: an unknown option, an invalid value, an output that would replace its input"},
+        {"3", "bad input: a file that is missing, damaged, or of an unknown format"},
         {"4", "the result could not be written, or memory or another resource ran out"},
         {"130", "cancelled (Ctrl-C)"},
     };
@@ -111,10 +111,9 @@ std::vector<std::pair<std::string, std::string>> environmentVariables()
 {
     return {
         {"TAN_PLUGIN_PATH", "more folders with plugins, separated by ':'"},
-        {"TAN_PLUGIN_DISABLE", "ids of plugins that are not to be loaded, separated by ','"},
+        {"TAN_PLUGIN_DISABLE", "ids of plugins not to be loaded, separated by ','"},
         {"TAN_CACHE_MB",
-         "how many megabytes (of 1,000,000 bytes) the cache of models that are packed or on a server takes at most; "
-         "without it 8590, which is 8 GiB"},
+         "maximum size of the model cache in megabytes (of 1,000,000 bytes; default: 8590, which is 8 GiB)"},
     };
 }
 

@@ -361,7 +361,7 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     for (const char* option : {"lod", "warping", "against"})
         if (invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage, "'--" + std::string(option) + "' is of the levels of a model, and '" +
-                                                    path + "' is none. Build a model of it first."};
+                                                    path + "' is not one. Build a model of it first."};
     std::error_code problem;
     const auto bytes = std::filesystem::file_size(path, problem);
     const auto contents = probeDataset(invocation.host, path, *options, invocation.progress.part(0, 0.2));
@@ -405,43 +405,39 @@ Syntax infoSyntax(PluginHost& host)
     Syntax syntax{
         .purpose = "show what a model or a dataset holds",
         .explanation =
-            "Of a model: its domain, how it was made, and the size of the mesh at each level of "
-            "detail. The sizes are looked up, not counted, so this is quick for models of any size; of curvilinear "
-            "grids the inverted tetrahedra are counted, some ten million a second. Of a packed model and of one on a "
-            "server "
-            "the sizes of a few levels, and how much of the file is read for each; nothing is unpacked or fetched. "
-            "Of a dataset: its size, its type, its range of values, what there is to choose from, what is taken of it, "
-            "what it says and is not used, and what each builder would take for a model of it.\n\nDatasets that can be "
-            "read, also compressed "
-            "with gzip (*.gz): " +
+            "For a model: its domain, how it was made, and the size of the mesh at each level of detail. The sizes are "
+            "looked up, not counted, so this is quick for models of any size; for curvilinear grids the inverted "
+            "tetrahedra are counted, at some ten million a second. For a packed model or one on a server: the sizes of "
+            "a few levels, and how much of the file is read for each; nothing is unpacked or fetched. For a dataset: "
+            "its size, its type, its range of values, what there is to choose from, what is taken from it, what it "
+            "states that is not used, and what each builder would need for a model of it.\n\nDatasets that can be "
+            "read, also compressed with gzip (*.gz): " +
             readable + ".",
-        .positionals =
-            {{"FILE",
-              "A model, packed or not, or its address on a server (http:// or https://); or a dataset that one of the "
-              "readers knows."}},
+        .positionals = {{"FILE", "A model, packed or not, or its address on a server (http:// or https://); or a "
+                                 "dataset that one of the readers supports."}},
         .options = {levelsOption(),
                     warpingOption(),
                     {.name = "against",
                      .placeholder = "IN",
-                     .explanation = "Of a model: the dataset that it was built from. Also says how large error and "
-                                    "warping are on the whole at each level, with the error in space of curvilinear "
-                                    "grids and the error at the nearest place of irregular data; takes as long as "
-                                    "'tan verify'."},
+                     .explanation = "For a model: the dataset that it was built from. Also reports the overall error "
+                                    "and warping at each level, with the error in space for curvilinear grids and the "
+                                    "error at the nearest place for irregular data; takes as long as 'tan verify'."},
                     {.name = "ranges",
                      .placeholder = "",
-                     .explanation = "Of a dataset of more than 64 MB: read its values, too, and tell their range. "
-                                    "Without it such a file is told by its headers alone, at once."},
+                     .explanation = "For a dataset of more than 64 MB: also reads its values, and reports their range. "
+                                    "Without it only the headers of such a file are read, which is immediate."},
                     {.name = "error",
                      .placeholder = "P",
-                     .explanation = "Of a dataset: the error, in percent of the range of the values, down to which a "
-                                    "model would be built, for what that takes.",
+                     .explanation = "For a dataset: the error, in percent of the value range, down to which a model "
+                                    "would be built, to estimate what that takes.",
                      .byDefault = "that of each builder"},
-                    outputOption("FILE.csv|.json", "Of a model: also write the levels to this file.", false),
+                    outputOption("FILE.csv|.json", "For a model: also write the levels to this file.", false),
                     tokenFileOption()},
-        .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
-                     {"tan info engine.tan -o levels.csv", "The meshes at the usual accuracies, for a spreadsheet."},
-                     {"tan info engine.tan --lod 1 --against engine.nrrd", "And how far a mesh is off on the whole."},
-                     {"tan info engine.nrrd --json", "A dataset, for a program."}}};
+        .examples = {
+            {"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
+            {"tan info engine.tan -o levels.csv", "The meshes at the usual accuracies, for a spreadsheet."},
+            {"tan info engine.tan --lod 1 --against engine.nrrd", "Also reports how far a mesh is off overall."},
+            {"tan info engine.nrrd --json", "A dataset, for a program."}}};
     addImportOptions(syntax, host);
     syntax.exitCodes = {0, 1, 2, 3, 4, 130}; // 1: of '--against'
     return syntax;
@@ -459,18 +455,18 @@ Result<Outcome> runInfo(const Invocation& invocation)
             return token.error();
         if (output)
             return Error{ErrorKind::WrongUsage, "'--output' writes the levels of a model, and '" + path +
-                                                    "' is none. Build a model of it first."};
+                                                    "' is not one. Build a model of it first."};
         return describeDataset(invocation, path);
     }
     const bool against = invocation.arguments.has("against");
     for (const char* option : {"ranges", "error"})
         if (invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage,
-                         "The model '" + path + "' has no option '--" + option + "': it is of datasets."};
+                         "The model '" + path + "' has no option '--" + option + "': it is for datasets."};
     for (const char* option : {"reader", "region", "stride", "scale"})
         if (!against && invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage,
-                         "The model '" + path + "' has no option '--" + option + "': it is of datasets."};
+                         "The model '" + path + "' has no option '--" + option + "': it is for datasets."};
     if (const Status known = against
                                  ? Status()
                                  : checkPluginOptions(invocation.arguments, allParameters(invocation.host.readers()),

@@ -13,10 +13,10 @@
 #include "core/base/text.h"
 #include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
+#include "core/picture/surface_making.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
-#include "ui/workbench/surface_making.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -79,7 +79,7 @@ Status checkMemoryForSurfaces(const TetrahedralMesh& mesh, const std::vector<dou
     return Error{ErrorKind::OutOfResource,
                  "These isosurfaces, " + std::to_string(isovalues.size()) + " of them, would take about " +
                      neededBytesText(bytes) +
-                     " of memory, more than half of what there is. Ask for fewer values, or a larger error."};
+                     " of memory, more than half of what there is. Use fewer values, or a larger error."};
 }
 
 /// How the surfaces are made of a mesh, and what is asked about them.
@@ -91,21 +91,20 @@ struct SurfaceWishes {
 /// Options that make a surface one for a printer, and tell how far it is from what the model has.
 std::vector<Option> printingOptions()
 {
-    return {
-        {.name = "close",
-         .placeholder = "above|below",
-         .explanation = "Close the surfaces where they meet the boundary of the mesh, with the part of it that has "
-                        "values above or below the isovalue: each is the surface of a solid then, watertight and "
-                        "without normals."},
-        {.name = "largest-part",
-         .placeholder = "",
-         .explanation =
-             "Of each surface only the part with the largest area; of a closed one its skin, so hollows are filled."},
-        {.name = "deviation",
-         .placeholder = "",
-         .explanation = "Also measure how far the surfaces are from those of the finest mesh of the model, made in "
-                        "the same way: the largest and the mean distance, both ways, in the unit of length of the "
-                        "data. Takes as long as '--error 0'."}};
+    return {{.name = "close",
+             .placeholder = "above|below",
+             .explanation =
+                 "Close the surfaces where they meet the boundary of the mesh, with the part of it that has values "
+                 "above or below the isovalue: each is then the surface of a solid, watertight and without normals."},
+            {.name = "largest-part",
+             .placeholder = "",
+             .explanation = "Only the part of each surface with the largest area; of a closed one its outer skin, so "
+                            "hollows are filled."},
+            {.name = "deviation",
+             .placeholder = "",
+             .explanation = "Also measure how far the surfaces are from those of the finest mesh of the model, made in "
+                            "the same way: the largest and the mean distance, in both directions, in the unit of "
+                            "length of the data. Takes as long as '--error 0'."}};
 }
 
 Result<SurfaceWishes> wishesOf(const Arguments& arguments, const MeshQuery& query)
@@ -113,8 +112,8 @@ Result<SurfaceWishes> wishesOf(const Arguments& arguments, const MeshQuery& quer
     const auto wrong = [](std::string text) { return Error{ErrorKind::WrongUsage, std::move(text)}; };
     for (const char* option : {"close", "largest-part", "deviation"})
         if (arguments.has(option) && query.range)
-            return wrong("'--range' gives many surfaces that lie over each other, so '--" + std::string(option) +
-                         "' does not go with it.");
+            return wrong("'--range' gives many overlapping surfaces, so '--" + std::string(option) +
+                         "' cannot be combined with it.");
     SurfaceWishes wishes{{.largestPart = arguments.has("largest-part")}, arguments.has("deviation")};
     if (const auto side = arguments.value("close")) {
         if (*side != "above" && *side != "below")
@@ -124,9 +123,9 @@ Result<SurfaceWishes> wishesOf(const Arguments& arguments, const MeshQuery& quer
     if (!wishes.deviation)
         return wishes;
     if (arguments.has("at-server"))
-        return wrong("'--deviation' needs the model at hand, so '--at-server' does not go with it.");
+        return wrong("'--deviation' needs the model at hand, so '--at-server' cannot be combined with it.");
     if (!query.values.empty())
-        return wrong("'--deviation' measures whole surfaces, so '--values' does not go with it.");
+        return wrong("'--deviation' measures whole surfaces, so '--values' cannot be combined with it.");
     if (query.window && query.window->border != WindowBorder::Clipped)
         return wrong("'--deviation' needs surfaces that end at the same place: with '--window', give '--border "
                      "clipped'.");
@@ -238,24 +237,23 @@ Syntax isosurfaceSyntax(PluginHost& host)
 {
     Syntax syntax{.purpose = "write isosurfaces of a model as a triangle mesh",
                   .explanation =
-                      "Marching tetrahedra over a mesh as 'tan extract' takes it from the model: closed but for the "
-                      "boundary of the domain, or of the part of it that is asked for, with shared vertices and smooth "
-                      "normals. The file is VTK polydata (.vtp, .vtk), a VTK "
-                      "unstructured grid (.vtu), binary PLY (.ply) or STL (.stl), Wavefront text (.obj) or binary glTF "
-                      "(.glb). Each vertex has a position, a normal and the isovalue that it belongs to, as far as the "
-                      "format can hold them.",
+                      "Marching tetrahedra over a mesh that is extracted as by 'tan extract': closed except at the "
+                      "boundary of the domain, or of the requested part of it, with shared vertices and smooth "
+                      "normals. The file is VTK polydata (.vtp, .vtk), a VTK unstructured grid (.vtu), binary PLY "
+                      "(.ply) or STL (.stl), Wavefront text (.obj) or binary glTF (.glb). Each vertex has a position, "
+                      "a normal and the isovalue that it belongs to, where the format supports them.",
                   .positionals = {{"MODEL", modelExplanation()}},
                   .options = {{.name = "value",
                                .placeholder = "V[,V2...]",
-                               .explanation = "The isovalues, in units of the data; of a model of logarithms "
-                                              "(--scale log) the logarithms, or log10(V) with the values.",
+                               .explanation = "The isovalues, in data units; for a model of logarithms (--scale log) "
+                                              "the logarithms, or log10(V) with the values.",
                                .repeatable = true,
                                .required = true}},
                   .examples = {{"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply",
                                 "Two surfaces in one file."},
                                {"tan isosurface engine.tan --value 100 --close above --largest-part --deviation -o "
                                 "engine.stl",
-                                "A solid for a 3D printer, and how true it is."},
+                                "A solid for a 3D printer, and how accurate it is."},
                                {"tan isosurface engine.tan --value 100 --field 'isovalues(;0.2,4,30)' -o sharp.vtp",
                                 "From a mesh that is fine near the surface."}}};
     for (auto options : {printingOptions(), queryOptions(), serverOptions()})

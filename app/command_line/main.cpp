@@ -5,41 +5,13 @@
 #include "core/base/file_writer.h"
 #include "plugins/host/plugin_folders.h"
 
-#include <QGuiApplication>
-#include <QLocale>
-
-#include <clocale>
 #include <exception>
 #include <iostream>
-#include <memory>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 namespace {
-
-void withoutRuntimeFolder(QtMsgType type, const QMessageLogContext& context, const QString& text)
-{
-    if (!text.startsWith("QStandardPaths: "))
-        std::cerr << qFormatLogMessage(type, context, text).toStdString() << std::endl;
-}
-
-/// What draws texts: Qt with its fonts, without a display. That takes a tenth of a second, so only commands that need
-/// it pay for it.
-std::unique_ptr<QGuiApplication> startFonts(int& argc, char** argv)
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    // Machines without a login have no folder for running programs. Nothing is put there, and Qt would complain.
-    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR"))
-        qInstallMessageHandler(withoutRuntimeFolder);
-    QLocale::setDefault(QLocale::c()); // what is drawn is as what is printed
-    auto fonts = std::make_unique<QGuiApplication>(argc, argv);
-    // Qt takes over the user's locale; numbers keep their decimal point and what the system says of errors stays
-    // English.
-    std::setlocale(LC_NUMERIC, "C");
-    std::setlocale(LC_MESSAGES, "C");
-    return fonts;
-}
 
 /// A program may be started without its standard streams (2>&-). The first files that it opens would take their
 /// places, and what it tells would be written into them.
@@ -59,7 +31,6 @@ int run(int argc, char** argv)
         return 4;
     }
     const tetra::Interruption interruption;
-    const auto fonts = tetra::needsFonts(words) ? startFonts(argc, argv) : nullptr;
     const auto host = tetra::PluginHost::standard();
     return tetra::runCommandLine(words, *host, {std::cout, std::cerr, isatty(STDERR_FILENO) != 0},
                                  interruption.token());

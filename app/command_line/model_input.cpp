@@ -113,7 +113,7 @@ Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem
     if (isAtServer && !isAddress(place.string()))
         return Error{ErrorKind::WrongUsage, "'--at-server' needs the address of a model that 'tan serve' offers, "
                                             "http://HOST:PORT/NAME.tan, and '" +
-                                                place.string() + "' is none."};
+                                                place.string() + "' is not one."};
     const auto withToken = optionsWithToken(invocation.arguments, place);
     if (!withToken)
         return withToken.error();
@@ -140,7 +140,7 @@ Option tokenFileOption()
 {
     return {.name = "token-file",
             .placeholder = "FILE",
-            .explanation = "Of a model on a server: a file whose first line is the token that the server wants."};
+            .explanation = "For a model on a server: a file whose first line is the server's access token."};
 }
 
 Result<std::string> tokenOption(const Arguments& arguments, const std::filesystem::path& place)

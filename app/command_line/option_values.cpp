@@ -109,8 +109,8 @@ Option errorOption()
 {
     return {.name = "error",
             .placeholder = "PERCENT",
-            .explanation = "The largest error that the mesh may have, in % of the data's range of values, of the kind "
-                           "that 'tan info' names; 0 takes the finest mesh, 'none' sets no limit.",
+            .explanation = "The largest error that the mesh may have, in % of the data's value range, of the kind that "
+                           "'tan info' names; 0 takes the finest mesh, 'none' sets no limit.",
             .byDefault = formatNumber(defaultError)};
 }
 
@@ -153,8 +153,8 @@ Option levelsOption()
 {
     return {.name = "lod",
             .placeholder = "LIST",
-            .explanation = "The levels of detail: errors in % of the data's range of values, separated by commas; or "
-                           "pairs of error and warping, such as 1:5 or none:1.",
+            .explanation = "The levels of detail: errors in % of the data's value range, separated by commas; or pairs "
+                           "of error and warping, such as 1:5 or none:1.",
             .byDefault = std::string(defaultLevels)};
 }
 
@@ -178,7 +178,7 @@ Option threadsOption()
 {
     return {.name = "threads",
             .placeholder = "N",
-            .explanation = "The most threads to use.",
+            .explanation = "Maximum number of threads.",
             .byDefault = "as many as the machine has"};
 }
 

@@ -29,21 +29,20 @@ void addPacking(const PackReport& report, std::uint64_t unpackedBytes, Outcome& 
         static_cast<double>(unpackedBytes) / static_cast<double>(std::max<std::uint64_t>(report.fileBytes, 1));
     outcome.text += "packed from " + byteText(unpackedBytes) + " to " + byteText(report.fileBytes) + ", " +
                     rounded(times, 3) + " times smaller, " +
-                    (replayed ? "as the samples that the history is made from\n"
-                              : "part by part, without what follows from the rest\n");
+                    (replayed ? "as the samples from which the history is rebuilt\n"
+                              : "part by part, without what can be derived from the rest\n");
 }
 
 Syntax packSyntax(PluginHost&)
 {
     return {.purpose = "pack a model, to archive it or to send it over a network",
-            .explanation =
-                "A packed model is a small part of the size, and gives the model back byte for byte. Every command, "
-                "and the window, takes it in place of the model: they unpack it into a cache folder, and of what "
-                "needs no fine mesh only the beginning.",
+            .explanation = "A packed model is a small fraction of the size, and unpacks to the same model byte for "
+                           "byte. Every command, and the window, accepts it in place of the model: they unpack it into "
+                           "a cache folder, or only its beginning where no fine mesh is needed.",
             .positionals = {{"MODEL", modelExplanation()}},
             .options = {outputOption("PACKED", "The packed model to write, conventionally *.packed.tan."),
                         tokenFileOption()},
-            .examples = {{"tan pack engine.tan -o engine.packed.tan", "Then engine.tan can go."}}};
+            .examples = {{"tan pack engine.tan -o engine.packed.tan", "engine.tan can then be deleted."}}};
 }
 
 Result<Outcome> runPack(const Invocation& invocation)

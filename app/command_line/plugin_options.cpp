@@ -103,7 +103,7 @@ Option optionOf(const Parameter& parameter)
     if (isIsovalues(parameter))
         option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (isTransferFunction(parameter)) {
-        option.explanation += " A file that TAn saved, or a preset of ParaView (the manual, 'Files').";
+        option.explanation += " A file that TAn saved, or a ParaView preset (the manual, 'Files').";
         option.byDefault = "one that fits the data";
     } else if (!isSwitch(parameter) && !isList(parameter))
         option.byDefault = parameterText(parameter.defaultValue);
@@ -128,9 +128,8 @@ Result<ParameterValue> readTransferFunction(const std::string& path, const Trans
     if (!functions)
         return Error{ErrorKind::BadInput, "'" + path + "': " + functions.error().text()};
     if (functions->front().spread && remarks != nullptr)
-        remarks->push_back(
-            Message::say("'%1' goes from 0 to 1, and is stretched over the values of the data, %2 to %3.", path,
-                         formatNumber(range->minimum), formatNumber(range->maximum)));
+        remarks->push_back(Message::say("'%1' covers 0 to 1, and is stretched over the values of the data, %2 to %3.",
+                                        path, formatNumber(range->minimum), formatNumber(range->maximum)));
     return ParameterValue(std::move(functions->front().function));
 }
 

@@ -22,11 +22,11 @@ Syntax pluginsSyntax(PluginHost&)
 {
     return {.purpose = "list the plugins, and what is wrong with those that cannot be used",
             .explanation =
-                "Every plugin found is loaded to see whether all that it needs is there. A plugin that cannot "
-                "be used is named with the reason and the remedy; it does not keep the program from working.",
+                "Every plugin found is loaded to see whether all that it needs is there. A plugin that cannot be used "
+                "is listed with the reason and the remedy; it does not keep the program from working.",
             .positionals = {},
             .options = {},
-            .examples = {{"tan plugins", "All plugins, a line each."}},
+            .examples = {{"tan plugins", "All plugins, one per line."}},
             .exitCodes = {0, 2, 4}};
 }
 

@@ -53,10 +53,10 @@ void warnOfErrors(std::span<const ErrorRemark> remarks, const ModelDescription& 
         std::string text =
             errorRemarkText(remark, ofLogarithms).text() + " " + errorCureText(remark, limits, ofLogarithms).text();
         if (const double percent = enoughPercent(remark, limits); percent > 0)
-            text += " Ask for it by '--error " + formatNumber(percent) + "', or by '--field \"" +
+            text += " Choose it with '--error " + formatNumber(percent) + "', or with '--field \"" +
                     curingField(remark, limits) + "\"'.";
         if (range.minimum > 0 && range.maximum >= manyTimes * range.minimum)
-            text += " Of values over powers of ten a model of their logarithms tells more: 'tan build --scale log'.";
+            text += " For values over powers of ten a model of their logarithms tells more: 'tan build --scale log'.";
         all.push_back(text);
         messages << text << "\n" << std::flush;
     }

@@ -15,7 +15,7 @@ std::vector<Option> focusOptions()
     return {{.name = "focus",
              .placeholder = "REGION",
              .explanation = "Where the mesh is finer: box:x0,y0,z0,x1,y1,z1 or sphere:x,y,z,r, in the data's own "
-                            "coordinates. Of several, the one with the smaller error counts.",
+                            "coordinates. Where several overlap, the smallest error counts.",
              .repeatable = true},
             {.name = "focus-error",
              .placeholder = "PERCENT",
@@ -26,7 +26,7 @@ std::vector<Option> focusOptions()
              .byDefault = "the same number as the focus error, or the warping elsewhere if that is smaller"},
             {.name = "falloff",
              .placeholder = "LENGTH",
-             .explanation = "The distance from the focus over which the error grows from the one to the other.",
+             .explanation = "The distance from the focus over which the error grows from the inner to the outer one.",
              .byDefault = "0, a sharp border"}};
 }
 
@@ -40,21 +40,18 @@ std::vector<Option> fieldOptions()
     options.push_back(
         {.name = "field",
          .placeholder = "TEXT",
-         .explanation =
-             "In place of --error and --focus, the largest error at each place as an "
-             "expression, such as 'min(sphere(5,5,5, 2; 0.5, 4, 1), isovalues(100; 0.1, 4, "
-             "20))'; the manual explains it under 'The command line'. Unless --warping is given, the warping "
-             "is limited by the same numbers."});
+         .explanation = "Instead of --error and --focus: the largest error at each place as an expression, such as "
+                        "'min(sphere(5,5,5, 2; 0.5, 4, 1), isovalues(100; 0.1, 4, 20))'; the manual explains it under "
+                        "'The command line'. Unless --warping is given, the warping is limited by the same numbers."});
     options.push_back({.name = "budget",
                        .placeholder = "N",
-                       .explanation = "At most so many tetrahedra: errors and warpings that are asked for are all "
-                                      "multiplied by the smallest number, at least 1, that makes it possible."});
+                       .explanation = "At most N tetrahedra; all requested errors and warpings are scaled up by the "
+                                      "smallest common factor that allows it."});
     options.push_back({.name = "method",
                        .placeholder = "NAME",
-                       .explanation =
-                           "How a mesh of varying accuracy, or of an error and a warping apart, is found: closed-set, "
-                           "insertion (into the coarse mesh: one sharp focus in a lattice, any in a grid), or "
-                           "automatic, the smaller one.",
+                       .explanation = "How a mesh of varying accuracy, or with separate limits for error and warping, "
+                                      "is found: closed-set, insertion (into the coarse mesh: one sharp focus in a "
+                                      "lattice, any in a grid), or automatic, the smaller one.",
                        .byDefault = "automatic"});
     return options;
 }
@@ -62,28 +59,29 @@ std::vector<Option> fieldOptions()
 /// Many meshes in place of one.
 std::vector<Option> rangeOptions()
 {
-    return {{.name = "range",
-             .placeholder = "A,B",
-             .explanation = "In place of --error, all tetrahedra that are in the mesh of some error from A to B, each "
-                            "with its life: the arrays birth_error and death_error."},
-            {.name = "births",
-             .placeholder = "LO,HI",
-             .explanation = "Of a range, only tetrahedra that live from an error above LO and up to HI on; HI may be "
-                            "inf."},
-            {.name = "deaths",
-             .placeholder = "LO,HI",
-             .explanation = "Of a range, only tetrahedra that are replaced at an error from LO to HI."}};
+    return {
+        {.name = "range",
+         .placeholder = "A,B",
+         .explanation = "Instead of --error: all tetrahedra that are in the mesh of some error from A to B, each with "
+                        "the errors at which it appears and disappears: the arrays birth_error and death_error."},
+        {.name = "births",
+         .placeholder = "LO,HI",
+         .explanation = "With --range: only tetrahedra that appear at an error above LO and up to HI; HI may be inf."},
+        {.name = "deaths",
+         .placeholder = "LO,HI",
+         .explanation = "With --range: only tetrahedra that are replaced at an error from LO to HI."}};
 }
 
 std::vector<Option> partOptions()
 {
     return {{.name = "window",
              .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
-             .explanation = "Only what lies in this box, given by two opposite corners in the data's own coordinates."},
+             .explanation =
+                 "Only what lies in this crop box, given by two opposite corners in the data's own coordinates."},
             {.name = "border",
              .placeholder = "KIND",
-             .explanation = "What becomes of tetrahedra at the window's border: intersecting keeps all that have a "
-                            "point in common with it, contained those that lie in it whole, clipped cuts them off.",
+             .explanation = "Tetrahedra on the border of the crop box: intersecting keeps those that touch it, "
+                            "contained only those inside, clipped cuts them.",
              .byDefault = "intersecting"},
             {.name = "values",
              .placeholder = "LO,HI",

@@ -11,19 +11,19 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/text.h"
+#include "core/picture/mesh_saving.h"
+#include "core/picture/rendering_modes.h"
+#include "core/picture/restored_view.h"
+#include "core/picture/session_document.h"
+#include "core/picture/session_model.h"
+#include "core/picture/shown_error.h"
+#include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_values.h"
-#include "ui/scenes/restored_view.h"
-#include "ui/scenes/view_picture.h"
-#include "ui/session/rendering_modes.h"
-#include "ui/session/session_document.h"
-#include "ui/session/session_model.h"
-#include "ui/session/shown_error.h"
-#include "ui/workbench/mesh_saving.h"
 
 #include <tan/query.h>
 
@@ -155,7 +155,7 @@ PresentView presentView(const Camera& camera, const ParameterValues& values)
 AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& parameters, const ParameterValues& values,
                             const ShownMesh& mesh)
 {
-    return annotationContent(model, matteringParameters(parameters, values), viewOf(values), &mesh);
+    return annotationContent(model, matteringParameters(parameters, values), viewOf(values), accuracyText(mesh), {});
 }
 
 /// Options that this mode would not look at, as the others are.
@@ -173,8 +173,8 @@ Status checkAppearance(const Arguments& arguments, const Model& model, const Pro
     });
     if (arguments.has("colour-bar") && !hasColours)
         return Error{ErrorKind::WrongUsage, "The mode '" + renderer.id +
-                                                "' draws nothing whose colours '--colour-bar' could explain: no "
-                                                "transfer function and no isosurfaces. Leave it out."};
+                                                "' draws nothing that '--colour-bar' could explain: no transfer "
+                                                "function and no isosurfaces. Leave it out."};
     return {};
 }
 
@@ -288,9 +288,9 @@ Status checkBesideSession(const Arguments& arguments, const std::filesystem::pat
                                                           "model",   "strict", "token-file"};
     for (const auto& [name, value] : arguments.options)
         if (std::ranges::find(ofPictures, name) == ofPictures.end())
-            return Error{ErrorKind::WrongUsage, "'--" + name + "' does not go with '" + session.string() +
-                                                    "', which says how its model is seen. Leave it out, or give the "
-                                                    "model in place of the session."};
+            return Error{ErrorKind::WrongUsage, "'--" + name + "' cannot be combined with '" + session.string() +
+                                                    "', which determines how its model is shown. Leave it out, or give "
+                                                    "the model instead of the session."};
     return {};
 }
 
@@ -300,8 +300,7 @@ Status checkWithoutSession(const Arguments& arguments, const std::filesystem::pa
     for (const std::string_view name : {"model", "strict"})
         if (arguments.has(name))
             return Error{ErrorKind::WrongUsage, "'--" + std::string(name) +
-                                                    "' is for sessions and pictures that hold "
-                                                    "one, and '" +
+                                                    "' is for sessions and pictures that contain one, and '" +
                                                     model.string() + "' is a model. Leave it out."};
     return {};
 }
@@ -314,9 +313,9 @@ Result<std::filesystem::path> modelOf(const Arguments& arguments, const SessionD
         return std::filesystem::path(*other);
     if (const auto found = sessionModel(document, session))
         return *found;
-    return Error{ErrorKind::BadInput, "The model of the session was not found: '" + document.model.string() +
-                                          "', nor one with that name near the session. Say where it is by "
-                                          "'--model FILE'."};
+    return Error{ErrorKind::BadInput,
+                 "The model of the session was not found: '" + document.model.string() +
+                     "', nor one with that name near the session. Give its path with '--model FILE'."};
 }
 
 /// What of the session the picture will not show; an error if that is not to be.
@@ -332,7 +331,7 @@ Result<std::vector<SessionDifference>> differencesOf(const Invocation& invocatio
         texts += (texts.empty() ? "" : " ") + difference.text.text();
     if (!texts.empty() && invocation.arguments.has("strict"))
         return Error{ErrorKind::BadInput, "The picture would not be what the session says. " + texts +
-                                              " Leave '--strict' out to draw it all the same."};
+                                              " Leave '--strict' out to draw it anyway."};
     if (!texts.empty())
         invocation.messages << "The picture is not quite what the session says. " << visibleText(texts) << "\n"
                             << std::flush;
@@ -456,7 +455,7 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
     return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
 
-Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture,
+Status writeFiles(const RenderRequest& request, const PictureOrder& order, Picture picture,
                   const std::optional<DrawnLens>& lens, JsonObject& figures)
 {
     if (request.depth) {
@@ -467,7 +466,8 @@ Status writeFiles(const RenderRequest& request, const PictureOrder& order, const
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
-    return writePicture(finishedPicture(order, picture, lens), request.output);
+    const auto finished = finishedPicture(order, std::move(picture), lens);
+    return finished ? writePicture(*finished, request.output, pngFacts(order)) : Status(finished.error());
 }
 
 /// Before the picture is drawn, which may take long.
@@ -481,8 +481,7 @@ Status checkSurfaces(const RenderRequest& request, const BuiltScene& built, cons
         return {};
     return Error{ErrorKind::WrongUsage,
                  "'--surfaces' has nothing to write: the mode '" + mode +
-                     "' gives no surface here. Choose one that does, such as isosurface, or leave "
-                     "'--surfaces' out."};
+                     "' has no surface here. Choose one that does, such as isosurface, or leave '--surfaces' out."};
 }
 
 Result<FileRemarks> writeSurfaceFile(const Invocation& invocation, const RenderRequest& request,
@@ -517,12 +516,11 @@ Syntax renderSyntax(PluginHost& host)
     Syntax syntax{
         .purpose = "draw a model into a PNG picture",
         .explanation =
-            "Works without a display, with the processor alone or with OpenGL. What is drawn is a mesh as "
-            "'tan extract' takes it from the model: of one accuracy, with a focus, of so many tetrahedra, or "
-            "a part of it.",
+            "Works without a display, with the CPU alone or with OpenGL. What is drawn is a mesh extracted as by 'tan "
+            "extract': of one accuracy, with a focus, within a budget of tetrahedra, or a part of it.",
         .positionals = {{"MODEL", modelExplanation() +
-                                      " Or a session that the window has saved, or a picture that holds one: that "
-                                      "is drawn as the window would, and what it says cannot be said by options."}},
+                                      " Or a session saved by the window, or a picture that contains one: it is drawn "
+                                      "as the window would, and options cannot change what it specifies."}},
         .options = {{.name = "mode",
                      .placeholder = idChoices(host.renderers()),
                      .explanation = "What to show.",
@@ -531,7 +529,7 @@ Syntax renderSyntax(PluginHost& host)
             {"tan render engine.tan --error 0.5 --isovalue 100:silver:0.4 --isovalue 180:#ff8000 -o engine.png",
              "A translucent surface around a solid one."},
             {"tan render engine.tan --mode volume --transfer bones.json --shaded -o engine.png",
-             "A volume through a transfer function of your own, with light."},
+             "A volume through a transfer function of your own, shaded."},
             {"tan render engine.tan --mode hybrid --isovalue 180:gold --clip 0,-1,0,-128 -o engine.png",
              "A surface in a volume, cut open at the plane y = 128."},
             {"tan render engine.tan --slice x=128 --slice z=64 --colour-bar -o engine.png",
@@ -542,17 +540,17 @@ Syntax renderSyntax(PluginHost& host)
              "-o engine.png",
              "A volume that is fine inside a ball and coarse outside, blended over a length of 10."},
             {"tan render engine.tan --mode volume --colour-bar --axes --title Engine -o engine.png",
-             "With what the colours mean, the directions of the axes and a title."},
+             "With a legend of the colours, the directions of the axes and a title."},
             {"tan render step7.tan --mode volume --transfer heat.json --colour-bar --bar-range 20:95 -o step7.png",
-             "One of a series, with the colour bar of all: from 20 to 95."},
+             "One of a series, with the same colour bar for all: from 20 to 95."},
             {"tan render engine.tan --error 2 --isovalue 180:gold --lens 0.6,0.4,0.2,4,0.2 -o engine.png",
-             "A part of it four times as large, of a mesh that is ten times as accurate."},
+             "A part of it four times as large, from a mesh that is ten times as accurate."},
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."},
             {"tan render engine.tan --isovalue 180:gold --surfaces engine.glb -o engine.png",
              "A picture, and its surface as a file."},
             {"tan render engine.tansession --size 1920x1080 -o engine.png", "As the window shows it."},
             {"tan render step1.tansession --model step2.tan -o step2.png",
-             "The next time step as the first one was seen, in the same colours."}}};
+             "The next time step with the view of the first one, in the same colours."}}};
     const std::vector<Parameter> ofRenderers = rendererParameters(host);
     addPluginOptions(syntax, ofRenderers);
     const FieldExtent someField{{1, 3}, Eigen::AlignedBox3d(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(3, 6, 9)), {}};
@@ -607,7 +605,7 @@ Result<Outcome> runRender(const Invocation& invocation)
     const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
     const double pictureEnd = order.lens ? (sceneEnd + 1) / 2 : 1;
-    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, pictureEnd));
+    auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, pictureEnd));
     if (!picture)
         return picture.error();
     JsonObject figures = prepared->figures;
@@ -624,20 +622,20 @@ Result<Outcome> runRender(const Invocation& invocation)
     const auto surfaces = writeSurfaceFile(invocation, *request, *prepared, figures);
     if (!surfaces)
         return surfaces.error();
-    if (const Status written = writeFiles(*request, order, *picture, lens, figures); !written)
+    if (const Status written = writeFiles(*request, order, *std::move(picture), lens, figures); !written)
         return written.error();
 
     const double seconds = secondsSince(start);
     figures["file"] = request->output.string();
     figures["mode"] = mode;
-    figures["width"] = picture->width;
-    figures["height"] = picture->height;
+    figures["width"] = order.width;
+    figures["height"] = order.height;
     figures["triangles"] = triangleCount(*order.scene);
     figures["backend"] = request->backend;
     figures["seconds"] = seconds;
     Outcome outcome{.figures = figures,
-                    .text = visibleText(request->output.string()) + ": " + std::to_string(picture->width) + " x " +
-                            std::to_string(picture->height) + " pixels, " +
+                    .text = visibleText(request->output.string()) + ": " + std::to_string(order.width) + " x " +
+                            std::to_string(order.height) + " pixels, " +
                             contentText(*order.scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) + " s\n"};
     const std::uint64_t faulty = faultyCellCount(*prepared->built.model);
     if (const auto outlined = prepared->built.faultyCells; outlined && *outlined < faulty)

@@ -98,9 +98,9 @@ Result<LensState> lensOf(const std::string& text)
         ErrorKind::WrongUsage,
         "'" + text +
             "' does not fit '--lens': it takes X,Y,RADIUS,MAGNIFICATION or X,Y,RADIUS,MAGNIFICATION,ERROR. X and Y are "
-            "shares of the picture's width and height from its upper left corner, 0 to 1; RADIUS is one of its shorter "
-            "side, 0.05 to 0.5; MAGNIFICATION is 1 to 16; ERROR is in percent of the value range, 0 to 100. With "
-            "'square:' before them the lens is a square."};
+            "fractions of the picture's width and height from its upper left corner, 0 to 1; RADIUS is a fraction of "
+            "its shorter side, 0.05 to 0.5; MAGNIFICATION is 1 to 16; ERROR is in percent of the value range, 0 to "
+            "100. With 'square:' before them the lens is a square."};
     LensState lens{.shape = LensState::Shape::Circle};
     std::string_view list = text;
     for (const auto& [word, shape] : {std::pair(std::string_view("circle:"), LensState::Shape::Circle),
@@ -163,7 +163,7 @@ std::vector<Option> pictureOptions(PluginHost& host)
          .byDefault = "from the front, right and above"},
         {.name = "size",
          .placeholder = "WxH",
-         .explanation = "Of the picture, in pixels.",
+         .explanation = "Size of the picture, in pixels.",
          .byDefault = std::string(defaultSize)},
         {.name = "samples",
          .placeholder = "N",
@@ -175,37 +175,37 @@ std::vector<Option> pictureOptions(PluginHost& host)
          .byDefault = "white"},
         {.name = "backend",
          .placeholder = "cpu|gl",
-         .explanation = "Rendering back end: the processor, or OpenGL 3.3.",
+         .explanation = "Rendering back end: the CPU, or OpenGL 3.3.",
          .byDefault = std::string(defaultBackend)},
         threadsOption(),
         {.name = "model",
          .placeholder = "FILE",
-         .explanation = "Of a session: this model in place of its own, as the session shows that. Values and colours "
-                        "stay what they are, and the camera where the domain is the same."},
+         .explanation = "For a session: uses this model instead of its own, with the view of the session. Values and "
+                        "colours stay as they are, and so does the camera if the domain is the same."},
         {.name = "strict",
          .placeholder = "",
-         .explanation = "Of a session: refuses to draw a picture that does not show all that the session says, because "
-                        "its model has changed. Without it, messages say what differs."},
+         .explanation = "For a session: refuses to draw a picture that does not show all that the session specifies "
+                        "because its model has changed. Without it, messages say what differs."},
         {.name = "depth",
          .placeholder = "FILE.png",
-         .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "
-                        "and white (65535) where nothing is. --json tells which depths the greys are."},
+         .explanation = "Also writes the depth of each pixel, as a grey picture of 16 bits, dark where it is near and "
+                        "white (65535) where there is nothing. --json gives the depths that the greys stand for."},
         {.name = "lens",
          .placeholder = "X,Y,R,M[,E]",
          .explanation = "Enlarges a part of the picture M times, as under a magnifying glass: around the place X,Y "
-                        "(shares of width and height from the upper left corner), out to R (a share of the shorter "
-                        "side), with a mesh whose error there is E percent of the value range, or 0.25, if that is "
-                        "smaller than the picture's. 'square:' before the numbers makes it a square."},
+                        "(fractions of width and height from the upper left corner), out to R (a fraction of the "
+                        "shorter side), with a mesh whose error there is E percent of the value range, or 0.25, if "
+                        "that is smaller than the picture's. 'square:' before the numbers makes it a square."},
         {.name = "faulty-cells",
          .placeholder = "",
-         .explanation = "Outlines, over the picture, the cells that the model lists as faulty: those of a mesh that "
-                        "were left out because something is wrong with them, and those of a grid that are folded or "
-                        "have no volume."},
+         .explanation =
+             "Outlines, over the picture, the cells that the model lists as faulty: the cells of a mesh that were left "
+             "out because something is wrong with them, and the cells of a grid that are folded or have no volume."},
         {.name = "surfaces",
          .placeholder = fileChoices(host, WrittenContent::Surface),
-         .explanation = "Writes the surfaces that are drawn, too, as the window's Save Surfaces does: those of "
-                        "isovalues, and others that a mode gives, with their values and colours as far as the "
-                        "format has any."},
+         .explanation =
+             "Also writes the surfaces that are drawn, as the window's Save Surfaces does: those of isovalues, and "
+             "others that a mode provides, with their values and colours where the format supports them."},
         outputOption("FILE.png", "The picture to write.")};
 }
 

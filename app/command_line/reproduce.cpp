@@ -127,14 +127,13 @@ Syntax reproduceSyntax(PluginHost&)
     return {
         .purpose = "recreate the tables of the paper",
         .explanation =
-            "Builds the models of the paper (Cignoni and others, Multiresolution Representation and Visualization "
-            "of Volume Data, 1997) from their datasets, and prints the sizes of their meshes beside the paper's. "
-            "Tables 1 to 3: curvilinear grids, regular grids, regular grids in blocks. Table 4: isosurfaces, and how "
-            "long pictures of surfaces, volumes and both take. Into "
-            "the folder go the tables as text, Markdown and JSON, Figures 10 and 11 as PNG and SVG, the pictures of "
-            "Figures 13 to 15 as PNG, and the models. What has no data is skipped, and said so. With "
-            "--compare-builders, in place of the tables unless "
-            "they are named: refinement against decimation on convex, curvilinear and irregular data, with charts.",
+            "Builds the models of the paper (Cignoni and others, Multiresolution Representation and Visualization of "
+            "Volume Data, 1997) from their datasets, and prints the sizes of their meshes next to the paper's. Tables "
+            "1 to 3: curvilinear grids, regular grids, regular grids in blocks. Table 4: isosurfaces, and how long "
+            "pictures of surfaces, volumes and both take. The tables are written into the folder as text, Markdown and "
+            "JSON, Figures 10 and 11 as PNG and SVG, the pictures of Figures 13 to 15 as PNG, and the models. Anything "
+            "without data is skipped, with a message. With --compare-builders, instead of the tables unless they are "
+            "named: refinement against decimation on convex, curvilinear and irregular data, with charts.",
         .positionals = {},
         .options = {{.name = "tables",
                      .placeholder = "N[,N...]",

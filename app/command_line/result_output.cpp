@@ -21,12 +21,13 @@ std::vector<Option> resultOptions(PluginHost& host, WrittenContent content)
     std::string formats;
     for (const std::string& ending : writableEndings(host, content))
         formats += (formats.empty() ? "" : "|") + ending.substr(1);
-    return {outputOption(fileChoices(host, content), "The file to write; '-' is standard output, in the format that "
-                                                     "'--format' names."),
+    return {outputOption(fileChoices(host, content),
+                         "The file to write; '-' is standard output, in the format given by '--format'."),
             {.name = "format",
              .placeholder = formats.empty() ? "ENDING" : formats,
-             .explanation = "With '-o -': the format, by the ending that a file's name would have. What is told "
-                            "otherwise on standard output, and with '--json' the object, goes to standard error."}};
+             .explanation =
+                 "With '-o -': the format, given by the ending that a file's name would have. What is otherwise "
+                 "printed on standard output, and with '--json' the object, goes to standard error."}};
 }
 
 Result<Destination> resultDestination(const Arguments& arguments)
@@ -34,14 +35,14 @@ Result<Destination> resultDestination(const Arguments& arguments)
     const std::string output = *arguments.value("output");
     const auto format = arguments.value("format");
     if (output != standardOutput && format)
-        return Error{ErrorKind::WrongUsage, "'--format' goes with '-o -' alone: the ending of a file's name says its "
-                                            "format. Leave it out, or name the file '" +
+        return Error{ErrorKind::WrongUsage, "'--format' can only be used with '-o -': the ending of a file's name "
+                                            "determines its format. Leave it out, or name the file '" +
                                                 std::filesystem::path(output).stem().string() + "." + *format + "'."};
     if (output != standardOutput)
         return Destination(output);
     if (!format)
         return Error{ErrorKind::WrongUsage,
-                     "'-o -' needs to know the format: say which by '--format', as in '--format vtu'."};
+                     "'-o -' needs to know the format: give it with '--format', as in '--format vtu'."};
     if (::isatty(STDOUT_FILENO) != 0)
         return Error{ErrorKind::WrongUsage, "Standard output is a terminal, which would take the file for commands. "
                                             "Redirect it ('> FILE', '| PROGRAM'), or name a file."};

@@ -54,7 +54,7 @@ Result<SampleRequest> requestOf(const Arguments& arguments)
     request.seed = static_cast<std::uint64_t>(*seed);
     const auto kind = std::ranges::find(sampleKinds(), request.name, &SampleKind::name);
     if (arguments.has("seed") && kind != sampleKinds().end() && !kind->hasChance)
-        return Error{ErrorKind::WrongUsage, "'--seed' is for samples with chance in them, and '" +
+        return Error{ErrorKind::WrongUsage, "'--seed' is for samples with random values, and '" +
                                                 std::string(request.name) +
                                                 "' has none: it is the same for each number. Leave it out."};
     if (const auto given = arguments.value("type")) {
@@ -75,7 +75,7 @@ Syntax sampleSyntax(PluginHost& host)
     for (const SampleKind& kind : sampleKinds())
         names += (names.empty() ? "" : ", ") + std::string(kind.name);
     Syntax syntax{
-        .purpose = "make a dataset from a formula, to try things without data",
+        .purpose = "make a dataset from a formula, to try TAn without data",
         .explanation =
             "The dataset is a cube of samples, a curvilinear grid (blunt-body, o-grid, bent-duct, stretched), "
             "scattered points or an irregular mesh (part), with values from 0 to 1, or over the whole range of an "
@@ -83,13 +83,13 @@ Syntax sampleSyntax(PluginHost& host)
             "every machine. Cubes are written as .nrrd, curvilinear grids as .xyz with a .q file beside it (PLOT3D), "
             "scattered points as .csv, irregular meshes as .vtu.",
         .positionals = {{"NAME", "Which one: " + names + ".", false}},
-        .options = {outputOption("FILE", "The file to write; its ending says the format.", false),
+        .options = {outputOption("FILE", "The file to write; its ending determines the format.", false),
                     {.name = "size",
                      .placeholder = "N",
                      .explanation = "Samples along each axis, " + std::to_string(smallestSampleSize) + " to " +
                                     std::to_string(largestSampleSize) +
-                                    "; of scattered points the cube root of their number, of the part eight times the "
-                                    "cells between two holes, to " +
+                                    "; for scattered points the cube root of their number, for the part eight times "
+                                    "the cells between two holes, to " +
                                     std::to_string(largestScatteredSize) + ".",
                      .byDefault = std::to_string(defaultSampleSize)},
                     {.name = "type",
@@ -98,9 +98,9 @@ Syntax sampleSyntax(PluginHost& host)
                      .byDefault = "the sample's own"},
                     {.name = "seed",
                      .placeholder = "N",
-                     .explanation = "Another noise or other points for each number.",
+                     .explanation = "A different noise or different points for each number.",
                      .byDefault = "1"},
-                    {.name = "list", .placeholder = "", .explanation = "Only say which samples there are."}},
+                    {.name = "list", .placeholder = "", .explanation = "Only list the samples."}},
         .examples = {{"tan sample c60 --size 64 -o c60.nrrd", "The electrons around a ball of sixty carbon atoms."},
                      {"tan sample blunt-body --size 48 -o body.xyz", "A curvilinear grid; body.q holds its values."},
                      {"tan sample scattered --size 20 -o ball.csv", "8000 random points in a ball."},
@@ -118,9 +118,9 @@ Result<Outcome> runSample(const Invocation& invocation)
         return listOfSamples();
     const auto output = arguments.value("output");
     if (arguments.positionals.empty() || !output)
-        return Error{ErrorKind::WrongUsage,
-                     "Both NAME and '-o FILE' are wanted: tan sample c60 -o c60.nrrd. 'tan sample "
-                     "--list' says which samples there are."};
+        return Error{
+            ErrorKind::WrongUsage,
+            "Both NAME and '-o FILE' are required: tan sample c60 -o c60.nrrd. 'tan sample --list' lists the samples."};
     const auto request = requestOf(arguments);
     if (!request)
         return request.error();

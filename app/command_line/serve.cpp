@@ -24,22 +24,22 @@ constexpr std::int64_t defaultPort = 8080;
 Syntax serveSyntax(PluginHost&)
 {
     return {
-        .purpose = "let others read models over HTTP",
+        .purpose = "serve models over HTTP",
         .explanation =
-            "A server for the models of a folder and of those within it: '/' lists them, '/NAME.tan' gives a file or "
+            "A server for the models of a folder and its subfolders: '/' lists them, '/NAME.tan' gives a file or "
             "ranges of it, and '/NAME.tan?error=1&window=...', with the options of 'tan extract' as the query, a "
-            "mesh, packed, for which 'tan extract --at-server' asks. It answers this machine only, "
-            "unless it is given another address and a token; without a token every user of this machine can read "
-            "the models. Each request is a line on standard error; Ctrl+C ends it.",
-        .positionals = {{"FOLDER", "Where the models are."}},
+            "packed mesh, as 'tan extract --at-server' requests it. It answers this machine only, unless it is given "
+            "another address and a token; without a token every user of this machine can read the models. Each request "
+            "is logged as a line on standard error; Ctrl+C ends it.",
+        .positionals = {{"FOLDER", "The folder of the models."}},
         .options = {{.name = "port",
                      .placeholder = "N",
-                     .explanation = "The port to listen at; 0 is any that is free.",
+                     .explanation = "The port to listen on; 0 chooses any free one.",
                      .byDefault = std::to_string(defaultPort)},
                     {.name = "address",
                      .placeholder = "ADDRESS",
-                     .explanation = "The machine's address to listen at; 0.0.0.0 is all. Any but a loopback address "
-                                    "needs a token.",
+                     .explanation = "The address of this machine to listen on; 0.0.0.0 means all. Any but a loopback "
+                                    "address needs a token.",
                      .byDefault = "127.0.0.1"},
                     {.name = "token-file",
                      .placeholder = "FILE",
@@ -51,7 +51,7 @@ Syntax serveSyntax(PluginHost&)
                      .repeatable = true},
                     {.name = "limit",
                      .placeholder = "N",
-                     .explanation = "The most tetrahedra that a mesh may have.",
+                     .explanation = "Maximum number of tetrahedra in a mesh.",
                      .byDefault = std::to_string(ModelServerLimits().tetrahedra)},
                     {.name = "seconds",
                      .placeholder = "N",
@@ -59,7 +59,7 @@ Syntax serveSyntax(PluginHost&)
                      .byDefault = std::to_string(ModelServerLimits().time.count() / 1000)}},
         .examples = {{"tan serve models", "At http://127.0.0.1:8080/, for this machine."},
                      {"tan serve models --address 0.0.0.0 --token-file token",
-                      "For all who can reach it and have the token. HTTP is not encrypted: over the Internet, use "
+                      "For everyone who can reach it and has the token. HTTP is not encrypted: over the Internet, use "
                       "SSH or a proxy with TLS."}}};
 }
 
@@ -68,8 +68,8 @@ Syntax serveSyntax(PluginHost&)
 Result<Outcome> runServe(const Invocation&)
 {
     return Error{ErrorKind::WrongUsage,
-                 "This 'tan' was built without its server (CMake option TAN_SERVER). Any HTTP server that gives ranges "
-                 "of files can offer models, too, but it extracts no meshes."};
+                 "This 'tan' was built without its server (CMake option TAN_SERVER). Any HTTP server that supports "
+                 "ranges can offer models, too, but it extracts no meshes."};
 }
 
 #else
@@ -123,17 +123,17 @@ Result<ServedTo> servedTo(const Arguments& arguments, const std::string& address
             return read.error();
         whom.token = *std::move(read);
     } else if (!isLoopback(address)) {
-        return Error{ErrorKind::WrongUsage, Message::say("At '%1' others can reach the server, so it needs a token: "
-                                                         "'--token-file FILE'.",
-                                                         printable(address))};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("At '%1' others can reach the server, so it requires a token: '--token-file FILE'.",
+                                  printable(address))};
     }
     whom.origins = arguments.values("allow-origin");
     for (const std::string& origin : whom.origins)
         if (!isOrigin(origin))
             return Error{ErrorKind::WrongUsage,
-                         Message::say("'%1' does not fit '--allow-origin': it takes where pages come from as a browser "
-                                      "says it, http:// or https:// and a host in small letters, perhaps with a port, "
-                                      "and nothing behind: https://viewer.example.",
+                         Message::say("'%1' does not fit '--allow-origin': it takes the origin of pages as a browser "
+                                      "states it, http:// or https:// and a host in lower-case letters, perhaps with a "
+                                      "port, and nothing after it: https://viewer.example.",
                                       printable(origin))};
     return whom;
 }

@@ -54,7 +54,7 @@ Result<ServerMesh> meshAtServer(const std::string& model, const QueryWords& word
         return unpacked.error();
     if (unpacked->mesh.tetrahedra.empty())
         return Error{ErrorKind::BadInput, Message::say("'%1' sends a mesh without tetrahedra, so nothing was written. "
-                                                       "Ask for a larger window or more values.",
+                                                       "Choose a larger crop box or more values.",
                                                        shownAddress(model))};
     ServerMesh mesh;
     mesh.content = std::move(*unpacked);
@@ -83,8 +83,8 @@ Result<std::string> tokenIn(const std::string& file)
     const bool isVisible = std::ranges::all_of(token, [](char c) { return c > ' ' && c < 0x7f; });
     if (token.size() < leastTokenSize || token.size() > mostTokenSize || !isVisible)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' does not hold a token: its first line has to be %2 to %3 letters, digits or "
-                                  "signs without blanks, such as 'openssl rand -hex 24' writes.",
+                     Message::say("'%1' does not hold a token: its first line must be %2 to %3 letters, digits or "
+                                  "signs without spaces, such as 'openssl rand -hex 24' writes.",
                                   file, leastTokenSize, mostTokenSize)};
     return token;
 }

@@ -49,25 +49,24 @@ Result<Placement> placementOf(const Arguments& arguments)
 
 Syntax setFrameSyntax(PluginHost&)
 {
-    return {
-        .purpose = "say where the lattice of a model lies",
-        .explanation =
-            "Data without a spacing, an origin or a unit are built as if points were 1 apart. This writes the model "
-            "with the right ones, without building it again: its meshes are the same, at the right places. If the "
-            "spacings along the axes have another ratio than those that it was built with, a model that is built "
-            "anew has somewhat fewer points for an error; 'tan build' on data that tell their spacing makes one.",
-        .positionals = {{"MODEL", modelExplanation()}},
-        .options = {{.name = "spacing",
-                     .placeholder = "X,Y,Z",
-                     .explanation = "The distance of neighbouring points along each axis of the lattice."},
-                    {.name = "origin", .placeholder = "X,Y,Z", .explanation = "Where its first point lies."},
-                    {.name = "unit",
-                     .placeholder = "TEXT",
-                     .explanation = "The unit of length, such as mm: it is told, and nothing is converted."},
-                    outputOption("FILE", "The model to write, conventionally *.tan."),
-                    tokenFileOption()},
-        .examples = {{"tan set-frame scan.tan --spacing 0.7,0.7,1.25 --unit mm -o placed.tan",
-                      "Of a stack of images without a spacing."}}};
+    return {.purpose = "set the position of a model's lattice",
+            .explanation =
+                "Data without a spacing, an origin or a unit are built as if points were 1 apart. This writes the "
+                "model with the correct ones, without building it again: its meshes are the same, at the correct "
+                "places. If the ratios of the spacings differ from those it was built with, a rebuilt model has "
+                "somewhat fewer points for an error; 'tan build' on data that state their spacing makes one.",
+            .positionals = {{"MODEL", modelExplanation()}},
+            .options = {{.name = "spacing",
+                         .placeholder = "X,Y,Z",
+                         .explanation = "The distance between neighbouring points along each axis of the lattice."},
+                        {.name = "origin", .placeholder = "X,Y,Z", .explanation = "The position of its first point."},
+                        {.name = "unit",
+                         .placeholder = "TEXT",
+                         .explanation = "The unit of length, such as mm: it is recorded, and nothing is converted."},
+                        outputOption("FILE", "The model to write, conventionally *.tan."),
+                        tokenFileOption()},
+            .examples = {{"tan set-frame scan.tan --spacing 0.7,0.7,1.25 --unit mm -o placed.tan",
+                          "For a stack of images without a spacing."}}};
 }
 
 Result<Outcome> runSetFrame(const Invocation& invocation)

@@ -38,8 +38,6 @@ struct Subcommand {
     std::string_view name;
     Syntax (*syntax)(PluginHost& host);
     Result<Outcome> (*run)(const Invocation& invocation);
-    /// Whether these words make it need a QGuiApplication, for its fonts; null if none do.
-    bool (*needsFonts)(std::span<const std::string> words) = nullptr;
 };
 
 /// All of them, in the order of the help.

@@ -32,13 +32,13 @@ std::span<const Subcommand> subcommands()
         {"verify", verifySyntax, runVerify},
         {"extract", extractSyntax, runExtract},
         {"isosurface", isosurfaceSyntax, runIsosurface},
-        {"render", renderSyntax, runRender, askForAnnotations},
+        {"render", renderSyntax, runRender},
         {"cut", cutSyntax, runCut},
         {"pack", packSyntax, runPack},
         {"unpack", unpackSyntax, runUnpack},
         {"set-frame", setFrameSyntax, runSetFrame},
         {"serve", serveSyntax, runServe},
-        {"reproduce", reproduceSyntax, runReproduce, [](std::span<const std::string>) { return true; }},
+        {"reproduce", reproduceSyntax, runReproduce},
         {"plugins", pluginsSyntax, runPlugins},
     }};
     return all;

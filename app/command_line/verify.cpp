@@ -102,7 +102,7 @@ std::string remarksOn(const VerificationReport& verdict)
 {
     std::string text;
     if (std::ranges::any_of(verdict.levels, [](const auto& level) { return level.invertedInData > 0; }))
-        text += "\nInverted tetrahedra are no failure where the data's own cells are folded or bent too far (" +
+        text += "\nInverted tetrahedra are not a failure where the data's own cells are folded or bent too far (" +
                 std::to_string(verdict.foldedCells) + " folded).\n";
     if (verdict.touchingPoints > 0)
         text +=
@@ -184,13 +184,13 @@ Status checkWhole(const Arguments& arguments)
     for (const char* option : {"range", "births", "deaths"})
         if (arguments.has(option))
             return Error{ErrorKind::WrongUsage, "'--" + std::string(option) +
-                                                    "' gives tetrahedra of many meshes, and one mesh is proved at a "
+                                                    "' gives tetrahedra of many meshes, and one mesh is verified at a "
                                                     "time. Give accuracies of the range with '--lod'."};
     for (const char* option : {"window", "border", "values"})
         if (arguments.has(option))
             return Error{ErrorKind::WrongUsage, "'--" + std::string(option) +
-                                                    "' chooses from the tetrahedra of a mesh that is proved as a "
-                                                    "whole, and them with it. Leave it out."};
+                                                    "' chooses from the tetrahedra of a mesh that is verified as a "
+                                                    "whole, including them. Leave it out."};
     return {};
 }
 
@@ -199,26 +199,25 @@ Status checkWhole(const Arguments& arguments)
 Syntax verifySyntax(PluginHost& host)
 {
     Option levels = levelsOption();
-    levels.byDefault += "; none if another mesh is asked for";
+    levels.byDefault += "; none if another mesh is requested";
     Syntax syntax{
         .purpose = "prove that a model is what it claims to be",
         .explanation =
-            "Checks with code of its own, for each level of detail: every face of the mesh belongs to two "
-            "cells or to the hull, the cells fill the domain exactly, none is flat or inverted, and the error "
-            "at every sample of the original data is at most the one claimed; for curvilinear data also the "
-            "warping, and that no cell is inverted in physical space but where the grid's own cells are folded or bent "
-            "too far (those are counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a "
-            "manifold that does not meet itself, with the components, the surfaces and the holes of the data, and how "
-            "far it is from theirs. "
-            "It also says how large error and warping are on the whole: mean, 99th percentile and root mean square; "
-            "for curvilinear data also the error in space, at the place where each point lies, beside the error in "
-            "the grid; of models built with '--error-in space' it is judged as well; and for irregular data also the "
-            "error at the nearest place, where a point lies outside of the mesh. "
-            "Also the file itself: its checksums, its structure, and its values against the original ones.\n"
-            "A model of a part of a dataset, or of an array of a file that holds several, keeps how that was opened; "
-            "the options that say it are needed only to check against something else.\n"
-            "With an error, a focus, a field or a budget the mesh that these ask for is extracted and proved in the "
-            "same way: its error at every sample is at most the one asked for at that place.",
+            "Checks with independent code, for each level of detail: every face of the mesh belongs to two cells or to "
+            "the hull, the cells fill the domain exactly, none is flat or inverted, and the error at every sample of "
+            "the original data is at most the one claimed; for curvilinear data also the warping, and that no cell is "
+            "inverted in physical space except where the grid's own cells are folded or bent too far (those are "
+            "counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a manifold that does "
+            "not intersect itself, with the components, the surfaces and the holes of the data, and how far it is from "
+            "theirs. It also reports the overall error and warping: mean, 99th percentile and root mean square; for "
+            "curvilinear data also the error in space, at the place where each point lies, next to the error in the "
+            "grid, which is judged as well for models built with '--error-in space'; and for irregular data also the "
+            "error at the nearest place, where a point lies outside the mesh. The file itself is checked as well: its "
+            "checksums, its structure, and its values against the original ones.\nA model of a part of a dataset, or "
+            "of an array of a file that holds several, records how that was opened; the options for it are needed only "
+            "to check against something else.\nWith an error, a focus, a field or a budget the corresponding mesh is "
+            "extracted and verified in the same way: its error at every sample is at most the one requested at that "
+            "place.",
         .positionals = {{"MODEL", modelExplanation()}},
         .options = {{.name = "against",
                      .placeholder = "IN",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/chart.h"
 
-#include <QLocale>
-
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -20,10 +20,27 @@ constexpr double limitWidth = 126; // for what was asked for, in words
 constexpr double barHeight = 15;
 
 /// Thousands with commas; small numbers with as many digits as count.
-QString tickText(double value)
+std::string tickText(double value)
 {
-    return value >= 1 && value == std::floor(value) ? QLocale(QLocale::English).toString(value, 'f', 0)
-                                                    : QLocale::c().toString(value, 'g', 6);
+    constexpr int fewDigits = 6;
+    const bool isWhole = value >= 1 && value == std::floor(value);
+    std::array<char, 400> digits{}; // of the largest number there is, 309
+    const auto [end, error] =
+        isWhole
+            ? std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 0)
+            : std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, fewDigits);
+    std::string text(digits.data(), end);
+    if (isWhole)
+        for (std::size_t place = text.size(); place > 3; place -= 3)
+            text.insert(place - 3, ",");
+    return text;
+}
+
+/// Of a text in UTF-8.
+std::size_t charactersOf(const std::string& text)
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }
 
 /// From values to places along an axis.
@@ -90,7 +107,7 @@ void writeHeader(Drawing& drawing, const ChartTexts& texts)
 
 void drawTick(Drawing& drawing, double x, double from, double to, double value)
 {
-    drawing.line(QPolygonF({{x, from}, {x, to}}), Ink::Grid);
+    drawing.line({{x, from}, {x, to}}, ChartInk::Grid);
     drawing.text({x, to + lineHeight}, tickText(value), Letters::Soft, Anchor::Middle);
 }
 
@@ -118,15 +135,15 @@ void drawLegend(Drawing& drawing, const BarChart& chart, bool hasLimits)
 {
     double x = labelWidth;
     for (const auto& [name, ink] : chart.legend) {
-        drawing.area(QPolygonF(QRectF(x, top - 9, 11, 11)), ink);
+        drawing.area(rectangle(x, top - 9, 11, 11), ink);
         drawing.text({x + 16, top + 1}, name, Letters::Soft);
-        x += 26 + letterWidth * static_cast<double>(name.size());
+        x += 26 + letterWidth * static_cast<double>(charactersOf(name));
     }
     if (!hasLimits)
         return;
     x = barChartWidth - limitWidth;
     drawing.text({x, top + 1}, "asked for", Letters::Soft);
-    drawing.line(QPolygonF({{x + 68, top - 10}, {x + 68, top + 4}}), Ink::Text, 2.5);
+    drawing.line({{x + 68, top - 10}, {x + 68, top + 4}}, ChartInk::Text, 2.5);
 }
 
 void drawRow(Drawing& drawing, const BarRow& row, const Scale& scale, double y)
@@ -138,8 +155,7 @@ void drawRow(Drawing& drawing, const BarRow& row, const Scale& scale, double y)
     for (const auto& bar : row.bars) {
         if (bar) {
             const double end = scale.place(bar->value);
-            const QRectF box(labelWidth, barTop + 1, std::max(end - labelWidth, 1.0), barHeight - 3);
-            drawing.area(QPolygonF(box), bar->ink);
+            drawing.area(rectangle(labelWidth, barTop + 1, std::max(end - labelWidth, 1.0), barHeight - 3), bar->ink);
             drawing.text({end + 5, barTop + 12}, bar->text, row.limit ? Letters::Strong : Letters::Soft);
         }
         barTop += barHeight;
@@ -147,7 +163,7 @@ void drawRow(Drawing& drawing, const BarRow& row, const Scale& scale, double y)
     if (!row.limit)
         return;
     const double place = scale.place(row.limit->value);
-    drawing.line(QPolygonF({{place, y + 2}, {place, y + height - 2}}), Ink::Text, 2.5);
+    drawing.line({{place, y + 2}, {place, y + height - 2}}, ChartInk::Text, 2.5);
     drawing.text({barChartWidth - limitWidth, middle}, row.limit->text,
                  row.limit->isMissed ? Letters::Strong : Letters::Plain);
 }
@@ -176,33 +192,34 @@ std::vector<double> placesAcross(const LineChart& chart, const Scale& scale)
 {
     std::set<double> values;
     for (const LineSeries& series : chart.series)
-        for (const QPointF& point : series.points)
+        for (const Eigen::Vector2d& point : series.points)
             values.insert(point.x());
     return values.size() <= 8 ? std::vector(values.begin(), values.end()) : scale.ticks();
 }
 
-void drawRing(Drawing& drawing, const QPointF& place, Ink ink)
+void drawRing(Drawing& drawing, const Eigen::Vector2d& place, ChartInk ink)
 {
-    drawing.dots(QPolygonF({place}), ink, 9);
-    drawing.dots(QPolygonF({place}), Ink::Ground, 5);
+    drawing.dots({place}, ink, 9);
+    drawing.dots({place}, ChartInk::Ground, 5);
 }
 
 /// A disc, a square or a triangle: lines differ without colours, too.
-void drawMark(Drawing& drawing, const QPointF& place, std::size_t number, Ink ink)
+void drawMark(Drawing& drawing, const Eigen::Vector2d& place, std::size_t number, ChartInk ink)
 {
     if (number % 3 == 0)
-        drawing.dots(QPolygonF({place}), ink, 8);
+        drawing.dots({place}, ink, 8);
     else if (number % 3 == 1)
-        drawing.area(QPolygonF(QRectF(place - QPointF(4, 4), QSizeF(8, 8))), ink);
+        drawing.area(rectangle(place.x() - 4, place.y() - 4, 8, 8), ink);
     else
-        drawing.area(QPolygonF({place + QPointF(0, -5), place + QPointF(5, 4), place + QPointF(-5, 4)}), ink);
+        drawing.area({place + Eigen::Vector2d(0, -5), place + Eigen::Vector2d(5, 4), place + Eigen::Vector2d(-5, 4)},
+                     ink);
 }
 
-void drawSeries(Drawing& drawing, const LineSeries& series, const QPolygonF& places, std::size_t number)
+void drawSeries(Drawing& drawing, const LineSeries& series, const Points& places, std::size_t number)
 {
     if (series.style != LineSeries::Style::Rings)
         drawing.line(places, series.ink, 2);
-    for (const QPointF& place : places) {
+    for (const Eigen::Vector2d& place : places) {
         if (series.style == LineSeries::Style::Rings)
             drawRing(drawing, place, series.ink);
         if (series.style == LineSeries::Style::MarkedLine)
@@ -232,51 +249,51 @@ Drawing drawChart(const BarChart& chart)
         drawRow(drawing, row, scale, y);
         y += heightOf(row);
     }
-    drawing.line(QPolygonF({{labelWidth, first}, {labelWidth, bottom}}), Ink::Axis);
+    drawing.line({{labelWidth, first}, {labelWidth, bottom}}, ChartInk::Axis);
     return drawing;
 }
 
 Drawing drawChart(const LineChart& chart)
 {
     std::vector<double> xs, ys;
-    qsizetype longestName = 0;
+    std::size_t longestName = 0;
     for (const LineSeries& series : chart.series) {
-        longestName = std::max(longestName, series.name.size());
-        for (const QPointF& point : series.points) {
+        longestName = std::max(longestName, charactersOf(series.name));
+        for (const Eigen::Vector2d& point : series.points) {
             xs.push_back(point.x());
             ys.push_back(point.y());
         }
     }
-    const double left = 84, right = chart.size.width() - 36 - letterWidth * 1.1 * static_cast<double>(longestName);
-    const double upper = top + 14, bottom = chart.size.height() - 50;
+    const double left = 84, right = chart.size.x() - 36 - letterWidth * 1.1 * static_cast<double>(longestName);
+    const double upper = top + 14, bottom = chart.size.y() - 50;
     const Scale across(xs, left, right, true), up(ys, bottom, upper, true);
     Drawing drawing(chart.size, chart.texts.title, chart.texts.description);
     writeHeader(drawing, chart.texts);
     for (const double x : placesAcross(chart, across))
         drawTick(drawing, across.place(x), upper, bottom, x);
     for (const double tick : up.ticks()) {
-        drawing.line(QPolygonF({{left, up.place(tick)}, {right, up.place(tick)}}), Ink::Grid);
+        drawing.line({{left, up.place(tick)}, {right, up.place(tick)}}, ChartInk::Grid);
         drawing.text({left - 8, up.place(tick) + 4}, tickText(tick), Letters::Soft, Anchor::Right);
     }
     drawing.text({across.middle(), bottom + 2 * lineHeight + 2}, chart.across, Letters::Soft, Anchor::Middle);
     drawing.text({side, upper - 6}, chart.texts.unit, Letters::Soft);
     std::vector<double> ends;
     for (std::size_t number = 0; number < chart.series.size(); ++number) {
-        QPolygonF places;
-        for (const QPointF& point : chart.series[number].points)
-            places << QPointF(across.place(point.x()), up.place(point.y()));
-        std::ranges::sort(places, {}, &QPointF::x);
+        Points places;
+        for (const Eigen::Vector2d& point : chart.series[number].points)
+            places.emplace_back(across.place(point.x()), up.place(point.y()));
+        std::ranges::sort(places, {}, [](const Eigen::Vector2d& place) { return place.x(); });
         drawSeries(drawing, chart.series[number], places, number);
-        if (!chart.series[number].name.isEmpty())
-            ends.push_back(places.isEmpty() ? bottom : places.last().y());
+        if (!chart.series[number].name.empty())
+            ends.push_back(places.empty() ? bottom : places.back().y());
     }
     ends = spread(ends, bottom);
     auto end = ends.begin();
     for (std::size_t number = 0; number < chart.series.size(); ++number) {
         const LineSeries& series = chart.series[number];
-        if (series.name.isEmpty())
+        if (series.name.empty())
             continue;
-        drawSeries(drawing, series, QPolygonF({{right + 6, *end}, {right + 22, *end}}), number);
+        drawSeries(drawing, series, {{right + 6, *end}, {right + 22, *end}}, number);
         drawing.text({right + 30, *end++ + 4}, series.name);
     }
     return drawing;

@@ -9,28 +9,28 @@ namespace tetra {
 
 /// What stands over and beside every chart.
 struct ChartTexts {
-    QString title;
-    QString note;        ///< below the title
-    QString unit;        ///< of the values
-    QString description; ///< in words, for those who cannot see it
+    std::string title;
+    std::string note;        ///< below the title
+    std::string unit;        ///< of the values
+    std::string description; ///< in words, for those who cannot see it
 };
 
 /// A number that was asked for, as a line across the bars of a row and as text beside them.
 struct BarLimit {
     double value = 0;
-    QString text;
+    std::string text;
     bool isMissed = false;
 };
 
 struct Bar {
     double value = 0;
-    QString text;
-    Ink ink = Ink::Series;
+    std::string text;
+    ChartInk ink = ChartInk::Series;
 };
 
 /// What has a label at the left: bars below each other; none where nothing is known.
 struct BarRow {
-    QString label;
+    std::string label;
     std::vector<std::optional<Bar>> bars;
     std::optional<BarLimit> limit;
 };
@@ -38,7 +38,7 @@ struct BarRow {
 /// Horizontal bars. The axis is linear from 0 on, or logarithmic, of positive values then.
 struct BarChart {
     ChartTexts texts;
-    std::vector<std::pair<QString, Ink>> legend; ///< of the bars of each row; may be empty
+    std::vector<std::pair<std::string, ChartInk>> legend; ///< of the bars of each row; may be empty
     std::vector<BarRow> rows;
     bool isLogarithmic = false;
 };
@@ -46,18 +46,18 @@ struct BarChart {
 /// A name, beside the end of the line, and points in the units of the axes. Without a name it is not in the legend.
 struct LineSeries {
     enum class Style { Line, Rings, MarkedLine };
-    QString name;
-    Ink ink = Ink::Series;
-    QPolygonF points;
+    std::string name;
+    ChartInk ink = ChartInk::Series;
+    Points points;
     Style style = Style::Line;
 };
 
 /// Lines over two logarithmic axes; all coordinates are positive.
 struct LineChart {
     ChartTexts texts;
-    QString across; ///< the unit of the horizontal axis
+    std::string across; ///< the unit of the horizontal axis
     std::vector<LineSeries> series;
-    QSizeF size = {780, 420};
+    Eigen::Vector2d size = {780, 420};
 };
 
 /// There is at least one bar, one point.

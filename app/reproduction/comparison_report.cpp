@@ -124,12 +124,12 @@ LineSeries seriesOf(const ComparedDataset& dataset, const ComparedBuild& build, 
         series.style = LineSeries::Style::MarkedLine;
         for (std::size_t level = 0; level < comparedAccuracies.size(); ++level)
             if (comparedAccuracies[level] > 0)
-                series.points << QPointF(comparedAccuracies[level], static_cast<double>(build.sizes[level].sites));
+                series.points.emplace_back(comparedAccuracies[level], static_cast<double>(build.sizes[level].sites));
         return series;
     }
     series.points = sitesCurve(*build.model);
     if (build.builder == "decimation") {
-        series.name = QString::fromStdString(dataset.name);
+        series.name = dataset.name;
         series.style = LineSeries::Style::Line;
     }
     return series;

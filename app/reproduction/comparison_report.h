@@ -17,8 +17,8 @@ std::vector<ReportTable> comparisonTables(const std::vector<ComparedDataset>& da
 /// [{"error", "warping", "refinement": {"sites", "tetrahedra"}, "decimation": {...}}]}].
 JsonArray comparisonFigures(const std::vector<ComparedDataset>& datasets);
 
-/// Draws sites against error of each class of domains into `folder`, as PNG and SVG; gives the files written. Needs a
-/// QGuiApplication for its fonts. Error: a file that cannot be written.
+/// Draws sites against error of each class of domains into `folder`, as PNG and SVG; gives the files written.
+/// Errors: a file that cannot be written, no font.
 Result<std::vector<std::filesystem::path>> drawComparison(const std::vector<ComparedDataset>& datasets,
                                                           const std::filesystem::path& folder);
 

@@ -2,62 +2,64 @@
 #pragma once
 
 #include <tan/base.h>
+#include <tan/render.h>
 
-#include <QImage>
-#include <QPolygonF>
-#include <QRectF>
-#include <QString>
+#include <Eigen/Core>
 
 #include <filesystem>
+#include <string>
 #include <vector>
-
-class QPainter;
 
 namespace tetra {
 
+/// Places of a drawing, or of a chart's data.
+using Points = std::vector<Eigen::Vector2d>;
+
+/// The border of a rectangle from its upper left corner around and back to it.
+Points rectangle(double left, double top, double width, double height);
+
 /// What things are drawn in: the parts of a chart, and from Series on eight colours that people of any colour vision
 /// can tell apart (after Okabe and Ito).
-enum class Ink { Ground, Text, Soft, Grid, Axis, Series };
+enum class ChartInk { Ground, Text, Soft, Grid, Axis, Series };
 /// The colour of a number, over and over.
-Ink seriesInk(std::size_t number);
+ChartInk seriesInk(std::size_t number);
 
 enum class Letters { Plain, Soft, Strong, Title };
 enum class Anchor { Left, Middle, Right }; ///< which end of a text is at its place
 
 /// Lines, areas, dots and texts in the plane, y pointing down. It is written as SVG, which can be read on a light and
-/// on a dark ground and by a screen reader, or painted on white.
+/// on a dark ground and by a screen reader, or painted on white. Texts are UTF-8.
 class Drawing {
 public:
     /// The description says in words what it shows.
-    Drawing(const QSizeF& size, QString title, QString description);
+    Drawing(const Eigen::Vector2d& size, std::string title, std::string description);
 
-    void text(const QPointF& place, const QString& words, Letters letters = Letters::Plain,
+    void text(const Eigen::Vector2d& place, const std::string& words, Letters letters = Letters::Plain,
               Anchor anchor = Anchor::Left);
-    void line(const QPolygonF& points, Ink ink, double width = 1);
-    void area(const QPolygonF& border, Ink ink);
-    void dots(const QPolygonF& places, Ink ink, double diameter);
+    void line(const Points& points, ChartInk ink, double width = 1);
+    void area(const Points& border, ChartInk ink);
+    void dots(const Points& places, ChartInk ink, double diameter);
 
-    QByteArray svg() const;
-    /// Needs a QGuiApplication for its letters. Null if memory is short.
-    QImage image(double pixelsPerUnit) const;
+    std::string svg() const;
+    /// Errors (OutOfResource): memory is short, or the system has no font.
+    Result<Picture> picture(double pixelsPerUnit) const;
 
 private:
     enum class Kind { Text, Line, Area, Dots };
     struct Shape {
         Kind kind;
-        QPolygonF points;
-        Ink ink;
+        Points points;
+        ChartInk ink;
         double width = 1; ///< of lines and dots
-        QString words = {};
+        std::string words = {};
         Letters letters = Letters::Plain;
         Anchor anchor = Anchor::Left;
     };
-    static QString svgOf(const Shape& shape);
-    static void paint(QPainter& painter, const Shape& shape);
+    static std::string svgOf(const Shape& shape);
 
-    QSizeF size_;
-    QString title_;
-    QString description_;
+    Eigen::Vector2d size_;
+    std::string title_;
+    std::string description_;
     std::vector<Shape> shapes_;
 };
 

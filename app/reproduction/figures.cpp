@@ -4,7 +4,7 @@
 #include "app/command_line/table.h"
 #include "app/reproduction/chart.h"
 #include "app/reproduction/sites_curve.h"
-#include "ui/scenes/picture_file.h"
+#include "core/picture/png_file.h"
 
 #include <tan/query.h>
 
@@ -14,14 +14,14 @@ namespace tetra {
 
 namespace {
 
-constexpr QSizeF distributionSize(1200, 560);
+constexpr double distributionWidth = 1200, distributionHeight = 560;
 
-QString seriesName(const ReproducedModel& model)
+std::string seriesName(const ReproducedModel& model)
 {
-    QString name = QString::fromStdString(model.paper.dataset) + QString(" %1").arg(model.paper.size[0]);
-    name += model.paper.blockEdge > 0 ? QString(", blocks of %1").arg(model.paper.blockEdge) : QString();
-    return name +
-           (model.experiment.variant.empty() ? QString() : ", " + QString::fromStdString(model.experiment.variant));
+    std::string name = model.paper.dataset + ' ' + std::to_string(model.paper.size[0]);
+    if (model.paper.blockEdge > 0)
+        name += ", blocks of " + std::to_string(model.paper.blockEdge);
+    return name + (model.experiment.variant.empty() ? "" : ", " + model.experiment.variant);
 }
 
 LineChart sitesAgainstError(const Reproduction& reproduction)
@@ -58,7 +58,7 @@ public:
         const Eigen::AngleAxisd tilt(-1.1, Eigen::Vector3d::UnitX());
         rotation_ = (tilt * turn).toRotationMatrix() / bounds.diagonal().norm();
     }
-    QPointF operator()(const Eigen::Vector3d& point) const
+    Eigen::Vector2d operator()(const Eigen::Vector3d& point) const
     {
         const Eigen::Vector3d seen = rotation_ * (point - centre_);
         return {seen.x(), -seen.y()};
@@ -70,14 +70,14 @@ private:
 };
 
 /// A title, and the points below it, in a half of the drawing.
-void drawPoints(Drawing& drawing, double left, const QString& title, const QPolygonF& points)
+void drawPoints(Drawing& drawing, double left, const std::string& title, const Points& points)
 {
-    const double width = distributionSize.width() / 2;
-    const QPointF centre(left + width / 2, distributionSize.height() / 2);
+    const double width = distributionWidth / 2;
+    const Eigen::Vector2d centre(left + width / 2, distributionHeight / 2);
     drawing.text({centre.x(), 26}, title, Letters::Plain, Anchor::Middle);
-    QPolygonF places;
-    for (const QPointF& point : points)
-        places << centre + 0.95 * width * point;
+    Points places;
+    for (const Eigen::Vector2d& point : points)
+        places.emplace_back(centre + 0.95 * width * point);
     drawing.dots(places, seriesInk(0), 1.4);
 }
 
@@ -86,17 +86,18 @@ Drawing distribution(const ReproducedModel& model)
 {
     const Dataset& dataset = *model.dataset;
     const Projection projection(dataset.bounds());
-    QPolygonF all, some;
+    Points all, some;
     for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
-        all << projection(dataset.position(point));
+        all.push_back(projection(dataset.position(point)));
     const MeshSize size = meshSizeAt(*model.model, {.error = 2, .warping = 2});
     for (std::uint32_t site = 0; site < size.sites; ++site)
-        some << all[model.model->points()[site]];
-    const QString allTitle = QString("BluntFin, %1 points").arg(all.size());
-    const QString someTitle = QString("warping and error at most 2 %, %1 sites").arg(some.size());
-    Drawing drawing(distributionSize, "Where the vertices lie", allTitle + "; " + someTitle + '.');
+        some.push_back(all[model.model->points()[site]]);
+    const std::string allTitle = "BluntFin, " + std::to_string(all.size()) + " points";
+    const std::string someTitle = "warping and error at most 2 %, " + std::to_string(some.size()) + " sites";
+    Drawing drawing({distributionWidth, distributionHeight}, "Where the vertices lie",
+                    allTitle + "; " + someTitle + '.');
     drawPoints(drawing, 0, allTitle, all);
-    drawPoints(drawing, distributionSize.width() / 2, someTitle, some);
+    drawPoints(drawing, distributionWidth / 2, someTitle, some);
     return drawing;
 }
 
@@ -126,7 +127,7 @@ Result<std::vector<std::filesystem::path>> drawFigures(const Reproduction& repro
             return written.error();
     const auto keep = [&](const std::string& name, const Picture& picture) -> Status {
         files.push_back(folder / (name + ".png"));
-        return writePicture(imageOf(picture), files.back());
+        return writePicture(picture, files.back());
     };
     for (const ReproducedPicture& picture : reproduction.pictures)
         if (const Status written = keep("figure" + std::to_string(picture.figure), picture.picture); !written)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/paper_pictures.h"
 
-#include "ui/scenes/view_picture.h"
-#include "ui/session/rendering_modes.h"
-#include "ui/session/shown_error.h"
+#include "core/picture/rendering_modes.h"
+#include "core/picture/shown_error.h"
+#include "core/picture/view_picture.h"
 
 #include <tan/view.h>
 

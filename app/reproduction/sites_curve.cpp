@@ -7,9 +7,9 @@
 
 namespace tetra {
 
-QPolygonF sitesCurve(const Model& model)
+Points sitesCurve(const Model& model)
 {
-    QPolygonF points;
+    Points points;
     for (double exponent = 1; exponent >= -2; exponent -= 0.05) {
         const double percent = std::pow(10, exponent);
         const MeshSize size = meshSizeAt(model, {.error = percent, .warping = percent});

@@ -48,7 +48,7 @@ public:
         std::optional<JsonValue> value = checkBytes() ? readValue(0) : std::nullopt;
         skipBlanks();
         if (value && next_ < text_.size())
-            value = fail(Message::say("there is something after the end of the value"));
+            value = fail(Message::say("there is text after the end of the value"));
         if (value)
             return std::move(*value);
         return Error{ErrorKind::BadInput, error_};
@@ -61,7 +61,7 @@ private:
         if (good == text_.size())
             return true;
         next_ = good;
-        fail(Message::say("a byte that is not of UTF-8 text"));
+        fail(Message::say("a byte that is not valid UTF-8"));
         return false;
     }
 
@@ -104,7 +104,7 @@ private:
         JsonValue value;
         value.place = {line_, next_ - lineStart_ + 1};
         if (depth > deepestNesting)
-            return fail(Message::say("too many levels"));
+            return fail(Message::say("too many levels of nesting"));
         if (take("null"))
             return value;
         if (take("true") || take("false")) {
@@ -165,7 +165,7 @@ private:
                 if (!name)
                     return std::nullopt;
                 if (isThere(*name))
-                    return fail(Message::say("the member \"%1\" is there twice", printable(*name)));
+                    return fail(Message::say("the member \"%1\" appears twice", printable(*name)));
                 skipBlanks();
                 if (!take(":"))
                     return fail(Message::say("expected ':'"));

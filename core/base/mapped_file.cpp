@@ -145,7 +145,7 @@ Error cannotReadFile(const std::filesystem::path& path, int systemError)
                 path};
     switch (systemError) {
     case ENOENT: return cannotReadFile(path, Message::say("%1. Check its name and folder.", reason));
-    case EACCES: return cannotReadFile(path, Message::say("%1. Ask its owner for the right to read it.", reason));
+    case EACCES: return cannotReadFile(path, Message::say("%1. Ask its owner for permission to read it.", reason));
     // A socket, and a device without a driver.
     case ENXIO:
     case ENODEV:

@@ -173,7 +173,7 @@ Status SavedState::find()
         return damaged();
     if (foot.fingerprint != fingerprint_)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("What an interrupted build left in '%1' is of other data, of other options, or of "
+                     Message::say("What an interrupted build left in '%1' belongs to other data, other options, or "
                                   "another version of TAn. Give the same ones, or build from the beginning.",
                                   folder_.string())};
     end_ = foot.objectSize;

@@ -13,9 +13,9 @@ namespace {
 
 Error lackOfThreads()
 {
-    return {
-        ErrorKind::OutOfResource,
-        Message::say("This machine can start no more threads now. Close other programs, or raise the limit (ulimit).")};
+    return {ErrorKind::OutOfResource,
+            Message::say(
+                "This machine cannot start any more threads now. Close other programs, or raise the limit (ulimit).")};
 }
 
 Error lackOfMemory()
@@ -23,7 +23,7 @@ Error lackOfMemory()
     return {
         ErrorKind::OutOfResource,
         Message::say(
-            "The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).")};
+            "This machine does not have enough memory for this. Close other programs, or raise the limit (ulimit).")};
 }
 
 } // namespace

@@ -34,7 +34,7 @@ struct TextCharacter {
     std::size_t bytes = 1;
 };
 /// `text` is not empty.
-TextCharacter firstCharacter(std::string_view text) noexcept;
+TAN_INTERNAL TextCharacter firstCharacter(std::string_view text) noexcept;
 
 /// Whether a character is seen as itself; visibleText() replaces others.
 bool isSeenAsItself(std::uint32_t code) noexcept;

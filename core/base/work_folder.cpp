@@ -70,7 +70,7 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
 {
     const Error inUse = cannotUse(path, Message::say("another program is building this model"),
                                   Message::say("Wait for it, or give the model another name."));
-    const Error foreign = cannotUse(path, Message::say("it holds something else"),
+    const Error foreign = cannotUse(path, Message::say("it is used for something else"),
                                     Message::say("Give the model another name, or move that folder away."));
     // One that was made here does not stay empty, whatever comes, lack of memory included.
     const auto removeIfEmpty = [](const std::filesystem::path* empty) { ::rmdir(empty->c_str()); };

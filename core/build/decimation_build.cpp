@@ -43,17 +43,17 @@ Status checkDecimationNeed(const DecimationSize& size, std::uint64_t usableBytes
     constexpr std::uint64_t mostPoints = 0xfffffffe, mostTetrahedra = (1ull << 30) - 1;
     if (size.points > mostPoints || size.tetrahedra > mostTetrahedra)
         return Error{ErrorKind::OutOfResource,
-                     Message::say("A mesh of %1 points and %2 tetrahedra is too large to be decimated: %3 points and "
-                                  "%4 tetrahedra are the most. Take a region of it or fewer samples.",
+                     Message::say("A mesh of %1 points and %2 tetrahedra is too large to be decimated: the limits are "
+                                  "%3 points and %4 tetrahedra. Take a region of it or fewer samples.",
                                   size.points, size.tetrahedra, mostPoints, mostTetrahedra)};
     const std::uint64_t need = decimationNeed(size);
     if (usableBytes == 0 || need <= usableBytes)
         return {};
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine "
-                              "has %4. Take a region of it or fewer samples, or, of a lattice or grid, refine it "
-                              "instead.",
-                              size.points, size.tetrahedra, neededBytesText(need), neededBytesText(usableBytes))};
+    return Error{
+        ErrorKind::OutOfResource,
+        Message::say("Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine has %4. "
+                     "Take a region of it or fewer samples, or, if it is a lattice or grid, refine it instead.",
+                     size.points, size.tetrahedra, neededBytesText(need), neededBytesText(usableBytes))};
 }
 
 namespace {
@@ -250,12 +250,12 @@ Result<Dataset> takenFor(const Decimation& decimation, const Dataset& dataset, c
     if (dataset.domain == DomainClass::RegularLattice &&
         (decimation.warping > 0 || decimation.orderedBy != OrderedBy::Both))
         return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' is a regular lattice, which has no warping. Leave out what is asked of it.",
+                     Message::say("'%1' is a regular lattice, which has no warping. Leave out the options about it.",
                                   dataset.source.name)};
     if (decimation.computational && dataset.domain != DomainClass::Curvilinear)
         return Error{
             ErrorKind::WrongUsage,
-            Message::say("Only curvilinear grids can be decimated in one space or the other, and '%1' is none.",
+            Message::say("Only curvilinear grids can be decimated in one space or the other, and '%1' is not one.",
                          dataset.source.name)};
     if (!checkDecimation(dataset))
         return dataset;
@@ -274,17 +274,16 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
     if (const Status possible = checkDecimation(dataset); !possible)
         return possible.error();
     if (dataset.domain == DomainClass::Scattered)
-        return Error{ErrorKind::WrongUsage, Message::say("Decimation takes the mesh of scattered points, and these are "
-                                                         "the points alone.")};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Decimation needs the mesh of scattered points, and these are the points alone.")};
     if (const Status possible = checkFinest(decimation); !possible)
         return possible.error();
     const BuildThresholds thresholds{decimation.error, decimation.warping, decimation.orderedBy};
     if (const Status possible = checkThresholds(thresholds, dataset); !possible)
         return possible.error();
     if (decimation.twoSided && dataset.domain != DomainClass::Irregular)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Only irregular data have a boundary that moves, so that there is a distance from "
-                                  "both sides to limit. Leave that out.")};
+        return Error{ErrorKind::WrongUsage, Message::say("Only irregular data have a boundary that moves, and so a "
+                                                         "distance from both sides to limit. Leave that out.")};
     const auto input = DecimationInput::make(dataset, decimation.weighting, progress.part(0, 0.02));
     if (!input)
         return input.error();

@@ -25,11 +25,10 @@ Status checkRoom(const DiskNeed& need, std::uint64_t written, std::uint64_t free
 {
     if (need.total() <= written || need.total() - written <= free)
         return {};
-    return Error{ErrorKind::CannotWrite,
-                 Message::say("The build needs about %1 on the disk of '%2' (%3), and %4 are free. Free some space, "
-                              "choose another disk or ask for a larger error.",
-                              neededBytesText(need.total()), folder.string(), textOf(need),
-                              neededBytesText(free + written))};
+    return Error{ErrorKind::CannotWrite, Message::say("The build needs about %1 on the disk of '%2' (%3), and %4 are "
+                                                      "free. Free some space, choose another disk or a larger error.",
+                                                      neededBytesText(need.total()), folder.string(), textOf(need),
+                                                      neededBytesText(free + written))};
 }
 
 } // namespace tetra

@@ -64,8 +64,8 @@ Status checkModelOutput(const std::filesystem::path& output)
         return begin.error();
     if (beginsLikeModel(std::as_bytes(std::span(*begin))))
         return checkTarget(output);
-    return Error{ErrorKind::WrongUsage, Message::say("'%1' exists and is no TAn model, so it is not overwritten. Give "
-                                                     "the model another name, or remove that file first.",
+    return Error{ErrorKind::WrongUsage, Message::say("'%1' exists and is not a TAn model, so it is not overwritten. "
+                                                     "Give the model another name, or remove that file first.",
                                                      output.string())};
 }
 
@@ -179,9 +179,9 @@ Status checkPercents(std::initializer_list<double> percents)
 {
     for (const double percent : percents)
         if (!(percent >= 0 && percent <= 100))
-            return Error{
-                ErrorKind::WrongUsage,
-                Message::say("%1 is no percentage at which to stop. Give one from 0 to 100.", formatNumber(percent))};
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("%1 is not a percentage at which to stop. Give one from 0 to 100.",
+                                      formatNumber(percent))};
     return {};
 }
 

@@ -86,13 +86,13 @@ Result<std::uint32_t> blocksFor(const Dataset& dataset, const Refinement& refine
                          Message::say("The error in space is kept in whole grids only, as a point may lie in a "
                                       "tetrahedron of another block. Set the block to \"none\".")};
         return Error{ErrorKind::WrongUsage,
-                     Message::say("The paper's selection of points does not go with blocks: blocks that are refined "
+                     Message::say("The paper's selection of points cannot be used with blocks: blocks that are refined "
                                   "independently could not agree about their faces. Set the block to \"none\".")};
     }
     const auto cells = chooseBlocks(refinement.block, dataset.lattice, usableBytes());
     if (cells && *cells > 0 && !target.ofFixedSize)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("Blocks cannot be built into this target. Set the block to \"none\".")};
+                     Message::say("This target cannot be built in blocks. Set the block to \"none\".")};
     return cells;
 }
 
@@ -157,7 +157,7 @@ Result<BuildReport> refineCurvilinearInBlocks(const Dataset& dataset, const Thre
     options.box.warpingWeight = key.warpingWeight;
     options.box.valueExtent = key.valueExtent;
     options.box.positionExtent = key.positionExtent;
-    progress.report(0, Message::marked("Looking at the cells"));
+    progress.report(0, Message::marked("Examining the cells"));
     visitSampleType(dataset.values.type(), [&]<class T>() {
         options.box.facts =
             factsOf(dataset.lattice.size, *dataset.positions, LatticeSamples(dataset.values.as<T>(), weights));
@@ -194,10 +194,10 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
     if (refinement.paperSelection && refinement.orderedBy != OrderedBy::Both)
         return Error{ErrorKind::WrongUsage,
                      Message::say("The paper's selection compares error and warping, so a build cannot be ordered by "
-                                  "one of them alone. Take the normalised selection, or order by both.")};
+                                  "one of them alone. Choose the normalised selection, or order by both.")};
     if (refinement.inSpace && (refinement.paperSelection || refinement.orderedBy != OrderedBy::Both))
         return Error{ErrorKind::WrongUsage,
-                     Message::say("To keep the error in space, a build is ordered by error and warping, with the "
+                     Message::say("To keep the error in space, a build must be ordered by error and warping, with the "
                                   "normalised selection. Leave out the other choice.")};
     const ThresholdKey key = thresholdKey(thresholds, dataset);
     if (*cells > 0)
@@ -336,9 +336,10 @@ Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, c
 {
     const bool isGrid = dataset.domain == DomainClass::Curvilinear;
     if (refinement.computational && !(isGrid && dataset.convex))
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Only rectilinear grids can be refined in one space or the other, and '%1' is none.",
-                                  dataset.source.name)};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("Only rectilinear grids can be refined in one space or the other, and '%1' is not one.",
+                         dataset.source.name)};
     const bool inIndices = isGrid && (!dataset.convex || refinement.computational);
     const bool warps = refinement.warping > 0 || refinement.paperSelection || refinement.orderedBy != OrderedBy::Both;
     const bool hasBlocks = refinement.block.value_or(0) > 0;
@@ -354,11 +355,12 @@ Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, c
                                   "warping and no blocks. Leave these out, or refine it in computational space.",
                                   dataset.source.name)};
     if (!inIndices && warps)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Refined, '%1' has no warping. Leave out what is asked of it.", dataset.source.name)};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("When refined, '%1' has no warping. Leave out the options about it.", dataset.source.name)};
     if (!isOnLattice(dataset.domain) && hasBlocks)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' is no grid, so it has no blocks. Leave them out.", dataset.source.name)};
+                     Message::say("'%1' is not a grid, so it has no blocks. Leave them out.", dataset.source.name)};
     if (inIndices || !dataset.convex || dataset.domain == DomainClass::RegularLattice)
         return dataset;
     if (isGrid)
@@ -388,7 +390,7 @@ Result<std::uint32_t> chooseBlocks(const std::optional<std::uint32_t>& block, co
     if (const std::uint64_t count = blockCount(lattice, *block); count > mostBlocks)
         return Error{
             ErrorKind::WrongUsage,
-            Message::say("Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.",
+            Message::say("Blocks of %1 cells cut this dataset into %2 pieces; the limit is %3. Choose larger blocks.",
                          *block, count, mostBlocks)};
     return *block;
 }
@@ -405,7 +407,7 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& refineme
     case DomainClass::RegularLattice: break;
     case DomainClass::Irregular:
         return Error{ErrorKind::WrongUsage,
-                     Message::say("Refinement takes the points of a convex mesh, and this is the mesh itself.")};
+                     Message::say("Refinement uses the points of a convex mesh, and this is the mesh itself.")};
     }
     return buildLattice(dataset, refinement, target, progress);
 }

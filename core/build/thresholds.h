@@ -33,13 +33,15 @@ inline Status checkThresholds(const BuildThresholds& given, const Dataset& datas
 {
     const bool warps = dataset.domain == DomainClass::Curvilinear || dataset.domain == DomainClass::Irregular;
     if (warps && given.orderedBy == OrderedBy::Error && given.warping > 0)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Ordered by the error alone, a build has no threshold of warping. Leave that out, or "
-                                  "order by both.")};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "A build ordered by the error alone has no threshold of warping. Leave that out, or order by both.")};
     if (warps && given.orderedBy == OrderedBy::Warping && given.error > 0)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Ordered by the warping alone, a build has no threshold of error. Leave that out, or "
-                                  "order by both.")};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "A build ordered by the warping alone has no threshold of error. Leave that out, or order by both.")};
     return {};
 }
 

@@ -57,8 +57,8 @@ Status Dataset::checkIntact() const
     if (!mappedFile || !mappedFile->damaged())
         return {};
     return Error{ErrorKind::BadInput,
-                 Message::say("'%1' was cut short or changed while it was open, so that what was made of it would be "
-                              "wrong. Open it again; if that fails, get or make the file again.",
+                 Message::say("'%1' was cut short or changed while it was open, so that the result would be wrong. "
+                              "Open it again; if that fails, get or make the file again.",
                               mappedFile->path().string())};
 }
 

@@ -34,7 +34,7 @@ Status checkLatticeSize(const std::array<std::uint64_t, 3>& size)
 {
     if (std::ranges::any_of(size, [](std::uint64_t points) { return points < 2; }))
         return Error{ErrorKind::BadInput, Message::say("it has %1 points. A volume needs at least 2 along each axis: "
-                                                       "put several slices together, or repeat the one there is.",
+                                                       "stack several slices, or repeat the only one.",
                                                        sizeText(size))};
     constexpr std::uint64_t largestBytes = std::uint64_t(1) << 62;
     std::uint64_t most = largestBytes / sizeof(double);
@@ -88,11 +88,9 @@ Status checkLatticePlacement(const Lattice& lattice)
     };
     for (int axis = 0; axis < 3; ++axis)
         if (!(lattice.spacing[axis] > 0) || !std::isfinite(lattice.spacing[axis]))
-            return Error{
-                ErrorKind::BadInput,
-                Message::say(
-                    "its spacing is %1. The distance of neighbouring points must be a positive number along each axis.",
-                    text(lattice.spacing))};
+            return Error{ErrorKind::BadInput, Message::say("its spacing is %1. The distance between neighbouring "
+                                                           "points must be a positive number along each axis.",
+                                                           text(lattice.spacing))};
     if (!areDirections(lattice.directions))
         return Error{ErrorKind::BadInput,
                      Message::say("its three directions %1; %2; %3 lie in a plane, or are not of unit length, so that "
@@ -112,10 +110,9 @@ Status checkLatticePlacement(const Lattice& lattice)
                                   "Check both.",
                                   text(lattice.origin), text(lattice.spacing))};
     if (!staysApart(lattice))
-        return Error{ErrorKind::BadInput,
-                     Message::say("its origin %1 is so far away for the spacing %2 that neighbouring points fall "
-                                  "together. Move the origin nearer to 0.",
-                                  text(lattice.origin), text(lattice.spacing))};
+        return Error{ErrorKind::BadInput, Message::say("its origin %1 is so far away for the spacing %2 that "
+                                                       "neighbouring points coincide. Move the origin nearer to 0.",
+                                                       text(lattice.origin), text(lattice.spacing))};
     return {};
 }
 
@@ -124,11 +121,9 @@ Status checkFinite(const Lattice& lattice, const ScalarField& values)
     if (values.notFiniteCount() == 0)
         return {};
     const auto [i, j, k] = lattice.coordinates(firstNotFinite(values));
-    return Error{
-        ErrorKind::BadInput,
-        Message::say(
-            "%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them by numbers first.",
-            values.notFiniteCount(), values.count(), i, j, k)};
+    return Error{ErrorKind::BadInput, Message::say("%1 of its %2 samples are NaN or infinite, the first at point (%3, "
+                                                   "%4, %5). Replace them with numbers first.",
+                                                   values.notFiniteCount(), values.count(), i, j, k)};
 }
 
 namespace {
@@ -199,20 +194,19 @@ Status checkGrid(const Dataset& dataset)
     for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
         if (!((*dataset.positions)[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
             !(*dataset.positions)[point].allFinite())
-            return Error{
-                ErrorKind::BadInput,
-                Message::say(
-                    "the position of point %1 is no number, or far beyond what can be reckoned with. Repair the file.",
-                    pointText(dataset.lattice, point))};
+            return Error{ErrorKind::BadInput,
+                         Message::say("point %1 has an invalid or extremely large position. Repair the file.",
+                                      pointText(dataset.lattice, point))};
     if (dataset.values.notFiniteCount() > 0)
         return Error{ErrorKind::BadInput,
-                     Message::say("%1 values are too large for single precision, or no numbers. Choose another array.",
+                     Message::say("%1 values are too large for single precision, or not numbers. Choose another array.",
                                   dataset.values.notFiniteCount())};
     const CellCornerSigns signs = cellCornerSigns(dataset);
     if (signs.positive == 0 && signs.negative == 0)
         return Error{
             ErrorKind::BadInput,
-            Message::say("all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes.")};
+            Message::say(
+                "all its points lie in a plane, or so close to one that no cell has a volume. TAn needs volumes.")};
     return {};
 }
 

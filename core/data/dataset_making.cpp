@@ -23,7 +23,8 @@ Status checkCount(const std::string& name, std::uint64_t values, std::uint64_t p
 {
     if (values == points)
         return {};
-    return cannotUse(name, Message::say("it has %1 values for %2 points. Give one a point.", values, points));
+    return cannotUse(name,
+                     Message::say("it has %1 values for %2 points. Give one value for each point.", values, points));
 }
 
 /// They say nothing of the field. How many there were.
@@ -86,7 +87,8 @@ Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::ve
     for (std::size_t point = 0; point < positions.size(); ++point)
         if (!positions[point].allFinite() || !(positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate))
             return cannotUse(
-                name, Message::say("the position of point %1 is no finite number, or too large. Leave it out.", point));
+                name,
+                Message::say("the position of point %1 is not a finite number, or too large. Leave it out.", point));
     if (positions.empty())
         return cannotUse(name, Message::say("it has no points."));
     const std::uint64_t withoutValue = leaveOutNotFinite(positions, values);

@@ -72,11 +72,11 @@ Result<GridPart> gridPart(const Lattice& lattice, const DatasetPart& part)
         if (!last)
             return last.error();
         if (part.stride[a] == 0)
-            return wrongPart(Message::say("A stride is a whole number from 1."));
+            return wrongPart(Message::say("A stride is a whole number of at least 1."));
         const std::uint32_t points = *last >= *first ? (*last - *first) / part.stride[a] + 1 : 0;
         if (points < 2)
             return wrongPart(Message::say("The part has %1 points along %2, and a volume needs at least two along each "
-                                          "axis. Take a larger region or a smaller stride.",
+                                          "axis. Choose a larger region or a smaller stride.",
                                           points, std::string(1, "xyz"[axis])));
         grid.first[a] = *first;
         grid.count[a] = points;
@@ -192,7 +192,7 @@ Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, cons
         if (const CellCornerSigns signs = cellCornerSigns(result);
             !hasHoles(dataset) && signs.positive + signs.negative == 0)
             return wrongPart(
-                Message::say("No cell of the part has a volume. Take another region or a smaller stride."));
+                Message::say("No cell of the part has a volume. Choose another region or a smaller stride."));
     }
     if (!dataset.positions)
         result.lattice = *partOfLattice(dataset.lattice, part);
@@ -200,8 +200,8 @@ Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, cons
         result.cells = cellsOf(dataset, *grid);
     if (!staysInFile(dataset, *grid))
         result.mappedFile = nullptr;
-    result.remarks.push_back(
-        Message::say("A part of %1 of the %2 points.", partSizeText(grid->count), partSizeText(dataset.lattice.size)));
+    result.remarks.push_back(Message::say("Part of the data: %1 of the %2 points.", partSizeText(grid->count),
+                                          partSizeText(dataset.lattice.size)));
     return result;
 }
 
@@ -217,7 +217,7 @@ constexpr std::uint32_t notTaken = std::numeric_limits<std::uint32_t>::max();
 Error nothingInside(const Message& what)
 {
     return {ErrorKind::WrongUsage,
-            Message::say("The region holds %1. Take a larger one; 'bounds' of 'tan info' says where the points lie.",
+            Message::say("The region holds %1. Choose a larger one; 'bounds' of 'tan info' tells where the points lie.",
                          what)};
 }
 
@@ -259,7 +259,8 @@ Result<Dataset> ofPoints(const Dataset& dataset, const std::vector<std::uint32_t
     result.positions = std::move(positions);
     result.lattice.size = {static_cast<std::uint32_t>(points.size()), 1, 1};
     result.mappedFile = nullptr;
-    result.remarks.push_back(Message::say("A part of %1 of the %2 points.", points.size(), dataset.pointCount()));
+    result.remarks.push_back(
+        Message::say("Part of the data: %1 of the %2 points.", points.size(), dataset.pointCount()));
     return result;
 }
 
@@ -317,7 +318,7 @@ Result<Dataset> takeAnyPart(const Dataset& dataset, const DatasetPart& part, con
     if (dataset.domain == DomainClass::RegularLattice || dataset.domain == DomainClass::Curvilinear)
         return partOfGrid(dataset, part, progress);
     if (part.stride != std::array<std::uint32_t, 3>{1, 1, 1})
-        return wrongPart(Message::say("Only points of a grid can be taken by a stride. Take a region."));
+        return wrongPart(Message::say("A stride is for points of a grid only. Choose a region."));
     return partOfPoints(dataset, *part.region, progress);
 }
 
@@ -338,7 +339,7 @@ Result<Lattice> partOfLattice(const Lattice& lattice, const DatasetPart& part)
 
 Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const Progress& progress)
 {
-    return guarded(Message::marked("Not enough memory for this part. Take a smaller one."), [&]() -> Result<Dataset> {
+    return guarded(Message::marked("Not enough memory for this part. Choose a smaller one."), [&]() -> Result<Dataset> {
         if (part.isWhole())
             return dataset;
         auto result = takeAnyPart(dataset, part, progress);
@@ -403,7 +404,7 @@ Result<std::optional<Eigen::AlignedBox3d>> parseRegion(std::string_view text)
     for (std::size_t i = 0; i < 6; ++i) {
         const auto number = parseNumber<double>(entries[i]);
         if (!number || !std::isfinite(*number))
-            return wrong(Message::say("holds '%1', which is no number.", entries[i]));
+            return wrong(Message::say("holds '%1', which is not a number.", entries[i]));
         numbers[i] = *number;
     }
     const Eigen::Vector3d first(numbers[0], numbers[1], numbers[2]);
@@ -424,8 +425,8 @@ Result<std::array<std::uint32_t, 3>> parseStride(std::string_view text)
         stride[axis] = number.value_or(0);
     }
     if ((entries.size() != 1 && entries.size() != 3) || stride[0] == 0 || stride[1] == 0 || stride[2] == 0)
-        return Error{ErrorKind::WrongUsage, Message::say("The stride '%1' is not understood. Give one whole number "
-                                                         "from 1, or three separated by commas, as in 2,2,1.",
+        return Error{ErrorKind::WrongUsage, Message::say("The stride '%1' is not understood. Give one whole number of "
+                                                         "at least 1, or three separated by commas, as in 2,2,1.",
                                                          text)};
     return stride;
 }

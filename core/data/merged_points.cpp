@@ -65,14 +65,15 @@ Message mergeRemark(const MergedPoints& merged)
         return {};
     const Message removed =
         merged.removed == 1
-            ? Message::say("1 point on the place of another one was merged with it.")
-            : Message::say("%1 points on the place of another one were merged with it.", merged.removed);
+            ? Message::say("1 point at the same place as another was merged with it.")
+            : Message::say("%1 points at the same place as another were merged with it.", merged.removed);
     if (merged.conflicting == 0)
         return removed;
-    return Message::say("%1 %2", removed,
-                        merged.conflicting == 1
-                            ? Message::say("1 place had different values and got their mean.")
-                            : Message::say("%1 places had different values and got their mean.", merged.conflicting));
+    return Message::say(
+        "%1 %2", removed,
+        merged.conflicting == 1
+            ? Message::say("1 place had several different values and got their mean.")
+            : Message::say("%1 places had several different values and got their mean.", merged.conflicting));
 }
 
 } // namespace tetra

@@ -61,18 +61,20 @@ Result<Dataset> tetrahedrized(const Dataset& points, const Progress& progress)
     for (std::size_t number = 0; number < order.size(); ++number) {
         if (number % pointsBetweenReports == 0) {
             if (progress.cancelled())
-                return cancelledError(Message::marked("The tetrahedrization"));
+                return cancelledError(Message::marked("The tetrahedralization"));
             progress.report(static_cast<double>(number) / static_cast<double>(order.size()),
-                            Message::marked("Tetrahedrizing the points"));
+                            Message::marked("Tetrahedralizing the points"));
         }
         const auto vertex = delaunay.insert(get(places, order[number]), hint);
         vertex->info() = order[number];
         hint = vertex->cell();
     }
     if (delaunay.dimension() < 3 || delaunay.number_of_vertices() != positions.size())
-        return Error{ErrorKind::BadInput,
-                     Message::say("'%1' has no four points that do not lie in one plane, or two on one place.",
-                                  points.source.name)};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "'%1' does not have four points that are not all in one plane, or has two points at one place.",
+                points.source.name)};
     std::vector<std::array<std::uint32_t, 4>> tetrahedra;
     tetrahedra.reserve(delaunay.number_of_finite_cells());
     for (const PointDelaunay::Cell_handle cell : delaunay.finite_cell_handles())

@@ -53,9 +53,8 @@ Result<ValueScale> parseScale(std::string_view text)
             from && *from > 0 && std::isfinite(*from))
             return ValueScale{.logarithmic = true, .from = *from};
     return Error{ErrorKind::WrongUsage,
-                 Message::say("The scale '%1' is not understood. Give 'linear', 'log', or 'log:' "
-                              "and the positive number that smaller values are taken as, as in "
-                              "log:1e-6.",
+                 Message::say("The scale '%1' is not understood. Give 'linear', 'log', or 'log:' and the positive "
+                              "number that replaces smaller values, as in log:1e-6.",
                               text)};
 }
 
@@ -140,18 +139,16 @@ Status checkPositive(const ScalarField& field, const ValueScale& scale, const Sm
     const auto wrong = [](const Message& text) { return Error{ErrorKind::WrongUsage, text}; };
     if (smallest.positive == std::numeric_limits<double>::infinity())
         return wrong(Message::say(
-            "None of the %1 values is positive, so they have no logarithms. Take the scale linear.", field.count()));
+            "None of the %1 values is positive, so they have no logarithms. Choose the linear scale.", field.count()));
     if (scale.from && field.range().maximum <= *scale.from)
-        return wrong(
-            Message::say("No value is larger than %1, which smaller ones are to be taken as: the largest is %2. "
-                         "Give a smaller number.",
-                         formatNumber(*scale.from), formatNumber(field.range().maximum)));
+        return wrong(Message::say(
+            "No value is larger than %1, which is to replace smaller ones: the largest is %2. Give a smaller number.",
+            formatNumber(*scale.from), formatNumber(field.range().maximum)));
     if (scale.from || smallest.below == 0)
         return {};
-    return wrong(
-        Message::say("%1 of %2 values are not positive, so they have no logarithm. The smallest positive value "
-                     "is %3: with the scale log:%3 smaller ones are taken as that value.",
-                     smallest.below, field.count(), formatNumber(smallest.positive)));
+    return wrong(Message::say("%1 of %2 values are not positive, so they have no logarithm. The smallest positive "
+                              "value is %3: with the scale log:%3 smaller ones are replaced by that value.",
+                              smallest.below, field.count(), formatNumber(smallest.positive)));
 }
 
 /// Nothing when cancelled.
@@ -197,7 +194,7 @@ Result<Dataset> logarithmOf(const Dataset& dataset, const ValueScale& scale, con
     result.source.valueName = logarithmName(dataset.source.valueName);
     result.source.hash = contentHash(result.values, result.positions, result.tetrahedra);
     if (smallest.below > 0)
-        result.source.leftOut.push_back(Message::say("%1 of %2 values are smaller than %3, and were taken as %3.",
+        result.source.leftOut.push_back(Message::say("%1 of %2 values are smaller than %3, and were replaced by %3.",
                                                      smallest.below, dataset.values.count(),
                                                      formatNumber(*scale.from)));
     return result;

@@ -90,7 +90,8 @@ void BoundaryCost::set(const CollapsibleMesh& mesh, const VertexStar& star, std:
     dropDoubles();
 }
 
-/// What a tetrahedron has by itself may be related to a triangle, too: once is enough, where it stays if it can.
+/// A point of a tetrahedron may also be related to a triangle. Only one entry is kept: one whose triangle keeps the
+/// point, if there is one.
 void BoundaryCost::dropDoubles()
 {
     ranks_.clear();

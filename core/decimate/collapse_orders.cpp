@@ -105,7 +105,7 @@ public:
     {
         if (state_ == nullptr || !state_->found())
             return false;
-        progress_.report(0, Message::marked("Taking up what was done"));
+        progress_.report(0, Message::marked("Restoring the interrupted build"));
         if (const Status loaded = state_->load(order); !loaded)
             return loaded.error();
         return true;

@@ -97,10 +97,10 @@ void DecimatedMesh::findSides()
         }
 }
 
-/// Marks the vertices of an irregular boundary. Where that is no surface, as parts touch in a vertex or an edge, and
-/// where its triangles touch others, as along a seam whose sides are cut differently, they stay, and with them every
-/// such vertex, edge and triangle: no other place can come to touch (C10). So does, for want of a meaning of its
-/// warping in two spaces, the boundary of a grid with holes.
+/// Marks the vertices of an irregular boundary. Where that is not a surface, because parts touch in a vertex or an
+/// edge, and where its triangles touch others, as along a seam whose sides are cut differently, the vertices stay, and
+/// with them every such vertex, edge and triangle: the boundary can never come to touch itself elsewhere (C10). The
+/// boundary of a grid with holes stays, too, because its warping would have no meaning in two spaces.
 void DecimatedMesh::findBoundary()
 {
     std::vector<SurfaceTriangle> triangles;

@@ -58,7 +58,7 @@ Status checkSizes(const DecimationMesh& mesh)
     if (mesh.values.size() != points || (!mesh.physical.empty() && mesh.physical.size() != points) ||
         (!mesh.weights.empty() && mesh.weights.size() != points))
         return cannotDecimate(
-            Message::say("it has not one value, weight and place for each of its %1 points.", points));
+            Message::say("it does not have one value, weight and position for each of its %1 points.", points));
     return {};
 }
 
@@ -67,7 +67,7 @@ Status checkNumbers(const DecimationMesh& mesh)
     const auto finite = [](const Eigen::Vector3d& position) { return position.allFinite(); };
     for (const auto& positions : {mesh.positions, mesh.physical})
         if (const auto bad = std::ranges::find_if_not(positions, finite); bad != positions.end())
-            return cannotDecimate(Message::say("point %1 has no finite place.", bad - positions.begin()));
+            return cannotDecimate(Message::say("point %1 has no finite position.", bad - positions.begin()));
     if (const auto bad = std::ranges::find_if_not(mesh.values, [](double value) { return std::isfinite(value); });
         bad != mesh.values.end())
         return cannotDecimate(Message::say("point %1 has no finite value.", bad - mesh.values.begin()));
@@ -91,7 +91,7 @@ Status checkDecimationOptions(const DecimationMesh& mesh, const DecimationOption
     if (!(options.warpingWeight >= 0) || !std::isfinite(options.warpingWeight) || (warps && options.warpingWeight == 0))
         return Error{ErrorKind::WrongUsage, Message::say("The weight of the warping must be a positive number.")};
     if (!(options.stopKey >= 0))
-        return Error{ErrorKind::WrongUsage, Message::say("The error to stop at must not be negative.")};
+        return Error{ErrorKind::WrongUsage, Message::say("The error at which to stop must not be negative.")};
     return {};
 }
 

@@ -116,7 +116,7 @@ Status BatchBuilder::check(const HistoryStep& step) const
     if (creator == gone - 1)
         return Error{
             ErrorKind::OutOfResource,
-            Message::say("The history has more than %1 sites. Ask for a larger error, or build in blocks.", gone - 1)};
+            Message::say("The history has more than %1 sites. Choose a larger error, or build in blocks.", gone - 1)};
     if (step.point >= pointCount_)
         return inconsistent(Message::say("point %1 is not in the dataset", step.point));
     if (std::isnan(step.keyBefore) || step.keyBefore < 0)
@@ -125,7 +125,7 @@ Status BatchBuilder::check(const HistoryStep& step) const
         return Error{
             ErrorKind::OutOfResource,
             Message::say(
-                "The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks.")};
+                "The history has more than 4294967295 tetrahedra. Choose a larger error, or build in blocks.")};
     for (const HistoryTetrahedron& tetrahedron : step.star) {
         if (std::ranges::any_of(tetrahedron.sites, [creator](std::uint32_t site) { return site >= creator; }))
             return inconsistent(Message::say("a tetrahedron of its star has a site that comes after it"));

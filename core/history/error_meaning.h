@@ -49,8 +49,8 @@ inline constexpr std::array errorPlaces = {MarkedText{""}, Message::marked("in t
 /// What is promised, in a sentence; nothing where there is one only.
 inline constexpr std::array errorPromises = {
     MarkedText{""},
-    Message::marked("What is guaranteed is the error in the grid; the error in space, at the place where you look, may "
-                    "be larger."),
+    Message::marked(
+        "The guarantee is for the error in the grid; the error in space, at the place where you look, may be larger."),
     Message::marked("The error in the grid and the error in space, at the place where you look, are both guaranteed at "
                     "every accuracy; in a focus or a field, the error in the grid alone.")};
 /// How the error in space becomes known where it is not.

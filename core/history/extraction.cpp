@@ -68,7 +68,7 @@ private:
 Status PrefixScan::run(const Progress& progress)
 {
     if (expected_ > model_.tetrahedronCount())
-        return inconsistentModel(model_, Message::say("its star offsets do not fit its mesh sizes"));
+        return inconsistentModel(model_, Message::say("its star offsets do not match its mesh sizes"));
     out_.resize(expected_ + slack);
     const auto scan = [this](const Stars& stars) {
         const bool fits = stars.count() + aliveScanOverrun <= out_.size() - found_;
@@ -244,7 +244,7 @@ namespace {
 Status checkPrefix(const Model& model, std::uint32_t sites)
 {
     if (sites > model.siteCount())
-        return Error{ErrorKind::WrongUsage, Message::say("'%1' has %2 sites, fewer than the %3 asked for.",
+        return Error{ErrorKind::WrongUsage, Message::say("'%1' has %2 sites, fewer than the %3 requested.",
                                                          model.path().string(), model.siteCount(), sites)};
     if (sites > 0 && (!model.check(model.groupGoesOn()[sites - 1]) || !model.check(model.meshSizes()[sites - 1])))
         if (const Status intact = model.checkIntact(); !intact)
@@ -370,9 +370,10 @@ Result<std::string> levelsAsText(const std::filesystem::path& path, const Model&
         return levelsAsCsv(model, levels);
     if (ending == ".json")
         return levelsAsJson(model, levels);
-    return Error{ErrorKind::WrongUsage, Message::say("'%1' ends in neither .csv nor .json, the formats in which "
-                                                     "statistics are written. Choose one of these endings.",
-                                                     path.string())};
+    return Error{
+        ErrorKind::WrongUsage,
+        Message::say("'%1' does not end in .csv or .json, the formats of statistics. Choose one of these endings.",
+                     path.string())};
 }
 
 } // namespace tetra

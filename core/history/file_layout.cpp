@@ -134,7 +134,7 @@ Status LayoutReader::readHeader()
             name_, header.majorVersion, header.minorVersion, format::majorVersion));
     if (header.majorVersion == 0 || header.byteOrderMark != format::byteOrderMark ||
         header.headerBytes != sizeof(Header) || header.sectionCount > format::mostSections)
-        return damaged(Message::say("its header makes no sense"));
+        return damaged(Message::say("its header is invalid"));
     return {};
 }
 
@@ -184,7 +184,7 @@ Status LayoutReader::checkLattice() const
                                         header.latticeSize[1], header.latticeSize[2]));
     for (int axis = 0; axis < 3; ++axis)
         if (!(header.spacing[axis] > 0) || !std::isfinite(header.spacing[axis]) || !std::isfinite(header.origin[axis]))
-            return damaged(Message::say("the spacing or the origin of its lattice makes no sense"));
+            return damaged(Message::say("the spacing or the origin of its lattice is invalid"));
     if (header.siteCount < fewestSites(DomainClass(header.domainClass)) || header.siteCount > points ||
         header.siteCount == Model::never || header.tetrahedronCount == 0)
         return damaged(Message::say("%1 points cannot have %2 sites and %3 tetrahedra", points, header.siteCount,
@@ -197,7 +197,7 @@ Status LayoutReader::checkValues() const
     const Header& header = layout_.header;
     if (!std::isfinite(header.valueRange[0]) || !std::isfinite(header.valueRange[1]) ||
         header.valueRange[0] > header.valueRange[1] || !(header.finalKey >= 0) || !std::isfinite(header.finalKey))
-        return damaged(Message::say("its value range or its final error makes no sense"));
+        return damaged(Message::say("its value range or its final error is invalid"));
     return {};
 }
 
@@ -207,16 +207,16 @@ Status LayoutReader::checkPlace() const
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(header.boundingBox[axis]) || !std::isfinite(header.boundingBox[axis + 3]) ||
             header.boundingBox[axis] > header.boundingBox[axis + 3])
-            return damaged(Message::say("its bounding box makes no sense"));
+            return damaged(Message::say("its bounding box is invalid"));
     // With a frame takeFrameSection() looks at it.
     const ModelDescription about = descriptionOf(header);
     if (isDomain(header, DomainClass::RegularLattice) && !layout_.has(SectionId::Frame) &&
         !isBoxOfLattice(about.lattice, about.bounds))
-        return damaged(Message::say("its bounding box makes no sense"));
+        return damaged(Message::say("its bounding box is invalid"));
     const bool warps = canWarp(DomainClass(header.domainClass));
     if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || warps != (header.warpingWeight > 0) ||
         header.leftHanded > (isDomain(header, DomainClass::Curvilinear) ? 1u : 0u))
-        return damaged(Message::say("its warping weight or its handedness makes no sense"));
+        return damaged(Message::say("its warping weight or its handedness is invalid"));
     return {};
 }
 
@@ -243,7 +243,7 @@ Status LayoutReader::checkBounds() const
     for (const Section& section : layout_.sections) {
         const std::string name(format::sectionName(section.id));
         if (!ids.insert(section.id).second)
-            return damaged(Message::say("section '%1' is there twice", name));
+            return damaged(Message::say("section '%1' appears twice", name));
         if (section.offset % format::alignment != 0 || section.offset < end)
             return damaged(Message::say("section '%1' cannot begin at byte %2", name, section.offset));
         if (__builtin_add_overflow(section.offset, section.bytes, &end) || end > fileBytes_)

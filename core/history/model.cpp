@@ -71,11 +71,11 @@ Status readFrame(const MappedFile& mapped, const FileLayout& layout, const std::
         const Section& section = layout.section(id);
         const std::span<const std::byte> bytes = sectionBytes(mapped, section);
         if (checksum(bytes) != section.checksum || !takeFrameSection(id, bytes, description))
-            return Error{ErrorKind::BadInput,
-                         Message::say("'%1' is damaged: its section '%2' makes no sense. Copy the file again, or build "
-                                      "it again.",
-                                      path.string(), format::sectionName(section.id)),
-                         path};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("'%1' is damaged: its section '%2' is invalid. Copy the file again, or build it again.",
+                             path.string(), format::sectionName(section.id)),
+                path};
     }
     return {};
 }

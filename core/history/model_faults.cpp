@@ -123,7 +123,7 @@ Result<std::vector<FaultyCell>> cellsLeftOut(const Model& model, std::span<const
         };
         if (one.corners < fewest || one.corners > most || one.corners == none ||
             one.fault > static_cast<std::uint32_t>(CellFault::Overlap) || !std::ranges::all_of(one.places, isFinite))
-            return inconsistentModel(model, Message::say("it lists a faulty cell that is none"));
+            return inconsistentModel(model, Message::say("it lists a faulty cell that is not faulty"));
         FaultyCell& cell = cells.emplace_back();
         cell.cell = one.number;
         cell.fault = static_cast<CellFault>(one.fault);

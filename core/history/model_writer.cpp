@@ -285,8 +285,8 @@ std::uint64_t ModelFileWriter::expectedBytes(const FixedCounts& counts, SampleTy
 
 Error ModelFileWriter::notAsAnnounced() const
 {
-    return {ErrorKind::BadInput, Message::say("The builder '%1' made another history than it had announced. Nothing "
-                                              "was written; report this to its author.",
+    return {ErrorKind::BadInput, Message::say("The builder '%1' made a history that differs from the one it announced. "
+                                              "Nothing was written; report this to its author.",
                                               description_.builder)};
 }
 
@@ -318,8 +318,8 @@ private:
     template <class Work> Status guardedWriting(const Work& work) const
     {
         return guarded(
-            Message::marked("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other "
-                            "programs."),
+            Message::marked(
+                "Not enough memory to write '%1' after %2 sites. Choose a larger error, or close other programs."),
             work, file_->target().native(), siteCount());
     }
 
@@ -356,7 +356,7 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
         canWarp(description().domain) != (traits.warpingWeight > 0))
         return inconsistent(Message::say("its warping weight is %1", formatNumber(traits.warpingWeight)));
     if (description().domain == DomainClass::Irregular && traits.delaunay)
-        return inconsistent(Message::say("meshes of irregular data are not Delaunay ones"));
+        return inconsistent(Message::say("meshes of irregular data are not Delaunay meshes"));
     if (const auto& cells = traits.blockCells;
         cells != std::array<std::uint32_t, 3>{} &&
         (!isOnLattice(description().domain) || !fit(cells, description().lattice)))
@@ -420,7 +420,7 @@ void HistoryFileWriter::storeMeshSizes(const Batch& batch)
 Status HistoryFileWriter::finish(float finalKey)
 {
     if (siteCount() < fewestSites(description().domain) || builder_.aliveCount() == 0)
-        return inconsistent(Message::say("a model needs at least the sites of a first mesh"));
+        return inconsistent(Message::say("a model needs at least the sites of its first mesh"));
     if (!(finalKey >= 0) || !std::isfinite(finalKey))
         return inconsistent(Message::say("the final error is not a number of at least 0"));
     return guardedWriting([&] {

@@ -35,8 +35,8 @@ Status checkWeights(const Model& model)
     if (weights.find("point:") == std::string::npos && weights.find("box:") == std::string::npos)
         return {};
     return Error{ErrorKind::WrongUsage,
-                 Message::say("'%1' was built with weights at places ('%2'), which would lie elsewhere than they "
-                              "were meant. Build it again from data that say where they lie.",
+                 Message::say("'%1' was built with weights at places ('%2'), which would then lie elsewhere than "
+                              "intended. Build it again from data that state where they lie.",
                               model.path().string(), weights),
                  model.path()};
 }
@@ -47,13 +47,12 @@ Result<ModelDescription> placed(const Model& model, const Placement& placement)
     ModelDescription description = model.description();
     Lattice& lattice = description.lattice;
     if (description.domain != DomainClass::RegularLattice)
-        return Error{
-            ErrorKind::WrongUsage,
-            Message::say("'%1' is not a model of a regular lattice: its points lie where the data say, each by "
-                         "itself. Only of a lattice spacing, origin and unit can be set afterwards; of other data give "
-                         "'--unit' when you build the model.",
-                         model.path().string()),
-            model.path()};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' is not a model of a regular lattice: each of its points has its own position. "
+                                  "Spacing, origin and unit can be set afterwards for a lattice only; for other data "
+                                  "give '--unit' when you build the model.",
+                                  model.path().string()),
+                     model.path()};
     if (placement.spacing || placement.origin) {
         if (const Status free = checkWeights(model); !free)
             return free.error();
@@ -63,7 +62,8 @@ Result<ModelDescription> placed(const Model& model, const Placement& placement)
     lattice.origin = placement.origin.value_or(lattice.origin);
     description.lengthUnit = placement.lengthUnit.value_or(description.lengthUnit);
     if (const Status sensible = checkLatticePlacement(lattice); !sensible)
-        return Error{ErrorKind::WrongUsage, Message::say("The model cannot lie there: %1", sensible.error().message)};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The model cannot be placed there: %1", sensible.error().message)};
     description.bounds = lattice.bounds();
     return description;
 }

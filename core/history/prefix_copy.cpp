@@ -182,7 +182,7 @@ private:
     Error makesNoSense(SectionId id) const
     {
         return damagedModel(
-            name_, Message::say("section '%1' makes no sense", format::sectionName(static_cast<std::uint32_t>(id))));
+            name_, Message::say("section '%1' is invalid", format::sectionName(static_cast<std::uint32_t>(id))));
     }
     bool needsPositions() const { return front_.layout.has(SectionId::Faults); }
 
@@ -481,7 +481,7 @@ Result<ModelFront> readFront(const ByteSource& source, const std::string& name, 
         if (!numbers)
             return numbers.error();
         if (!takeFrameSection(id, *numbers, front.description))
-            return damagedModel(name, Message::say("section '%1' makes no sense", format::sectionName(section.id)));
+            return damagedModel(name, Message::say("section '%1' is invalid", format::sectionName(section.id)));
     }
     if (!front.layout.has(SectionId::LevelIndex))
         return front;
@@ -493,7 +493,7 @@ Result<ModelFront> readFront(const ByteSource& source, const std::string& name, 
     if (!levels->empty())
         std::memcpy(static_cast<void*>(front.levels.data()), levels->data(), levels->size());
     if (!makeSense(front.levels, front.layout.header))
-        return damagedModel(name, Message::say("section '%1' makes no sense", format::sectionName(index.id)));
+        return damagedModel(name, Message::say("section '%1' is invalid", format::sectionName(index.id)));
     return front;
 }
 

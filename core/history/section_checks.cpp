@@ -121,7 +121,7 @@ Status SectionChecks::readChunkSums(const FileLayout& layout)
                              bytes.size() / sizeof(std::uint64_t));
     const std::uint64_t chunk = elements.empty() ? 0 : elements.front();
     if (!std::has_single_bit(chunk) || chunk < format::leastChunkBytes || chunk > format::mostChunkBytes)
-        return damaged(*file_, Message::say("chunks of %1 bytes cannot be", chunk));
+        return damaged(*file_, Message::say("chunks of %1 bytes are impossible", chunk));
     std::uint64_t next = 1;
     for (Watched& watched : sections_) {
         if (watched.id == section.id)

@@ -130,7 +130,7 @@ SectionWriter::Cursor& SectionWriter::cursor(SectionId id)
 Error SectionWriter::misfit(const Cursor& cursor) const
 {
     return {ErrorKind::CannotWrite,
-            Message::say("Cannot write '%1': section '%2' was planned with %3 bytes, which does not fit what it holds. "
+            Message::say("Cannot write '%1': section '%2' was planned with %3 bytes, which does not match its content. "
                          "This is a fault of TAn: please report it.",
                          file_.target().string(), format::sectionName(cursor.section.id), cursor.section.bytes)};
 }

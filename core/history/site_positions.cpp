@@ -30,7 +30,7 @@ Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::
     else
         place([&](std::uint32_t point) { return lookUp.position(point); });
     if (outside)
-        return inconsistentModel(model, Message::say("a site is no point of its lattice"));
+        return inconsistentModel(model, Message::say("a site is not a point of its lattice"));
     return {};
 }
 

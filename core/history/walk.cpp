@@ -27,7 +27,7 @@ Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, c
     const std::uint64_t begin = file[first];
     const std::uint64_t all = file[end];
     if (begin > all || all > model.tetrahedronCount() || (first == 0 && begin != 0))
-        return inconsistentModel(model, Message::say("its star offsets do not fit its tetrahedra"));
+        return inconsistentModel(model, Message::say("its star offsets do not match its tetrahedra"));
     std::array<std::uint64_t, starsAtOnce + 1> offsets; // no vector, which takes a tenth of a prefix' time
     offsets[0] = begin;
     std::uint64_t piece = 0;
@@ -39,8 +39,7 @@ Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, c
         while (count < most && offsets[count] - offsets[0] < tetrahedraAtOnce) {
             const std::uint64_t next = file[site + count + 1];
             if (next < offsets[count] || next > all)
-                return inconsistentModel(model,
-                                         Message::say("the star offsets of site %1 make no sense", site + count));
+                return inconsistentModel(model, Message::say("the star offsets of site %1 are invalid", site + count));
             offsets[++count] = next;
         }
         if (piece % piecesAtOnce == 0) {

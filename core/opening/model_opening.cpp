@@ -476,11 +476,12 @@ Result<FoundModel> openLeft(const std::string& place, const OpenOptions& options
            double(facts.levels[first].sites) * bytesOfSite > double(beginningBytes))
         --first;
     if (facts.levels[first].bytes > mostBeginningBytes)
-        return Error{ErrorKind::BadInput,
-                     Message::say("The file of '%1' is of a version of TAn that did not write where its coarse meshes "
-                                  "end, so it cannot be left at the server. Build it again, or copy it there with "
-                                  "'tan pack' and 'tan unpack'.",
-                                  shownAddress(place))};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "The file of '%1' was made by a version of TAn that did not record where its coarse meshes end, so it "
+                "cannot be left at the server. Build it again, or copy it there with 'tan pack' and 'tan unpack'.",
+                shownAddress(place))};
     return levels.take(first, progress.part(frontEnd, 1), *whole);
 }
 

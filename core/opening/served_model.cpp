@@ -22,10 +22,9 @@ namespace {
 
 Message tokenWanted(const std::string& shownAddress)
 {
-    return Message::say(
-        "The server of '%1' answers only those who have its token. Give the one that whoever runs it has set; on the "
-        "command line by '--token-file'.",
-        shownAddress);
+    return Message::say("The server of '%1' requires a token. Give the one issued by its operator; on the command line "
+                        "with '--token-file'.",
+                        shownAddress);
 }
 
 constexpr std::uint64_t mostFoundTetrahedra = std::uint64_t(1) << 30;
@@ -60,8 +59,8 @@ Error saidOtherwise(const std::string& address, const FetchedAnswer& answer)
     const JsonValue* const said = json ? json->find("error") : nullptr;
     if (answer.status == 200 || said == nullptr || said->string() == nullptr)
         return {ErrorKind::BadInput,
-                Message::say("'%1' finds no meshes (status %2): only a server of TAn ('tan serve') of this version "
-                             "does. Let the model be fetched from there.",
+                Message::say("'%1' does not extract meshes (status %2): only a TAn server ('tan serve') of this "
+                             "version does. Download the model from there instead.",
                              shownAddress(address), answer.status)};
     const ErrorKind kind = answer.status == 400 ? ErrorKind::WrongUsage
                            : answer.status == 413 || answer.status == 429 || answer.status >= 503
@@ -74,7 +73,7 @@ Error saidOtherwise(const std::string& address, const FetchedAnswer& answer)
 Error saysNonsense(const std::string& address)
 {
     return {ErrorKind::BadInput,
-            Message::say("What '%1' says of its model cannot be read. It may be a server of another version of TAn.",
+            Message::say("What '%1' says of its model cannot be read. The server may run another version of TAn.",
                          shownAddress(address))};
 }
 
@@ -85,8 +84,8 @@ constexpr std::uint64_t mostServedTetrahedra = std::uint64_t(1) << 40, mostServe
 Error saysTheImpossible(const std::string& address, const Message& what)
 {
     return {ErrorKind::BadInput,
-            Message::say("What '%1' says of its model is impossible: %2. Tell whoever runs the server, or fetch the "
-                         "model and look at it with 'tan verify'.",
+            Message::say("What '%1' says of its model is impossible: %2. Tell its operator, or download the model and "
+                         "check it with 'tan verify'.",
                          shownAddress(address), what),
             shownAddress(address)};
 }
@@ -140,7 +139,7 @@ std::optional<Message> impossibleAnswer(const ExtractedMesh& mesh, const Unpacke
         return Message::say("a mesh has the error %1 % and the warping %2 %", formatNumber(has->error),
                             formatNumber(has->warping));
     if (!std::ranges::all_of(sent.birthErrors, isLife) || !std::ranges::all_of(sent.deathErrors, isLife))
-        return Message::say("a tetrahedron lives at errors that are not numbers from 0");
+        return Message::say("a tetrahedron exists at errors that are not numbers of at least 0");
     return {};
 }
 

@@ -137,10 +137,9 @@ std::uint64_t PackedFileWriter::size() const noexcept
 Status PackedFileWriter::finish()
 {
     if (!levelsMakeSense(levels_, header_, static_cast<PackMethod>(facts_.method), chunks_.size()))
-        return Error{ErrorKind::BadInput,
-                     Message::say("The model cannot be packed into '%1': the errors that it claims make no sense. 'tan "
-                                  "verify' tells more.",
-                                  file_.target().string())};
+        return Error{ErrorKind::BadInput, Message::say("The model cannot be packed into '%1': the errors that it "
+                                                       "claims are invalid. 'tan verify' gives details.",
+                                                       file_.target().string())};
     struct Part {
         SectionId id;
         std::uint32_t elementBytes;
@@ -277,7 +276,7 @@ Status PackedFile::readFront(const Progress& progress)
             return read;
         if (!takeFrameSection(id, numbers, description_))
             return damaged(
-                Message::say("its section '%1' makes no sense", format::sectionName(static_cast<std::uint32_t>(id))));
+                Message::say("its section '%1' is invalid", format::sectionName(static_cast<std::uint32_t>(id))));
     }
     const Section& chunks = layout->section(SectionId::PackedChunks);
     chunks_ = {chunks.offset, chunks.bytes};
@@ -295,7 +294,7 @@ Status PackedFile::readFront(const Progress& progress)
 Status PackedFile::checkFront() const
 {
     if (!levelsMakeSense(levels_, header_, static_cast<PackMethod>(facts_.method), chunks_.size))
-        return damaged(Message::say("its levels make no sense"));
+        return damaged(Message::say("its levels are invalid"));
     if (!sizeMakesSense(facts_.fileBytes, header_))
         return damaged(Message::say("its model cannot have %1 bytes", facts_.fileBytes));
     return {};

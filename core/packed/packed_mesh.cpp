@@ -756,7 +756,8 @@ Result<std::vector<std::byte>> packedMesh(const TetrahedralMesh& mesh, std::span
 
 Error noPackedMesh()
 {
-    return {ErrorKind::BadInput, Message::say("What was received is no packed mesh of this version, or is damaged.")};
+    return {ErrorKind::BadInput,
+            Message::say("What was received is not a packed mesh of this version, or is damaged.")};
 }
 
 std::size_t scaleBytes(const PackedMeshHeader& header)
@@ -787,10 +788,9 @@ Result<UnpackedMesh> unpackedMesh(std::span<const std::byte> bytes, std::uint64_
         return noPackedMesh();
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && header.tetrahedra * bytesOfTetrahedron + header.vertices * bytesOfVertex > usable / 2)
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("The mesh has %1 tetrahedra, too many for the memory of this machine. Ask for a "
-                                  "larger error or a part of it.",
-                                  header.tetrahedra)};
+        return Error{ErrorKind::OutOfResource, Message::say("The mesh has %1 tetrahedra, too many for the memory of "
+                                                            "this machine. Choose a larger error or a part of it.",
+                                                            header.tetrahedra)};
     if (header.tetrahedra > mostTetrahedra || header.vertices / 4 > mostTetrahedra)
         return Error{ErrorKind::OutOfResource, Message::say("The mesh has %1 tetrahedra, and at most %2 are taken.",
                                                             header.tetrahedra, mostTetrahedra)};
@@ -823,7 +823,7 @@ Result<UnpackedMesh> unpackedMesh(std::span<const std::byte> bytes, std::uint64_
 }
 
 constexpr MarkedText noMemoryForMesh =
-    Message::marked("Not enough memory for a packed mesh. Ask for a larger error or a part of it.");
+    Message::marked("Not enough memory for a packed mesh. Choose a larger error or a part of it.");
 
 } // namespace
 

@@ -434,7 +434,7 @@ Status checkSections(const Model& model, const FileLayout& layout)
     for (const Section& section : layout.sections) {
         if (std::ranges::any_of(file.subspan(end, section.offset - end),
                                 [](std::byte byte) { return byte != std::byte(0); }))
-            return damaged(Message::say("something lies before section '%1'", format::sectionName(section.id)));
+            return damaged(Message::say("something precedes section '%1'", format::sectionName(section.id)));
         if (checksum(file.subspan(section.offset, section.bytes)) != section.checksum)
             return damaged(Message::say("the checksum of section '%1' is wrong", format::sectionName(section.id)));
         end = section.offset + section.bytes;
@@ -456,7 +456,7 @@ bool canBeCoded(std::span<const Fault> faults, const ModelDescription& about)
 Error cannotBePacked(const Model& model)
 {
     return {ErrorKind::BadInput,
-            Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' tells more.",
+            Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' gives details.",
                          model.path().string())};
 }
 
@@ -544,7 +544,8 @@ std::span<const std::byte> sectionBytes(std::span<const std::byte> file, const S
     return file.subspan(section.offset, section.bytes);
 }
 
-/// No file has more that one from its parts has so many bytes: what else it holds is in memory for a while.
+/// The most bytes that a file can have whose parts make one of `ofMade` bytes. What it holds besides is in memory for a
+/// while, so a larger file is refused.
 std::uint64_t mostBytes(std::uint64_t ofMade)
 {
     return 2 * ofMade + (std::uint64_t(1) << 26);
@@ -886,7 +887,7 @@ public:
         return *found && **found == kind ? Status() : damaged();
     }
     std::span<const std::byte> record() const noexcept { return records_.record(); }
-    Status damaged() const { return file_.damaged(Message::say("what it holds is no history")); }
+    Status damaged() const { return file_.damaged(Message::say("its content is not a history")); }
 
 private:
     /// Of the history that was read.
@@ -1018,7 +1019,7 @@ public:
     }
 
 private:
-    Status damaged() const { return file_.damaged(Message::say("what it holds is no history")); }
+    Status damaged() const { return file_.damaged(Message::say("its content is not a history")); }
 
     const PackedFile& file_;
     Differing& differing_;

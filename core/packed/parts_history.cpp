@@ -301,7 +301,7 @@ struct PartModels {
     std::array<std::array<NumberModel, 3>, 2> own;
 };
 
-/// What a group's coding works with, kept for the next one's sake.
+/// Scratch memory for coding one group, reused for the next one.
 struct GroupScratch {
     struct Face {
         Triangle corners{};           ///< (apex, corners) is positive
@@ -1102,9 +1102,9 @@ template <class Coder> bool GroupCoder<Coder>::orderStars()
     return true;
 }
 
-/// Which of a star's tetrahedra is likely to follow the first `done`: the next one as it is; of scattered points, whose
-/// builder goes from tetrahedron to tetrahedron around the new point, a neighbour of the one that it has come to: it
-/// takes all neighbours of one, and then those of the last that it took.
+/// Which of a star's tetrahedra is likely to follow the first `done`. On a lattice it is the next one in order. The
+/// builder of scattered points walks around the new point from tetrahedron to tetrahedron: it visits all neighbours of
+/// one, and then those of the last one visited, so there it is the neighbour that this walk reaches next.
 template <class Coder> std::size_t GroupCoder<Coder>::nextAround(std::span<const std::uint32_t> star, std::size_t done)
 {
     if (onLattice() || !state_.facts.delaunay)
@@ -1163,8 +1163,9 @@ template <class Coder> bool GroupCoder<Coder>::turnCreatorFirst(GroupScratch::Ne
     return true;
 }
 
-/// How far the others are turned from how the face lies that the tetrahedron fills. A builder that changes a corner in
-/// place keeps the order of all four, of which a file tells no more than what is left of it with the creator in front.
+/// By how many places the three other corners are rotated against the face that the tetrahedron fills. A builder that
+/// replaces one corner in place keeps the order of all four; a file, in which the creator comes first, keeps only the
+/// order of the other three.
 template <class Coder> std::size_t GroupCoder<Coder>::codeTurn(GroupScratch::New& tetrahedron,
                                                                const std::array<std::size_t, 4>& corners,
                                                                std::size_t truth)
@@ -1493,7 +1494,8 @@ template <class Coder> bool GroupCoder<Coder>::codeFreePoint(std::uint32_t local
     return true;
 }
 
-/// Of what dies by it, the one that it lies in or least far out of.
+/// Of the tetrahedra that the site destroys, the one that contains it or, if none does, the one nearest to containing
+/// it.
 template <class Coder> std::uint32_t GroupCoder<Coder>::hostOfFreeSite(std::uint32_t local)
 {
     std::span<const std::uint32_t> hosts = hostsOf(local, true);
@@ -1691,9 +1693,10 @@ Result<std::vector<std::byte>> HistoryEncoder::encode(std::uint32_t end)
     const HistoryTruth truth{&model_, deathOffsets_, deaths_};
     GroupCoder<RangeEncoder> groups(*state_, coder, truth, cost_);
     if (!groups.run(end))
-        return Error{ErrorKind::BadInput,
-                     Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' tells more.",
-                                  model_.path().string())};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' gives details.",
+                         model_.path().string())};
     return coder.finish();
 }
 

@@ -713,10 +713,10 @@ Result<std::vector<RegionChunks>> readChunks(const PackedFile& file, std::uint32
         SiteChunkHead head;
         const auto kind = static_cast<ReplayChunk>(chunks.kind());
         if ((kind != ReplayChunk::Sites && kind != ReplayChunk::Others) || chunks.bytes().size() < sizeof head)
-            return file.damaged(Message::say("its sites make no sense"));
+            return file.damaged(Message::say("its sites are invalid"));
         std::memcpy(&head, chunks.bytes().data(), sizeof head);
         if (head.region >= regionCount || head.positionBytes > chunks.bytes().size() - sizeof head)
-            return file.damaged(Message::say("its sites make no sense"));
+            return file.damaged(Message::say("its sites are invalid"));
         RegionChunks& region = regions[head.region];
         (kind == ReplayChunk::Sites ? region.sites : region.others)
             .emplace_back(chunks.bytes().begin(), chunks.bytes().end());
@@ -747,7 +747,7 @@ public:
 private:
     Status openChunk();
     Status readStep(const ReplayRegion& region, std::uint64_t points, RegionSites& sites);
-    Error damaged() const { return file_.damaged(Message::say("its sites make no sense")); }
+    Error damaged() const { return file_.damaged(Message::say("its sites are invalid")); }
 
     const PackedFile& file_;
     const std::vector<std::vector<std::byte>>& chunks_;
@@ -833,7 +833,7 @@ public:
                 const ReplayedLattice& lattice);
 
 private:
-    Error damaged() const { return file_.damaged(Message::say("its sites make no sense")); }
+    Error damaged() const { return file_.damaged(Message::say("its sites are invalid")); }
 
     const PackedFile& file_;
     const RegionChunks& chunks_;
@@ -897,7 +897,7 @@ public:
 private:
     ReplayReader(const PackedFile& file, const ReplayedLattice& lattice) : file_(file), lattice_(lattice) {}
     void mergeSteps(std::uint32_t levels);
-    Error damaged() const { return file_.damaged(Message::say("its sites make no sense")); }
+    Error damaged() const { return file_.damaged(Message::say("its sites are invalid")); }
 
     const PackedFile& file_;
     const ReplayedLattice& lattice_;
@@ -935,7 +935,7 @@ Result<ReplayReader> ReplayReader::open(const PackedFile& file, const ReplayedLa
     for (const RegionSites& region : reader.regions_)
         corners += region.own.corners.size();
     if (corners + reader.sites_.size() != last.sites)
-        return file.damaged(Message::say("its levels make no sense"));
+        return file.damaged(Message::say("its levels are invalid"));
     for (const RegionChunks& region : reader.chunks_)
         reader.samples_.emplace_back(file, region);
     return reader;
@@ -1272,7 +1272,7 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
     const ModelDescription& about = file.description();
     const auto recipe = replayRecipe(about, file.facts().blockCells);
     if (!recipe)
-        return file.damaged(Message::say("its text does not tell how it is built"));
+        return file.damaged(Message::say("its text does not tell how it was built"));
     if (const Status read = readSamples(file, **lattice, progress.part(0, readAt)); !read)
         return read.error();
     const auto dataset = replayedDataset(about, (*lattice)->samples);
@@ -1297,7 +1297,7 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
         return start.error();
     const auto levels = file.levels().first(level + 1);
     if (levels.front().sites != start->corners.size())
-        return file.damaged(Message::say("its levels make no sense"));
+        return file.damaged(Message::say("its levels are invalid"));
     auto reader = ReplayReader::open(file, lattice, level, progress.part(0, sitesAt));
     if (!reader)
         return reader.error();

@@ -165,7 +165,8 @@ Status ReplayMesh::expect(std::span<const std::uint32_t> points, Expectations& e
     };
     visitSampleType(type_, [&]<class T>() {
         const T* const samples = reinterpret_cast<const T*>(samples_.get());
-        // Where one run ends must not depend on the threads: which of several tetrahedra is found does.
+        // Runs have a fixed length: which of several tetrahedra that share a point is found depends on where a run
+        // begins, and must not depend on the number of threads.
         forEach(!shared_, (points.size() + atOnce - 1) / atOnce,
                 [&](std::size_t run) { expectRun(samples, run * atOnce); });
     });

@@ -46,7 +46,7 @@ private:
     {
         if (arrays_.points.size() + batch.points.size() > facts_.siteCount ||
             arrays_.otherSites.size() + batch.tetrahedra.size() > facts_.tetrahedronCount)
-            return Error{ErrorKind::BadInput, Message::say("The sites make more than they should.")};
+            return Error{ErrorKind::BadInput, Message::say("The sites yield more than they should.")};
         growth_.assign(batch.points.size(), 0);
         for (const Batch::Destruction& destruction : batch.destructions) {
             arrays_.destroyers[destruction.tetrahedron] = destruction.destroyer;
@@ -398,8 +398,8 @@ private:
         }
     }
 
-    /// Its interpolation, as of values that are no small integers: so it does not depend on which of several tetrahedra
-    /// has the point.
+    /// The position interpolated by the mesh, in the way used for values that are not small integers: the result is the
+    /// same for each of several tetrahedra that share the point.
     void guessByMesh(std::uint32_t point, std::uint32_t slot, std::array<GridPositionCoder::Guesses, 3>& guesses) const
     {
         const LatticeDelaunay& delaunay = coding_.mesh->delaunay();

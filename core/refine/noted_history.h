@@ -26,7 +26,7 @@ public:
         if (!goesOn_)
             return {};
         goesOn_ = false;
-        progress.report(0, Message::marked("Taking up what was done"));
+        progress.report(0, Message::marked("Restoring the interrupted build"));
         const Status handed = handAgain();
         return handed ? state_->load(space) : handed;
     }

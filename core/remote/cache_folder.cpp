@@ -37,7 +37,7 @@ Error cannotUse(const std::filesystem::path& folder, int systemError)
     const Message remedy = isLack ? Message(resourceRemedy)
                            : systemError == ENOSPC || systemError == EDQUOT || systemError == EFBIG
                                ? diskRemedy(systemError)
-                               : Message::say("Set XDG_CACHE_HOME to a folder that can be written in.");
+                               : Message::say("Set XDG_CACHE_HOME to a folder that can be written to.");
     return {isLack ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
             Message::say("Cannot use the cache folder '%1': %2. %3", folder.string(), systemErrorText(systemError),
                          remedy)};
@@ -47,7 +47,7 @@ Error cannotUse(const std::filesystem::path& folder, int systemError)
 Error cannotTrust(const std::filesystem::path& folder, const Message& what)
 {
     return {ErrorKind::CannotWrite,
-            Message::say("Cannot use the cache folder '%1': %2. Set XDG_CACHE_HOME to a folder that is yours alone.",
+            Message::say("Cannot use the cache folder '%1': %2. Set XDG_CACHE_HOME to a folder that only you can use.",
                          folder.string(), what)};
 }
 
@@ -218,7 +218,7 @@ std::vector<Entry> oldestFirst(const std::filesystem::path& folder)
 }
 
 constexpr MarkedText noMemoryToLook =
-    Message::marked("Not enough memory to look into the cache folder '%1'. Close other programs.");
+    Message::marked("Not enough memory to read the cache folder '%1'. Close other programs.");
 constexpr auto beforeNextLook = std::chrono::milliseconds(20);
 
 } // namespace
@@ -249,7 +249,7 @@ Result<std::uint64_t> CacheFolder::standardLimit()
     const std::optional<std::uint64_t> megabytes = parseNumber<std::uint64_t>(given);
     if (!megabytes || *megabytes > 1'000'000'000'000)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("TAN_CACHE_MB is '%1'. Give the most megabytes that the cache folder may take.",
+                     Message::say("TAN_CACHE_MB is '%1'. Give the maximum size of the cache folder in megabytes.",
                                   printable(given))};
     return *megabytes * 1'000'000;
 }
@@ -271,7 +271,8 @@ Result<CacheFolder> CacheFolder::standard()
     if (home == nullptr || *home == '\0')
         return Error{
             ErrorKind::CannotWrite,
-            Message::say("There is no cache folder, as this user has no home. Set XDG_CACHE_HOME to a folder.")};
+            Message::say(
+                "There is no cache folder, because this user has no home folder. Set XDG_CACHE_HOME to a folder.")};
     return open(std::filesystem::path(home) / ".cache" / "tan", limit);
 }
 
@@ -369,11 +370,9 @@ bool CacheFolder::fitsDisk(std::uint64_t bytes, std::uint64_t removed) const
 
 Error CacheFolder::noRoom(std::uint64_t bytes) const
 {
-    return {
-        ErrorKind::CannotWrite,
-        Message::say("The cache folder '%1' has no room for %2 more: its limit is %3, and what is in use stays. Set "
-                     "TAN_CACHE_MB to more megabytes.",
-                     path_.string(), neededBytesText(bytes), neededBytesText(limit_))};
+    return {ErrorKind::CannotWrite, Message::say("The cache folder '%1' has no room for %2 more: its limit is %3, and "
+                                                 "files in use are kept. Set TAN_CACHE_MB to more megabytes.",
+                                                 path_.string(), neededBytesText(bytes), neededBytesText(limit_))};
 }
 
 Status CacheFolder::checkRoom(std::uint64_t bytes) const

@@ -146,13 +146,15 @@ Result<Fetched> fetched(CURL* curl, const std::string& shown, const std::string&
     if (fetching.lacksMemory || code == CURLE_OUT_OF_MEMORY)
         throw std::bad_alloc();
     if (fetching.tooLarge)
-        return Error{ErrorKind::OutOfResource, Message::say("'%1' sends more than %2, the most that is taken.", shown,
-                                                            neededBytesText(fetching.mostBytes()))};
+        return Error{ErrorKind::OutOfResource, Message::say("'%1' sends more than %2, the most that is accepted.",
+                                                            shown, neededBytesText(fetching.mostBytes()))};
     if (fetching.isSilent) {
         const milliseconds waited = fetching.content.empty() ? limits.thinking : limits.silence;
-        return noAnswer(shown, again(Message::say("nothing came for %1 seconds, or too slowly. Check the network, and "
-                                                  "whether the server runs.",
-                                                  formatNumber(double(waited.count()) / 1000))));
+        return noAnswer(
+            shown,
+            again(Message::say(
+                "nothing arrived for %1 seconds, or too slowly. Check the network, and whether the server is running.",
+                formatNumber(double(waited.count()) / 1000))));
     }
     if (code == CURLE_ABORTED_BY_CALLBACK)
         return cancelledError(Message::marked("Asking the server"));
@@ -216,7 +218,7 @@ Result<FetchedAnswer> ServerConnection::fetch(const std::string& address, const 
                 return cancelledError(Message::marked("Asking the server"));
         }
     };
-    return guarded(Message::marked("Not enough memory for what the server sends. Ask for less."), ask);
+    return guarded(Message::marked("Not enough memory for the server's answer. Request less."), ask);
 }
 
 Result<FetchedAnswer> fetchOnce(const std::string& address, const std::string& token, const FetchLimits& limits,

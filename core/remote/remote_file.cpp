@@ -52,34 +52,33 @@ Refusal changedFile()
 
 Refusal packed(const std::string& coding)
 {
-    return final(
-        Message::say("the server or a proxy packs what it sends (%1), so that parts of the file cannot be told. "
-                     "Download the file and open the copy.",
-                     printable(coding)));
+    return final(Message::say("the server or a proxy compresses what it sends (%1), so that parts of the file cannot "
+                              "be located. Download the file and open the copy.",
+                              printable(coding)));
 }
 
 Refusal noLength()
 {
-    return final(Message::say("the server does not say how long the file is. Download the file and open the copy."));
+    return final(
+        Message::say("the server does not state the length of the file. Download the file and open the copy."));
 }
 
 Refusal webPage()
 {
-    return final(Message::say(
-        "the server gives a web page or a list in place of data. Open the address in a browser: you may have to "
-        "log in, or to choose a file there and give its address."));
+    return final(Message::say("the server sends a web page or a list instead of data. Open the address in a browser: "
+                              "you may have to log in, or to choose a file there and give its address."));
 }
 
 Refusal noRanges()
 {
-    return final(Message::say("its server gives files as a whole only, not in parts (range requests). Download the "
-                              "file and open the copy, or put it on a server that knows ranges."));
+    return final(Message::say("its server delivers files only as a whole, not in parts (range requests). Download the "
+                              "file and open the copy, or put it on a server that supports ranges."));
 }
 
 Refusal wrongPart()
 {
-    return final(Message::say("the server gives another part of the file than it was asked for. Download the file and "
-                              "open the copy."));
+    return final(Message::say(
+        "the server sends a different part of the file from the one requested. Download the file and open the copy."));
 }
 
 constexpr int unauthorized = 401;
@@ -87,11 +86,10 @@ constexpr int unauthorized = 401;
 /// `wantsBearer`: HttpAnswer's.
 Refusal credentialWanted(bool wantsBearer)
 {
-    Refusal refusal =
-        wantsBearer ? final(Message::say("the server answers only those who have its token. Give the one that whoever "
-                                         "runs it has set; on the command line by '--token-file'."))
-                    : final(Message::say("the server wants a name and a password. Give them in the address, "
-                                         "https://NAME:PASSWORD@..., or download the file."));
+    Refusal refusal = wantsBearer ? final(Message::say("the server requires a token. Give the one issued by its "
+                                                       "operator; on the command line with '--token-file'."))
+                                  : final(Message::say("the server requires a name and a password. Give them in the "
+                                                       "address, https://NAME:PASSWORD@..., or download the file."));
     refusal.wants = wantsBearer ? Credential::Token : Credential::Password;
     return refusal;
 }
@@ -106,27 +104,27 @@ Refusal refusedStatus(int status, bool wantsBearer)
     switch (status) {
     case unauthorized: return mayHaveMoved(credentialWanted(wantsBearer));
     case 407:
-        return final(Message::say("the proxy wants a name and a password. Set https_proxy to an address with "
-                                  "both."));
+        return final(
+            Message::say("the proxy requires a name and a password. Set https_proxy to an address with both."));
     case 403:
-        return mayHaveMoved(final(Message::say("the server does not allow it (403). Ask whoever runs it, or check "
-                                               "whether the address has expired.")));
+        return mayHaveMoved(final(Message::say(
+            "the server does not allow it (403). Ask its operator, or check whether the address has expired.")));
     case 404:
     case 410:
         return mayHaveMoved(
             final(Message::say("there is no such file on the server (%1). Check the address.", status)));
     case 408:
-    case 425: return again(Message::say("the server is busy (%1). Try it later.", status));
+    case 425: return again(Message::say("the server is busy (%1). Try again later.", status));
     default: break;
     }
     if (isBusy(status)) {
-        Refusal refusal = again(Message::say("the server is busy (%1). Try it later.", status));
+        Refusal refusal = again(Message::say("the server is busy (%1). Try again later.", status));
         refusal.kind = ErrorKind::OutOfResource;
         return refusal;
     }
     if (status >= 500)
-        return again(Message::say("the server fails (%1). Try it later, or tell whoever runs it.", status));
-    return final(Message::say("the server answers with status %1 in place of data. Check the address.", status));
+        return again(Message::say("the server failed (%1). Try again later, or tell its operator.", status));
+    return final(Message::say("the server answers with status %1 instead of data. Check the address.", status));
 }
 
 /// Spreads what comes over time; libcurl's own limit lets bursts of a megabyte through.
@@ -390,8 +388,8 @@ private:
             wanted = missing;
         }
         return Error{ErrorKind::CannotWrite,
-                     Message::say("The cache folder gives other bytes than were written to it. Check its disk, or set "
-                                  "XDG_CACHE_HOME to a folder on another one.")};
+                     Message::say("The cache folder returns other bytes than were written to it. Check its disk, or "
+                                  "set XDG_CACHE_HOME to a folder on another one.")};
     }
 
     Message activity() const { return Message::say("Reading '%1'", shownAddress(address)); }
@@ -400,8 +398,9 @@ private:
     {
         if (offset <= size && bytes <= size - offset)
             return {};
-        return cannotRead(address, final(Message::say("it ends before what was looked for. It is no whole model: ask "
-                                                      "whoever put it there.")));
+        return cannotRead(
+            address,
+            final(Message::say("it ends too early. It is not a complete model: ask the person who put it there.")));
     }
 
     Status fetchPieces(const std::vector<std::uint64_t>& pieces, const Progress& progress)
@@ -484,10 +483,9 @@ private:
             if (now - work.lastPiece > silence() && work.busy)
                 return cannotRead(address, *work.busy);
             if (now - work.lastPiece > silence())
-                return cannotRead(address,
-                                  final(Message::say("nothing came from the server for %1 seconds, or too slowly. "
-                                                     "Check the network, or try it later.",
-                                                     formatNumber(double(silence().count()) / 1000))));
+                return cannotRead(address, final(Message::say("nothing arrived from the server for %1 seconds, or too "
+                                                              "slowly. Check the network, or try again later.",
+                                                              formatNumber(double(silence().count()) / 1000))));
             for (auto next = work.waiting.begin(); next != work.waiting.end() && work.running.size() < mostInFlight;) {
                 const auto request = next++;
                 if (request->notBefore > now)

@@ -45,15 +45,15 @@ struct RemoteCounts {
 /// Whether an error says that a server gives a file only to whom it knows (401).
 TAN_INTERNAL bool isUnauthorized(const Error& error);
 
-/// What to ask for so that the pieces are there: neighbours, and those between which less than `gap` bytes lie, in one
+/// The ranges to request for the pieces: neighbours, and those with fewer than `gap` bytes between them, share one
 /// range. `pieces` ascend and are `pieceBytes` long, the last one of a file of `size` bytes less.
 TAN_INTERNAL std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t pieceBytes,
                                                  std::uint64_t gap, std::uint64_t size);
 
 /// A file on any HTTP server that gives ranges of it (R28, B5). open() makes one request, of the first 16 KiB; source()
 /// then reads what it has in a cache folder (piece_store.h) and asks the server for what it has not: ranges with less
-/// than 64 KiB between them merged, at most four at a time over connections that stay open, what breaks off from where
-/// it broke. In memory is nothing but what is on its way.
+/// than 64 KiB between them merged, at most four at a time over connections that stay open; a broken transfer resumes
+/// where it stopped. Only the data in transit are in memory.
 ///
 /// Each answer is held against the first one: a file that is changed meanwhile is refused, with If-Range before its
 /// bytes come. What the server sends is otherwise taken as it is: whoever reads a model checks it. Without an

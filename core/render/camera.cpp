@@ -278,7 +278,7 @@ public:
         if (found != upNames.end())
             target = static_cast<UpAxis>(found - upNames.begin());
         else
-            fail(Message::say("The key \"%1\" of the camera is none of x, -x, y, -y, z and -z (%2).", key,
+            fail(Message::say("The key \"%1\" of the camera is not one of x, -x, y, -y, z and -z (%2).", key,
                               describePlace(value->place)));
     }
 
@@ -349,9 +349,9 @@ Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& 
 {
     const Result<JsonValue> root = parseJson(text);
     if (!root)
-        return Error{ErrorKind::BadInput, Message::say("This is no camera. %1", root.error().message)};
+        return Error{ErrorKind::BadInput, Message::say("This is not a camera. %1", root.error().message)};
     if (root->object() == nullptr)
-        return Error{ErrorKind::BadInput, Message::say("This is no camera: it holds no JSON object, in braces.")};
+        return Error{ErrorKind::BadInput, Message::say("This is not a camera: it holds no JSON object, in braces.")};
     CameraReader reader(*root);
     Camera camera;
     reader.number("azimuth", camera.azimuth, -1e6, 1e6);

@@ -105,8 +105,8 @@ Result<std::vector<ClipPlane>> parseClipPlanes(std::string_view text)
         const auto plane = parsePlane(part);
         if (!plane)
             return Error{ErrorKind::WrongUsage,
-                         Message::say("'%1' is no clip plane: give four numbers nx,ny,nz,offset, the first three not "
-                                      "all zero; points with nx x + ny y + nz z >= offset are shown.",
+                         Message::say("'%1' is not a clip plane: give four numbers nx,ny,nz,offset, the first three "
+                                      "not all zero; points with nx x + ny y + nz z >= offset are shown.",
                                       printable(part))};
         planes.push_back(*plane);
     }

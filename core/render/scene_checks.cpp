@@ -10,11 +10,12 @@ namespace tetra {
 Status checkMesh(const TriangleMesh& mesh)
 {
     if (mesh.normals.size() != mesh.positions.size())
-        return Error{ErrorKind::WrongUsage, Message::say("A surface of the scene has not one normal for each vertex.")};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A surface of the scene does not have one normal for each vertex.")};
     const auto fits = [&](std::size_t count) { return count == 0 || count == mesh.positions.size(); };
     if (!fits(mesh.values.size()) || !fits(mesh.colours.size()))
         return Error{ErrorKind::WrongUsage,
-                     Message::say("A surface of the scene has not one value or colour for each vertex.")};
+                     Message::say("A surface of the scene does not have one value or colour for each vertex.")};
     for (const auto& triangle : mesh.triangles)
         if (std::ranges::max(triangle) >= mesh.positions.size())
             return Error{ErrorKind::WrongUsage,

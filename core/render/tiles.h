@@ -30,12 +30,13 @@ try {
     return guarded(noMemoryForPicture, work);
 } catch (const std::exception& problem) {
     if (!maker.empty())
-        return Error{ErrorKind::BadInput, Message::say("The plugin '%1' failed: %2. This is a mistake in the plugin; "
-                                                       "tell its author.",
-                                                       maker, problem.what())};
-    return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the plugin "
-                                                   "that made it; tell its author.",
-                                                   problem.what())};
+        return Error{ErrorKind::BadInput,
+                     Message::say("The plugin '%1' failed: %2. This is a fault of the plugin; tell its author.", maker,
+                                  problem.what())};
+    return Error{
+        ErrorKind::BadInput,
+        Message::say("Drawing the scene failed: %1. This is a fault of the plugin that made it; tell its author.",
+                     problem.what())};
 }
 
 /// Runs `work`, which returns a Result, on as many threads as are wanted; 0 or too many means all of the machine.

@@ -369,7 +369,7 @@ Status HttpServer::Server::look(std::span<MHD_Daemon* const> daemons)
     pollfd place{.fd = listening_.number(), .events = POLLIN, .revents = 0};
     const int ready = ::poll(&place, 1, static_cast<int>(lookUpEvery.count()));
     if (ready < 0 && errno != EINTR)
-        return Error{ErrorKind::OutOfResource, Message::say("The system takes no more connections: %1. %2",
+        return Error{ErrorKind::OutOfResource, Message::say("The system accepts no more connections: %1. %2",
                                                             systemErrorText(errno), resourceRemedy)};
     if (ready > 0)
         acceptAll(daemons);
@@ -534,7 +534,7 @@ MHD_Result HttpServer::Server::answerSoon(MHD_Connection* connection, Request& r
         });
     } catch (const std::exception&) {
         request.answer = withoutMemory(Answer(), [] {
-            ServedAnswer refused = errorAnswer(503, "The server has no thread for this answer now. Ask again.");
+            ServedAnswer refused = errorAnswer(503, "The server has no thread for this answer now. Try again.");
             refused.headers.emplace_back("Retry-After", "1");
             return Answer(std::move(refused));
         });

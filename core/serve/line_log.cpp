@@ -57,7 +57,7 @@ void LineLog::push(std::string line)
 void LineLog::tellDropped()
 {
     if (dropped_ > 0)
-        push(std::to_string(dropped_) + " lines are missing here: nobody read them.");
+        push(std::to_string(dropped_) + " lines are missing here: they were not read in time.");
     dropped_ = 0;
 }
 

@@ -126,10 +126,10 @@ Status checkNotEmpty(const MeshQuery& query, const Model& model, const Tetrahedr
         return "(" + shortNumber(p[0]) + ", " + shortNumber(p[1]) + ", " + shortNumber(p[2]) + ")";
     };
     const bool isOfLives = query.range && (isLimited(query.range->births) || isLimited(query.range->deaths));
-    const std::string asked = isOfLives               ? "has such a life there"
+    const std::string asked = isOfLives               ? "appears and disappears at such errors there"
                               : !query.window         ? "has such values"
-                              : !query.values.empty() ? "is in that window with such values"
-                                                      : "is in that window";
+                              : !query.values.empty() ? "is in that crop box with such values"
+                                                      : "is in that crop box";
     return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
                                             place(data.bounds.min()) + " and " + place(data.bounds.max()) +
                                             ", with values from " + shortNumber(data.range.minimum) + " to " +

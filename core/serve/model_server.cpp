@@ -153,16 +153,17 @@ ServedAnswer refusal(const Error& error, const ServedFile& file)
     switch (error.kind) {
     case ErrorKind::WrongUsage: return errorAnswer(400, error.text());
     case ErrorKind::CannotWrite:
-        return errorAnswer(noRoom, "The disk of the server's cache folder has no room to unpack " + name +
-                                       ", or cannot be written. Whoever runs the server can mend that; the file "
-                                       "itself can be fetched.");
+        return errorAnswer(
+            noRoom,
+            "The disk of the server's cache folder has no room to unpack " + name +
+                ", or cannot be written. The server's operator can correct this; the file itself can be downloaded.");
     case ErrorKind::OutOfResource:
         return comeAgain(errorAnswer(503, "The server lacks memory, threads or open files for " + name +
                                               ", or the file is being changed. Ask again later."));
-    case ErrorKind::Cancelled: return errorAnswer(504, "Nobody waits for this any more.");
+    case ErrorKind::Cancelled: return errorAnswer(504, "The client no longer waits for this.");
     case ErrorKind::BadInput: break;
     }
-    return errorAnswer(500, "The file of " + name + " was found damaged. Whoever runs the server can replace it.");
+    return errorAnswer(500, "The file of " + name + " was found damaged. The server's operator can replace it.");
 }
 
 ServedAnswer cannotLook(const Error& error)
@@ -186,8 +187,8 @@ std::uint64_t expectedTetrahedra(const Model& model, const MeshQuery& query)
 ServedAnswer tooLarge(std::uint64_t most)
 {
     return errorAnswer(413, "The mesh has more than " + std::to_string(most) +
-                                " tetrahedra, the most that this server gives. Ask for a larger error, or for the "
-                                "best mesh of so many with 'budget'.");
+                                " tetrahedra, the most that this server sends. Use a larger error, or request the best "
+                                "mesh of a given size with 'budget'.");
 }
 
 PlaceScale scaleOf(const Model& model)
@@ -316,7 +317,7 @@ std::optional<ServedAnswer> ModelServer::refusalOf(const ServedRequest& request)
     const std::string given = request.header("authorization").value_or("");
     if (given.starts_with(scheme) && isEqualInSecret(whom_.token, std::string_view(given).substr(scheme.size())))
         return {};
-    ServedAnswer refused = errorAnswer(401, "A token is needed: Authorization: Bearer TOKEN.");
+    ServedAnswer refused = errorAnswer(401, "A token is required: Authorization: Bearer TOKEN.");
     refused.headers.emplace_back("WWW-Authenticate", "Bearer");
     return refused;
 }
@@ -350,7 +351,7 @@ try {
     }
     return answer;
 } catch (const std::exception&) {
-    return comeAgain(errorAnswer(503, "The server has not enough memory for this answer."));
+    return comeAgain(errorAnswer(503, "The server does not have enough memory for this answer."));
 }
 
 ServedAnswer ModelServer::answerWhoMay(const ServedRequest& request)
@@ -368,7 +369,7 @@ ServedAnswer ModelServer::answerWhoMay(const ServedRequest& request)
         return cannotLook(found.error());
     const std::optional<ServedFile>& file = *found;
     if (!file)
-        return errorAnswer(404, "There is no such model here. '/' lists those that there are.");
+        return errorAnswer(404, "There is no such model here. '/' lists the available ones.");
     if (mark == std::string::npos)
         return fileAnswer(request, *file);
     const std::string_view query = std::string_view(request.target).substr(mark + 1);
@@ -385,7 +386,7 @@ ServedAnswer ModelServer::list(const ServedRequest& request) const
         return cannotLook(names.error());
     for (const std::string& name : *names) {
         if (request.gone.stop_requested())
-            return errorAnswer(503, "Nobody waits for this list.");
+            return errorAnswer(503, "The client no longer waits for this list.");
         const auto found = folder_.find(name);
         if (!found)
             return cannotLook(found.error());
@@ -513,7 +514,7 @@ ServedAnswer ModelServer::inTurn(const ServedRequest& request, const ServedFile&
 {
     const Turn turn(*this, request.gone);
     if (!turn.isTaken())
-        return comeAgain(errorAnswer(503, "Too many meshes are asked for at once. Ask again."));
+        return comeAgain(errorAnswer(503, "Too many meshes are requested at once. Try again."));
     // In a thread that ends with it, so that the next one takes over its stack and its share of the heap: the threads
     // of all connections would each keep theirs.
     std::stop_source over;
@@ -525,9 +526,8 @@ ServedAnswer ModelServer::inTurn(const ServedRequest& request, const ServedFile&
         return *answer;
     if (answer.error().kind != ErrorKind::Cancelled)
         return refusal(answer.error(), file);
-    return errorAnswer(504, over.stop_requested()
-                                ? "This mesh takes longer than the server may work on one. Ask for a larger error."
-                                : "Nobody waits for this mesh any more.");
+    return errorAnswer(504, over.stop_requested() ? "This mesh takes longer than the server allows. Use a larger error."
+                                                  : "The client no longer waits for this mesh.");
 }
 
 ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedFile& file, std::string_view query)

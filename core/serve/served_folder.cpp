@@ -98,7 +98,7 @@ std::string tagOf(const struct stat& state)
 Error cannotLook(int error)
 {
     return {ErrorKind::OutOfResource,
-            Message::say("The server cannot look for its models now: %1. Ask again.", systemErrorText(error))};
+            Message::say("The server cannot read its models now: %1. Ask again.", systemErrorText(error))};
 }
 
 } // namespace

@@ -66,9 +66,8 @@ Status addRange(const LifeRange& range, bool warps, Writer& words)
     words.add("range", {range.one.error, range.other.error});
     const bool asError = range.one.warping == range.one.error && range.other.warping == range.other.error;
     if (warps && !asError && range.one.warping != range.other.warping)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("A server cannot be asked for a range of accuracies whose two ends have warpings of "
-                                  "their own. Give both the same.")};
+        return Error{ErrorKind::WrongUsage, Message::say("A server cannot extract a range of accuracies whose two ends "
+                                                         "have different warpings. Give both the same.")};
     if (warps && !asError)
         words.add("warping", {std::min(range.one.warping, anyWarping)});
     for (const auto& [name, lives] : {std::pair{"births", range.births}, std::pair{"deaths", range.deaths}})
@@ -197,9 +196,9 @@ public:
             return method.error();
         query.method = *method;
         if (words_.has("method") && query.error.isConstant() && query.warping == query.error)
-            return wrong(named("method") + " is for meshes whose accuracy varies: say where with " + named("focus") +
-                         " or " + named("field") + ", or give " + named("error") + " and " + named("warping") +
-                         " limits of their own.");
+            return wrong(named("method") + " is for meshes whose accuracy varies: specify where with " +
+                         named("focus") + " or " + named("field") + ", or give " + named("error") + " and " +
+                         named("warping") + " limits of their own.");
         return query;
     }
 
@@ -216,7 +215,7 @@ private:
     }
     Error doesNotGo(std::string_view reason, std::string_view word) const
     {
-        return wrong(std::string(reason) + ", so " + named(word) + " does not go with it.");
+        return wrong(std::string(reason) + ", so " + named(word) + " cannot be combined with it.");
     }
 
     template <class T> Result<T> bounded(std::string_view word, const std::optional<std::string>& given, T byDefault,
@@ -266,7 +265,7 @@ private:
     {
         for (const char* word : {"error", "focus", "focus-error", "focus-warping", "falloff"})
             if (words_.has(word))
-                return doesNotGo(named("field") + " says where which error is allowed", word);
+                return doesNotGo(named("field") + " sets the error allowed at each place", word);
         const auto error = parseErrorField(*words_.value("field"), present_);
         if (!error)
             return wrong(named("field") + ": " + error.error().text());
@@ -281,7 +280,7 @@ private:
         if (!words_.has("focus")) {
             for (const char* word : {"focus-error", "focus-warping", "falloff"})
                 if (words_.has(word))
-                    return wrong(named(word) + " needs a focus: say where with " + named("focus") + ".");
+                    return wrong(named(word) + " needs a focus: specify it with " + named("focus") + ".");
             return Fields{error, warping};
         }
         if (!words_.has("focus-error"))
@@ -339,7 +338,7 @@ private:
             return fields;
         for (const char* word : {"warping", "focus-warping"})
             if (words_.has(word))
-                return doesNotGo(named("warping-field") + " says where which warping is allowed", word);
+                return doesNotGo(named("warping-field") + " sets the warping allowed at each place", word);
         const auto warping = parseErrorField(*given, present_);
         if (!warping)
             return wrong(named("warping-field") + ": " + warping.error().text());
@@ -352,11 +351,11 @@ private:
         for (const char* word : {"error", "focus", "focus-error", "focus-warping", "falloff", "field", "warping-field",
                                  "budget", "method"})
             if (words_.has(word))
-                return doesNotGo(named("range") + " asks for tetrahedra of many accuracies", word);
+                return doesNotGo(named("range") + " requests tetrahedra of many accuracies", word);
         if (words_.value("border") == "clipped")
             return wrong("'" + std::string(prefix_) + (prefix_.empty() ? "border=" : "border ") +
-                         "clipped' does not go with " + named("range") +
-                         ": what is cut off is not a tetrahedron of the model. Use intersecting or contained.");
+                         "clipped' cannot be combined with " + named("range") +
+                         ": a cut piece is not a tetrahedron of the model. Use intersecting or contained.");
         return {};
     }
 
@@ -365,7 +364,7 @@ private:
     {
         for (const char* word : {"births", "deaths"})
             if (words_.has(word) && !words_.has("range"))
-                return wrong(named(word) + " chooses from a range of accuracies: say which with " + named("range") +
+                return wrong(named(word) + " selects from a range of accuracies: specify it with " + named("range") +
                              ".");
         const auto given = words_.value("range");
         if (!given)
@@ -396,7 +395,7 @@ private:
     {
         const auto given = words_.value("window");
         if (!given && words_.has("border"))
-            return wrong(named("border") + " needs a window: say which with " + named("window") + ".");
+            return wrong(named("border") + " needs a crop box: specify it with " + named("window") + ".");
         if (!given)
             return std::optional<Window>();
         const auto box = boxOfText(*given);
@@ -467,9 +466,8 @@ Result<QueryWords> QueryWords::of(const MeshQuery& query, bool warps)
     QueryWords written(words.take());
     if (const std::size_t size = written.toUrl().size(); size > longestQuestion)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("What says where which error is allowed is too long for a question to a server: %1 "
-                                  "of at most %2 characters. Use fewer regions, isovalues or points of the transfer "
-                                  "function.",
+                     Message::say("The error field is too long for a server request: %1 of at most %2 characters. Use "
+                                  "fewer regions, isovalues or points of the transfer function.",
                                   size, longestQuestion)};
     return written;
 }
@@ -482,7 +480,7 @@ Result<QueryWords> QueryWords::fromUrl(std::string_view text)
         const auto word = percentDecoded(text.substr(0, end));
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (!word)
-            return Error{ErrorKind::WrongUsage, "The query is not encoded as it should be: '%' and two digits."};
+            return Error{ErrorKind::WrongUsage, "The query is not encoded correctly: '%' and two hexadecimal digits."};
         if (word->empty())
             continue;
         const std::size_t sign = word->find('=');
@@ -493,12 +491,12 @@ Result<QueryWords> QueryWords::fromUrl(std::string_view text)
             for (const KnownWord& one : knownWords)
                 names += (names.empty() ? "" : ", ") + std::string(one.name);
             return Error{ErrorKind::WrongUsage,
-                         "'" + printable(name) + "' is not a word of a query. These are: " + names + "."};
+                         "'" + printable(name) + "' is not a query parameter. Available: " + names + "."};
         }
         if (sign == std::string::npos)
             return Error{ErrorKind::WrongUsage, "'" + name + "' needs a value: " + name + "=..."};
         if (!known->isRepeatable && read.has(name))
-            return Error{ErrorKind::WrongUsage, "'" + name + "' is given twice. Say which one is meant."};
+            return Error{ErrorKind::WrongUsage, "'" + name + "' is given twice. Leave one of them out."};
         if (name == "empty" && word->substr(sign + 1) != "yes" && word->substr(sign + 1) != "no")
             return Error{ErrorKind::WrongUsage, "'empty' is 'yes' or 'no': whether a mesh without tetrahedra is an "
                                                 "answer, or a refusal."};

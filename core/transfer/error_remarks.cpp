@@ -187,20 +187,20 @@ Message errorRemarkText(const ErrorRemark& remark, bool ofLogarithms)
     const RemarkWords words = wordsOf(remark, ofLogarithms);
     switch (remark.kind) {
     case ErrorRemark::Kind::IsovalueAtEnd:
-        return Message::say("The isovalue %1 is within the error that is shown, %2, of where the data end, %3: what is "
-                            "seen of its surface may be error alone.",
+        return Message::say("The isovalue %1 is within the displayed error, %2, of the end of the data range, %3: what "
+                            "you see of its surface may be error alone.",
                             words.exactValue, words.error, words.exactOther);
     case ErrorRemark::Kind::IsovalueAtBackground:
-        return Message::say("The isovalue %1 is within the error that is shown, %2, of %3, the value of most of the "
-                            "domain: what is seen of its surface may be error alone.",
+        return Message::say("The isovalue %1 is within the displayed error, %2, of %3, the value of most of the "
+                            "domain: what you see of its surface may be error alone.",
                             words.exactValue, words.error, words.other);
     case ErrorRemark::Kind::OpacityAtBackground:
-        return Message::say("The transfer function shows values from %1 on, which is within the error that is shown, "
-                            "%2, of %3, the value of most of the domain: what is seen there may be error alone.",
+        return Message::say("The transfer function shows values from %1 on, which is within the displayed error, %2, "
+                            "of %3, the value of most of the domain: what you see there may be error alone.",
                             words.value, words.error, words.other);
     case ErrorRemark::Kind::NarrowOpacity:
-        return Message::say("The values that the transfer function shows about %1 are fewer than the error that is "
-                            "shown, %2: the mesh cannot tell them from others.",
+        return Message::say("The values that the transfer function shows around %1 span less than the displayed error, "
+                            "%2: the mesh cannot distinguish them from others.",
                             words.value, words.error);
     }
     return {};
@@ -227,7 +227,7 @@ Message errorCureText(const ErrorRemark& remark, const TransferLimits& range, bo
     const double percent = enoughPercent(remark, range);
     if (!(percent > 0))
         return Message::say("Choose other values.");
-    return Message::say("An error of at most %1 % would do, everywhere or for values near %2 alone.",
+    return Message::say("An error of at most %1 % would be enough, everywhere or for values near %2 alone.",
                         formatNumber(percent), wordsOf(remark, ofLogarithms).other);
 }
 

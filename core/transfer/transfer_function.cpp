@@ -29,7 +29,7 @@ template <class Point, class Wrong> Status checkOrder(const std::vector<Point>& 
         if (i >= 1 && value < points[i - 1].value)
             return wrong(i, Message::say("has a smaller value than the point before it. Put them in ascending order."));
         if (i >= 2 && value == points[i - 2].value)
-            return wrong(i, Message::say("is the third of its value. Two make a step; leave out those between."));
+            return wrong(i, Message::say("is the third at its value. Two make a step; leave out those between."));
     }
     return {};
 }

@@ -27,7 +27,7 @@ template <class Number> Status readNumber(const JsonValue& value, const Message&
     const JsonValue::Number* text = value.number();
     const auto parsed = text != nullptr ? parseNumber<Number>(text->text) : std::nullopt;
     if (!parsed)
-        return wrongFunction(value, Message::say("%1 must be a number that fits", name));
+        return wrongFunction(value, Message::say("%1 must be a number within range", name));
     number = *parsed;
     return {};
 }

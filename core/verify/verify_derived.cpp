@@ -250,7 +250,7 @@ void DerivedCheck::checkLevels()
         if (std::ranges::equal(std::as_bytes(std::span(&stored, 1)), std::as_bytes(std::span(&right, 1))))
             continue;
         levels_.add(number + 2, [&] {
-            return "Entry " + std::to_string(number) + " of the level index tells of " + std::to_string(stored.sites) +
+            return "Entry " + std::to_string(number) + " of the level index describes " + std::to_string(stored.sites) +
                    " sites, " + std::to_string(stored.tetrahedra) + " tetrahedra of " + std::to_string(stored.created) +
                    ", key " + textOf(static_cast<double>(stored.key)) + ", error " +
                    textOf(static_cast<double>(stored.error)) + " and warping " +
@@ -285,7 +285,7 @@ Status DerivedCheck::checkBlocks(const Progress& progress)
     if (!canBeBlocks(cells, original_.dataset)) {
         blocks_.add(0, [&] {
             return "Blocks of " + std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " x " +
-                   std::to_string(cells[2]) + " cells cannot be.";
+                   std::to_string(cells[2]) + " cells are impossible.";
         });
         return {};
     }

@@ -96,7 +96,7 @@ std::vector<std::uint32_t> pointsOfVertices(const Model& model, const Dataset& o
         if (point >= original.pointCount() || original.position(point) != place) {
             noPoint.add(vertex, [&] {
                 return name() + (site == ExtractedMesh::noSite
-                                     ? " is no point of the dataset."
+                                     ? " is not a point of the dataset."
                                      : " does not lie where site " + std::to_string(site) + " does.");
             });
             continue;
@@ -231,14 +231,14 @@ Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, cons
                                const ExtractedMesh& mesh, const Progress& progress)
 {
     if (!query.values.empty() || query.window)
-        return Error{ErrorKind::WrongUsage, Message::say("Only a mesh of the whole domain can be verified: ask for it "
-                                                         "without a range of values and without a window.")};
+        return Error{ErrorKind::WrongUsage, Message::say("Only a mesh of the whole domain can be verified: extract it "
+                                                         "without a range of values and without a crop box.")};
     if (query.range)
         return Error{ErrorKind::WrongUsage,
                      Message::say("A range of accuracies has the tetrahedra of many meshes, each "
                                   "of which can be verified at its own accuracy.")};
     return guarded(
-        Message::marked("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."),
+        Message::marked("Not enough memory to verify the mesh. Close other programs, or choose a coarser one."),
         [&] { return verifyWhole(model, original, query, mesh, progress); });
 }
 

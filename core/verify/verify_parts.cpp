@@ -562,7 +562,7 @@ void HistoryCheck::checkTetrahedron(std::uint32_t creator, std::uint64_t number)
     const std::uint32_t destroyer = model_.destroyers()[number];
     const std::string name = "Tetrahedron ";
     if (model_.ownErrors()[number] > 0x7c00)
-        errors_.add(number, [&] { return name + std::to_string(number) + " has an own error that is no number."; });
+        errors_.add(number, [&] { return name + std::to_string(number) + " has an own error that is not a number."; });
     const bool destroyerKnown = destroyer == Model::never || (destroyer > creator && destroyer < model_.siteCount());
     if (!destroyerKnown)
         destroyers_.add(number, [&] {

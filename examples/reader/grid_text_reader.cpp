@@ -48,7 +48,7 @@ public:
         for (std::size_t i = 3; i < words.size(); ++i) {
             const auto value = parseNumber<float>(words[i]);
             if (!value)
-                return refused(Message::say("'%1' is no number.", printable(words[i])));
+                return refused(Message::say("'%1' is not a number.", printable(words[i])));
             samples.push_back(*value);
         }
         return latticeDataset(lattice, ScalarField::of(std::move(samples)), path.filename().string());

@@ -21,10 +21,9 @@ inline Parameter boundaryParameter()
     Parameter parameter;
     parameter.id = boundaryId;
     parameter.label = Message::marked("Boundary");
-    parameter.explanation =
-        Message::marked("Shows where the mesh ends, holes and cavities included: 'translucent' in one light colour, "
-                        "so that one sees what is inside within its walls, or in the colours that the transfer "
-                        "function gives the 'values' there.");
+    parameter.explanation = Message::marked(
+        "Shows where the mesh ends, holes and cavities included: 'translucent' in a light colour, so that you can see "
+        "inside, or in the colours that the transfer function gives the 'values' there.");
     parameter.defaultValue = std::string(boundaryOff);
     parameter.choices = {boundaryOff, boundaryTranslucent, boundaryValues};
     return parameter;
@@ -36,7 +35,7 @@ inline Parameter boundaryOpacityParameter()
     Parameter parameter;
     parameter.id = boundaryOpacityId;
     parameter.label = Message::marked("Opacity");
-    parameter.explanation = Message::marked("The opacity of a translucent boundary; 1 hides what lies behind.");
+    parameter.explanation = Message::marked("The opacity of a translucent boundary; 1 hides what is behind it.");
     parameter.defaultValue = 0.25;
     parameter.minimum = 0.01;
     parameter.maximum = 1;
@@ -51,7 +50,7 @@ inline Parameter boundaryFarSideParameter()
     parameter.id = boundaryFarSideId;
     parameter.label = Message::marked("Back faces only");
     parameter.explanation = Message::marked(
-        "Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.");
+        "Shows only the far walls of the boundary, seen from inside, and leaves out those that face the camera.");
     parameter.defaultValue = false;
     parameter.onlyWith = {boundaryId, {std::string(boundaryTranslucent), std::string(boundaryValues)}};
     return parameter;

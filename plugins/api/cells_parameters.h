@@ -30,7 +30,7 @@ inline std::vector<Parameter> cellsParameters()
     faulty.label = Message::marked("Faulty cells");
     faulty.explanation =
         Message::marked("Meshes: the largest share of cells, or of their volume, that may be left out because they "
-                        "overlap others or are turned over, as in 5%; a mesh with more of them is refused.");
+                        "overlap others or are inverted, as in 5%; a mesh with more of them is refused.");
     faulty.defaultValue = std::string("0.1%");
     faulty.mistake = [](const std::string& text) {
         return parseFaultyShare(text) ? Message() : Message::say("Give a share from 0% to 100%, as in 5%.");
@@ -40,7 +40,7 @@ inline std::vector<Parameter> cellsParameters()
     polyhedra.label = Message::marked("Polyhedra");
     polyhedra.explanation =
         Message::marked("Meshes with polyhedra: 'corners' cuts each into tetrahedra between its own points; 'centre' "
-                        "gives those that cannot be cut so a point in their middle.");
+                        "adds a point in the middle of those that cannot be cut in that way.");
     polyhedra.defaultValue = std::string("corners");
     polyhedra.choices = {Message::marked("corners"), Message::marked("centre")};
     return {faulty, polyhedra};

@@ -26,8 +26,8 @@ inline Parameter unitParameter()
     Parameter unit;
     unit.id = "unit";
     unit.label = Message::marked("Unit of length");
-    unit.explanation = Message::marked("Files that do not tell it: the unit of coordinates, as in mm. It is shown, and "
-                                       "converts nothing.");
+    unit.explanation = Message::marked(
+        "Files that do not state it: the unit of coordinates, such as mm. It is displayed; nothing is converted.");
     unit.defaultValue = std::string();
     return unit;
 }
@@ -37,13 +37,13 @@ inline std::vector<Parameter> placementParameters()
     Parameter spacing, origin;
     spacing.id = "spacing";
     spacing.label = Message::marked("Spacing");
-    spacing.explanation = Message::marked("Files that do not tell it, raw ones among them: the distance of "
-                                          "neighbouring points along x, y and z, as in 1x1x2.5; else 1 is assumed.");
+    spacing.explanation = Message::marked("Files that do not state it, including raw ones: the distance between "
+                                          "neighbouring points along x, y and z, as in 1x1x2.5; by default 1.");
     spacing.defaultValue = std::string();
     origin.id = "origin";
     origin.label = Message::marked("Origin");
-    origin.explanation = Message::marked(
-        "Files that do not tell it: the position of the first point, as in 10,20,-5; else 0 is assumed.");
+    origin.explanation =
+        Message::marked("Files that do not state it: the position of the first point, as in 10,20,-5; by default 0.");
     origin.defaultValue = std::string();
     return {spacing, origin, unitParameter()};
 }
@@ -120,9 +120,9 @@ inline Status checkUntold(const std::vector<std::string>& given, const std::vect
         if (std::ranges::find(untold, id) == untold.end())
             return Error{
                 ErrorKind::WrongUsage,
-                Message::say("it tells its %1 itself. Leave '--%1' out; 'tan set-frame' gives the model of a lattice "
-                             "another one.",
-                             id)};
+                Message::say(
+                    "it states its %1 itself. Leave '--%1' out; 'tan set-frame' changes it in the model of a lattice.",
+                    id)};
     return {};
 }
 
@@ -155,8 +155,8 @@ inline std::vector<Message> remarkOnSpacing(const ParameterValues& values, const
     std::string steps;
     for (const double step : lattice.spacing)
         steps += (steps.empty() ? "" : " x ") + formatNumber(step);
-    return {Message::say("The file does not tell its spacing: %1 is assumed. Say what it is by '--spacing' or in "
-                         "Import Options, or afterwards by 'tan set-frame'.",
+    return {Message::say("The file does not state its spacing: %1 is assumed. Give it with '--spacing' or in Import "
+                         "Options, or afterwards with 'tan set-frame'.",
                          steps)};
 }
 

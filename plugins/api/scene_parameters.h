@@ -70,8 +70,8 @@ inline Parameter shadedParameter()
     Parameter parameter;
     parameter.id = shadedId;
     parameter.label = Message::marked("Shaded");
-    parameter.explanation =
-        Message::marked("Lights the volume, as if a surface lay across the direction in which its values change most.");
+    parameter.explanation = Message::marked(
+        "Lights the volume as if a surface lay perpendicular to the direction in which its values change most.");
     parameter.defaultValue = false;
     return parameter;
 }
@@ -82,9 +82,8 @@ inline Parameter litParameter()
     Parameter parameter;
     parameter.id = litId;
     parameter.label = Message::marked("Lit");
-    parameter.explanation =
-        Message::marked("Lights surfaces in the colours of values, so that their shape is seen better; their colours "
-                        "are then no longer those of the colour bar.");
+    parameter.explanation = Message::marked("Lights surfaces in the colours of values, so that their shape is easier "
+                                            "to see; their colours then differ from those of the colour bar.");
     parameter.defaultValue = false;
     return parameter;
 }
@@ -95,7 +94,7 @@ inline Parameter outlineParameter()
     Parameter parameter;
     parameter.id = outlineId;
     parameter.label = Message::marked("Bounding box");
-    parameter.explanation = Message::marked("Shows the edges of the box that the data fill.");
+    parameter.explanation = Message::marked("Draws the bounding box of the data.");
     parameter.defaultValue = true;
     return parameter;
 }
@@ -106,8 +105,8 @@ inline Parameter clipParameter()
     Parameter parameter;
     parameter.id = clipId;
     parameter.label = Message::marked("Clip planes");
-    parameter.explanation = Message::marked(
-        "Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z >= offset.");
+    parameter.explanation =
+        Message::marked("Clip planes as nx,ny,nz,offset; keeps the points with nx x + ny y + nz z >= offset.");
     parameter.defaultValue = std::string();
     parameter.separator = ';';
     parameter.mistake = [](const std::string& text) {

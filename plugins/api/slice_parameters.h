@@ -72,17 +72,19 @@ inline Result<std::vector<SlicePlane>> parseSlices(std::string_view text, const 
             continue;
         const auto plane = parseSlice(part);
         if (!plane)
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("'%1' is no plane: give x, y or z and a place, as in z=12.5, or nx,ny,nz,offset "
-                                      "for the points with nx x + ny y + nz z = offset, the first three not all zero.",
-                                      printable(part))};
+            return Error{
+                ErrorKind::WrongUsage,
+                Message::say("'%1' is not a plane: give x, y or z and a position, as in z=12.5, or nx,ny,nz,offset for "
+                             "the points with nx x + ny y + nz z = offset, the first three not all zero.",
+                             printable(part))};
         if (!bounds.isEmpty()) {
             const ValueRange met = offsetsIn(bounds, plane->normal);
             const double slack = rounding * (met.extent() + std::abs(met.minimum) + std::abs(met.maximum));
             if (plane->offset < met.minimum - slack || plane->offset > met.maximum + slack)
-                return Error{ErrorKind::WrongUsage,
-                             Message::say("The plane '%1' misses the data, which reach from %2 to %3 in its direction.",
-                                          printable(part), formatNumber(met.minimum), formatNumber(met.maximum))};
+                return Error{
+                    ErrorKind::WrongUsage,
+                    Message::say("The plane '%1' misses the data, which extend from %2 to %3 in its direction.",
+                                 printable(part), formatNumber(met.minimum), formatNumber(met.maximum))};
         }
         slices.push_back({*plane, std::string(part)});
     }

@@ -23,8 +23,8 @@ inline Parameter spaceParameter(std::vector<std::string> domains)
     space.label = Message::marked("Space");
     space.explanation = Message::marked(
         "For grids whose points lie anywhere: 'physical' builds where they lie, by decimation from the mesh of the "
-        "grid's cells, by refinement (of rectilinear grids) from the points alone; 'computational' by their indices, "
-        "as the paper did, which takes less memory and has blocks.");
+        "grid's cells, or by refinement (of rectilinear grids) from the points alone; 'computational' by their "
+        "indices, as the paper did, which takes less memory and supports blocks.");
     space.defaultValue = std::string(physicalSpace);
     space.choices = {std::string(physicalSpace), std::string(computationalSpace)};
     space.onlyWith.id = domainId;

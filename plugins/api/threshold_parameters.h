@@ -36,8 +36,8 @@ inline Parameter warpingThresholdParameter(const std::vector<std::string>& domai
     Parameter warping = thresholdParameter(
         "warping", Message::marked("Warping"),
         Message::marked(
-            "Of data whose domain can warp: the warping at which to stop. Its ratio to the error says how much "
-            "the shape counts against the values. If one of the two is 0, it is the same number as the other."),
+            "For data whose domain can warp: the warping at which to stop. Its ratio to the error sets how much the "
+            "shape counts against the values. If one of the two is 0, it is the same number as the other."),
         Message::marked("% of the diagonal"));
     warping.onlyWith.id = domainId;
     warping.onlyWith.values.assign(domains.begin(), domains.end());
@@ -50,10 +50,9 @@ inline Parameter orderedByParameter(const std::vector<std::string>& domains)
     Parameter by;
     by.id = "by";
     by.label = Message::marked("Ordered by");
-    by.explanation = Message::marked(
-        "Of data whose domain can warp: 'both' orders the model by the larger of error and warping, in the ratio "
-        "of their thresholds; 'error' or 'warping' by that alone, for the fewest points where the other one does not "
-        "matter.");
+    by.explanation = Message::marked("For data whose domain can warp: 'both' orders the model by the larger of error "
+                                     "and warping, in the ratio of their thresholds; 'error' or 'warping' by that "
+                                     "alone, for the fewest points where the other one does not matter.");
     by.choices = {std::string(Message::marked("both")), std::string(Message::marked("error")),
                   std::string(Message::marked("warping"))};
     by.defaultValue = by.choices.front();

@@ -12,8 +12,8 @@ namespace tetra {
 inline Error noSuchTimeStep(std::uint64_t steps, std::int64_t wanted)
 {
     return {ErrorKind::WrongUsage,
-            steps < 2 ? Message::say("it has one time step, and number %1 was asked for. Leave '--time' out.", wanted)
-                      : Message::say("it has %1 time steps, and number %2 was asked for. Give one from 1 to %1.", steps,
+            steps < 2 ? Message::say("it has one time step, and number %1 was requested. Leave '--time' out.", wanted)
+                      : Message::say("it has %1 time steps, and number %2 was requested. Give one from 1 to %1.", steps,
                                      wanted)};
 }
 

@@ -15,10 +15,11 @@ inline Parameter weightsParameter()
     Parameter weights;
     weights.id = "weights";
     weights.label = Message::marked("Weights");
-    weights.explanation = Message::marked(
-        "Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by "
-        "';'. Errors there count in full, falling linearly to a tenth (or to ',floor' at the end) at the distance "
-        "'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.");
+    weights.explanation =
+        Message::marked("Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, "
+                        "several separated by ';'. Errors there count in full, and the weight falls linearly to a "
+                        "tenth (or to ',floor' at the end) at the distance 'reach'; where several apply, the largest "
+                        "weight counts. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.");
     weights.defaultValue = std::string();
     weights.separator = ';';
     weights.mistake = [](const std::string& text) {

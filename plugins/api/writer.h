@@ -58,9 +58,10 @@ public:
 private:
     static Status writesNone(const OutputFile& file)
     {
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("The plugin that writes '%1' promises what it cannot write. Tell its author.",
-                                  file.target().string())};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("The plugin that writes '%1' announces something that it cannot write. Tell its author.",
+                         file.target().string())};
     }
 };
 

@@ -210,9 +210,9 @@ private:
 inline Message leftOutInFloats(std::uint64_t triangles, const std::string& file)
 {
     if (triangles == 1)
-        return Message::say("In '%1' one triangle is left out, as two of its corners are the same in single precision.",
-                            file);
-    return Message::say("In '%1' %2 triangles are left out, as two corners of each are the same in single precision.",
+        return Message::say(
+            "In '%1' one triangle is left out, because two of its corners coincide in single precision.", file);
+    return Message::say("In '%1' %2 triangles are left out, because two corners of each coincide in single precision.",
                         file, triangles);
 }
 

@@ -58,7 +58,7 @@ Result<Colour> parseColour(std::string_view text)
             return fromPacked(packed);
     }
     return Error{ErrorKind::WrongUsage,
-                 Message::say("'%1' is no colour. Give #rrggbb in hexadecimal, or one of %2.", text, colourNames())};
+                 Message::say("'%1' is not a colour. Give #rrggbb in hexadecimal, or one of %2.", text, colourNames())};
 }
 
 std::string colourText(const Colour& colour)

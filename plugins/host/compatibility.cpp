@@ -69,7 +69,7 @@ Status checkBuildTag(const std::string& plugin, const std::string& host)
     if (plugin == host)
         return {};
     if (plugin.empty())
-        return refused(Message::say("It does not say what it was built with, and this program was built with %1. "
+        return refused(Message::say("It does not state what it was built with, and this program was built with %1. "
                                     "Rebuild the plugin with tan_plugin_module().",
                                     host));
     return refused(Message::say("It was built with %1, and this program with %2. Rebuild the plugin with that "

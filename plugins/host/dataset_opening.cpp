@@ -56,13 +56,13 @@ struct OtherVolume {
 };
 constexpr std::array otherVolumes{
     OtherVolume{".mnc", Message::marked("a MINC volume"),
-                Message::marked("Convert it to NIfTI, by 'mnc2nii' of the MINC tools.")},
+                Message::marked("Convert it to NIfTI, with 'mnc2nii' of the MINC tools.")},
     OtherVolume{".mgz", Message::marked("a volume of FreeSurfer"),
-                Message::marked("Convert it to NIfTI, by 'mri_convert' of FreeSurfer.")},
+                Message::marked("Convert it to NIfTI, with 'mri_convert' of FreeSurfer.")},
     OtherVolume{".mgh", Message::marked("a volume of FreeSurfer"),
-                Message::marked("Convert it to NIfTI, by 'mri_convert' of FreeSurfer.")},
+                Message::marked("Convert it to NIfTI, with 'mri_convert' of FreeSurfer.")},
     OtherVolume{".fld", Message::marked("an AVS field"),
-                Message::marked("Save it as VTK or NRRD in a program that reads it, or write a NRRD header (.nhdr) "
+                Message::marked("Save it as VTK or NRRD in a program that reads it, or write an NRRD header (.nhdr) "
                                 "that names the numbers of a uniform one as its data file.")},
     OtherVolume{".vdb", Message::marked("an OpenVDB volume"),
                 Message::marked("Sample it on a regular grid, and save that as VTK, NRRD or a NumPy array.")},
@@ -70,13 +70,13 @@ constexpr std::array otherVolumes{
     OtherVolume{".mat", Message::marked("a MATLAB file older than version 7.3"),
                 Message::marked("Save the array with the option '-v7.3', or as NIfTI, by niftiwrite().")},
     OtherVolume{".czi", Message::marked("a microscope's own file"),
-                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+                Message::marked("Export it as OME-TIFF, with Fiji or the microscope's program.")},
     OtherVolume{".lif", Message::marked("a microscope's own file"),
-                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+                Message::marked("Export it as OME-TIFF, with Fiji or the microscope's program.")},
     OtherVolume{".nd2", Message::marked("a microscope's own file"),
-                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+                Message::marked("Export it as OME-TIFF, with Fiji or the microscope's program.")},
     OtherVolume{".oib", Message::marked("a microscope's own file"),
-                Message::marked("Export it as OME-TIFF, by Fiji or the microscope's program.")},
+                Message::marked("Export it as OME-TIFF, with Fiji or the microscope's program.")},
 };
 
 /// One of each kind of files, as many as a sentence holds: ".nrrd, .vti, .csv".
@@ -97,21 +97,20 @@ std::string readEndings(PluginHost& host)
 Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
     if (const OtherKind* kind = otherKind(path, bytes))
-        return {
-            ErrorKind::BadInput,
-            kind->isSurface
-                ? Message::say("'%1' holds a surface. TAn reads volumes: values everywhere in a body, not only on "
-                               "its skin.",
-                               path.string())
-                : Message::say("'%1' is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens "
-                               "pictures that it has saved with their session.",
-                               path.string()),
-            path};
+        return {ErrorKind::BadInput,
+                kind->isSurface
+                    ? Message::say(
+                          "'%1' holds a surface. TAn reads volumes: values throughout a body, not only on its surface.",
+                          path.string())
+                    : Message::say("'%1' is a picture. TAn reads volumes, including stacks of TIFF pictures, and opens "
+                                   "pictures that it has saved with their session.",
+                                   path.string()),
+                path};
     if (const std::string program = unpackingProgram(bytes); !program.empty())
-        return {
-            ErrorKind::BadInput,
-            Message::say("'%1' is packed. Unpack it first, by '%2', and open what is in it.", path.string(), program),
-            path};
+        return {ErrorKind::BadInput,
+                Message::say("'%1' is an archive. Unpack it first, with '%2', and open what is in it.", path.string(),
+                             program),
+                path};
     if (const auto* other = std::ranges::find(otherVolumes, fileEnding(path), &OtherVolume::ending);
         other != otherVolumes.end())
         return {
@@ -120,8 +119,8 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<c
             path};
     if (isOfOpenFoam(bytes))
         return {ErrorKind::BadInput,
-                Message::say("'%1' is a file of an OpenFOAM case, which is opened as a whole: by 'system/controlDict' "
-                             "in its folder, or by an empty file whose name ends in '.foam' there.%2",
+                Message::say("'%1' is a file of an OpenFOAM case, which is opened as a whole: open "
+                             "'system/controlDict' in its folder, or an empty file there whose name ends in '.foam'.%2",
                              path.string(), host.explainMissing(PluginKind::Reader)),
                 path};
     return {ErrorKind::BadInput,
@@ -278,7 +277,8 @@ Error inPackedFile(Error error, const ReadableFile& file)
     }
     if (error.kind == ErrorKind::BadInput)
         error.message = Message::say(
-            "%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)", error.message);
+            "%1 (It was unpacked on its own. If it refers to other files, unpack it next to them: gunzip.)",
+            error.message);
     return error;
 }
 
@@ -315,7 +315,7 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
     if (isModelFile(path))
         return Error{
             ErrorKind::BadInput,
-            Message::say("'%1' is a TAn model, and a dataset is wanted here: the file that the model was built from.",
+            Message::say("'%1' is a TAn model, but a dataset is needed here: the file that the model was built from.",
                          path.string()),
             path};
     Provided<Reader> best = bestReader(host, path, *bytes);

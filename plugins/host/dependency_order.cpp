@@ -41,8 +41,8 @@ private:
     {
         const auto found = indices_.find(id);
         if (found == indices_.end())
-            return fail(index, Message::say(
-                                   "It needs the plugin \"%1\", which is not here or cannot be used. Install it.", id));
+            return fail(
+                index, Message::say("It needs the plugin \"%1\", which is missing or cannot be used. Install it.", id));
         const std::size_t required = found->second;
         if (const auto start = std::ranges::find(path_, required); start != path_.end())
             return failCircle(start);
@@ -59,7 +59,7 @@ private:
             circle += "\"" + dependents_[*at].id + "\" > ";
         circle += "\"" + dependents_[*start].id + "\"";
         for (auto at = start; at != path_.end(); ++at)
-            fail(*at, Message::say("Plugins need each other in a circle: %1. Remove one of them.", circle));
+            fail(*at, Message::say("Plugins depend on each other in a circle: %1. Remove one of them.", circle));
     }
 
     void fail(std::size_t index, const Message& text)

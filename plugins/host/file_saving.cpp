@@ -157,7 +157,7 @@ Status checkPart(const SurfacePart& part, bool normals)
         return misfit(part, Message::say("not one colour for each vertex"));
     const auto outside = [count](const auto& triangle) { return *std::ranges::max_element(triangle) >= count; };
     if (std::ranges::any_of(part.triangles, outside))
-        return misfit(part, Message::say("triangles of vertices that it does not have"));
+        return misfit(part, Message::say("triangles with vertices that it does not have"));
     return {};
 }
 
@@ -211,10 +211,9 @@ Result<FileRemarks> saveBoundary(PluginHost& host, const MeshContent& mesh, cons
 {
     constexpr double found = 0.4;
     if (mesh.tetrahedra.size() > largestAdjacentCellCount)
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("'%1' would be the boundary of more than 1073741824 tetrahedra, which is too many to "
-                                  "find it. Write a .vtu file.",
-                                  to.path.string())};
+        return Error{ErrorKind::OutOfResource, Message::say("'%1' would be the boundary of more than 1073741824 "
+                                                            "tetrahedra, too many to find it. Write a .vtu file.",
+                                                            to.path.string())};
     progress.report(0, writingMesh);
     const BoundaryFaces boundary = boundaryFaces(mesh.positions.size(), mesh.tetrahedra);
     if (progress.cancelled())

@@ -61,7 +61,7 @@ public:
         history.add(step);
         if (history.stars.size() <= mostTetrahedra_)
             return {};
-        return Error{ErrorKind::OutOfResource, Message::say("The mesh is too large to be looked at.")};
+        return Error{ErrorKind::OutOfResource, Message::say("The mesh is too large to be shown.")};
     }
     Status finish(float finalKey) override
     {

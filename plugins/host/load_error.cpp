@@ -40,8 +40,8 @@ Message explainLoadError(std::string_view systemText, std::string_view remedy)
                                                         "it), or remove the plugin.",
                                                         "apt-file search " + library)));
     if (const std::string symbol(wordAfter(systemText, "undefined symbol: ")); !symbol.empty())
-        return Message::say("It needs the function %1, which no library here has: it was built for another version of "
-                            "TAn or of a library. %2",
+        return Message::say("It needs the function %1, which no library here provides: it was built for another "
+                            "version of TAn or of a library. %2",
                             symbol,
                             advice(remedy, Message::say("Rebuild it, or install the version for this program.")));
     return Message::say("It could not be loaded: %1 %2", systemText,

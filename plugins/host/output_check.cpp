@@ -29,8 +29,8 @@ Status checkMeshOutput(const std::filesystem::path& output, const std::string& s
     if (!isCalledLikeIt || !std::filesystem::exists(output, problem))
         return {};
     return Error{ErrorKind::WrongUsage,
-                 Message::say("'%1' exists and is called like the dataset that the model was built from, so it is not "
-                              "overwritten. Give the output another name, or remove that file first.",
+                 Message::say("'%1' exists and has the same name as the dataset that the model was built from, so it "
+                              "is not overwritten. Give the output another name, or remove that file first.",
                               output.string())};
 }
 

@@ -203,7 +203,7 @@ Result<fs::path> UnpackedFiles::unpack(const fs::path& packed, const fs::path& n
         if (written > room)
             return cannotUnpack(
                 packed, ErrorKind::OutOfResource,
-                Message::say("it is compressed with gzip, and unpacks to more than %1, half of the room in '%2'. Free "
+                Message::say("it is compressed with gzip, and unpacks to more than %1, half of the space in '%2'. Free "
                              "some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).",
                              neededBytesText(room), temporary.string()));
         if (*count < bytes.size())

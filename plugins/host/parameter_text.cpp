@@ -104,7 +104,7 @@ struct TypeName {
     Message operator()(const TransferFunction&) const { return Message::say("a transfer function as JSON"); }
     Message operator()(const Colour&) const { return Message::say("a colour, #rrggbb or a name"); }
     Message operator()(const Eigen::Vector3d&) const { return Message::say("three numbers x,y,z"); }
-    Message operator()(const OwnValue& value) const { return Message::say("a text that makes a %1", value.type); }
+    Message operator()(const OwnValue& value) const { return Message::say("text that describes %1", value.type); }
 };
 
 struct ToText {
@@ -134,8 +134,8 @@ Result<Isovalue> parseIsovalue(std::string_view text)
 {
     const auto parts = split(text, ':');
     const Error wrong{ErrorKind::WrongUsage,
-                      Message::say("'%1' is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity "
-                                   "above 0 and at most 1: 128:#ff8000:0.5",
+                      Message::say("'%1' is not an isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the "
+                                   "opacity above 0 and at most 1: 128:#ff8000:0.5",
                                    text)};
     const auto value = parseFieldValue(parts[0]);
     if (!value || parts.size() > 3)

@@ -57,15 +57,15 @@ Error uselessBeside(const std::vector<Parameter>& parameters, const Parameter& u
     const std::string otherName = other != parameters.end() ? nameOf(*other, optionOf) : useless.onlyWith.id;
     if (useless.onlyWith.values == std::vector<ParameterValue>{std::string()}) // a text that is not to be given
         return {ErrorKind::WrongUsage,
-                Message::say("'%1' is of use only without '%2'. Leave one of them out.", name, otherName)};
+                Message::say("'%1' applies only without '%2'. Leave one of them out.", name, otherName)};
     if (!optionOf || other == parameters.end() || !std::holds_alternative<bool>(other->defaultValue))
-        return {ErrorKind::WrongUsage, Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.",
+        return {ErrorKind::WrongUsage, Message::say("'%1' applies only if '%2' is %3. Leave it out, or choose that.",
                                                     name, otherName, wantedBy(useless))};
     // A switch is given or not; what it is by default is not enough, or there would be no error.
     return {ErrorKind::WrongUsage,
             std::get<bool>(other->defaultValue)
-                ? Message::say("'%1' is of use only without '%2'. Leave one of them out.", name, otherName)
-                : Message::say("'%1' is of use only with '%2'. Leave it out, or give both.", name, otherName)};
+                ? Message::say("'%1' applies only without '%2'. Leave one of them out.", name, otherName)
+                : Message::say("'%1' applies only with '%2'. Leave it out, or give both.", name, otherName)};
 }
 
 } // namespace
@@ -79,9 +79,9 @@ Status checkParameterValues(const Message& owner, const std::vector<Parameter>& 
     for (const auto& [id, value] : values) {
         const auto known = std::ranges::find(parameters, id, &Parameter::id);
         if (known == parameters.end())
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("The %1 knows no parameter '%2'. %3", owner, id,
-                                      ids.empty() ? Message::say("It has none.") : Message::say("It has: %1.", ids))};
+            return Error{ErrorKind::WrongUsage, Message::say("The %1 has no parameter '%2'. %3", owner, id,
+                                                             ids.empty() ? Message::say("It has none.")
+                                                                         : Message::say("Available: %1.", ids))};
         if (!haveOneType(known->defaultValue, value))
             return Error{ErrorKind::WrongUsage,
                          Message::say("The parameter '%1' of the %2 takes %3.", id, owner, parameterDomain(*known))};

@@ -18,14 +18,14 @@ inline Error outOfMemoryInPlugin(const std::string& id)
     return {
         ErrorKind::OutOfResource,
         Message::say(
-            "The memory of this machine is not enough for '%1' here. Close other programs, or give it smaller data.",
+            "This machine does not have enough memory for '%1' here. Close other programs, or give it smaller data.",
             id)};
 }
 
 inline Error brokenPlugin(const std::string& id, const Message& problem)
 {
     return {ErrorKind::BadInput,
-            Message::say("The plugin '%1' failed: %2. This is a mistake in the plugin; tell its author.", id, problem)};
+            Message::say("The plugin '%1' failed: %2. This is a fault of the plugin; tell its author.", id, problem)};
 }
 
 /// What a plugin threw that the C++ library's texts explain. A machine that can start no more threads is not the
@@ -50,9 +50,10 @@ template <class Work> auto callPlugin(const std::string& id, Work&& work, const 
     } catch (const std::exception& problem) {
         return thrownByPlugin(id, problem);
     } catch (...) {
-        return Error{ErrorKind::BadInput, Message::say("The plugin '%1' failed without saying why. This is a mistake "
-                                                       "in the plugin; tell its author.",
-                                                       id)};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "The plugin '%1' failed without giving a reason. This is a fault of the plugin; tell its author.", id)};
     }
 }
 template <class Work> auto callPlugin(const std::string& id, Work&& work) -> decltype(work())

@@ -115,7 +115,7 @@ Result<std::string> pluginText(std::span<const std::byte> library)
     const std::string_view file(reinterpret_cast<const char*>(library.data()), library.size());
     const auto head = headOf(file);
     if (!head)
-        return noPlugin(Message::say("it is no shared library for this machine."));
+        return noPlugin(Message::say("it is not a shared library for this machine."));
     const auto notes = notesOf(file, *head);
     if (!notes)
         return noPlugin(Message::say("it ends too early."));

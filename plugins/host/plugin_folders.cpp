@@ -2,8 +2,11 @@
 #include "plugins/host/plugin_folders.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <span>
 
+#include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -90,13 +93,16 @@ Message whyOthersMayWrite(const std::filesystem::path& place)
                             "folder of your own.",
                             place.string());
     if ((status.st_mode & S_IWOTH) != 0)
-        return Message::say("Every user of this machine can write to '%1', and could put any program there. "
-                            "Remove that right (chmod o-w), and see what is in it.",
+        return Message::say("Every user of this machine can write to '%1', and could put any program there. Remove "
+                            "that permission (chmod o-w), and check its content.",
                             place.string());
     return {};
 }
 
-std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& programFolder)
+namespace {
+
+/// The folders of the environment and of the user, and these.
+std::vector<std::filesystem::path> foldersWith(std::span<const std::filesystem::path> own)
 {
     std::vector<std::filesystem::path> folders;
     const auto add = [&](const std::filesystem::path& folder) {
@@ -106,11 +112,29 @@ std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& pr
     };
     for (const std::string& folder : listInEnvironment("TAN_PLUGIN_PATH", ':'))
         add(folder);
-    if (const auto own = userPluginFolder(); !own.empty())
-        add(own);
-    add(programFolder / "../lib/tan/plugins");
-    add(programFolder / TAN_INSTALLED_PLUGINS_FROM_PROGRAM);
+    if (const auto ofUser = userPluginFolder(); !ofUser.empty())
+        add(ofUser);
+    for (const std::filesystem::path& folder : own)
+        add(folder);
     return folders;
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& programFolder)
+{
+    return foldersWith(
+        std::array{programFolder / "../lib/tan/plugins", programFolder / TAN_INSTALLED_PLUGINS_FROM_PROGRAM});
+}
+
+std::vector<std::filesystem::path> pluginFoldersOfLibrary()
+{
+    Dl_info library{};
+    if (::dladdr(reinterpret_cast<const void*>(&pluginFoldersOfLibrary), &library) == 0)
+        return foldersWith({});
+    const std::filesystem::path folder = std::filesystem::path(library.dli_fname).parent_path();
+    // As built it lies beside the folder "tan", as installed in it.
+    return foldersWith(std::array{folder / "tan/plugins", folder / "plugins"});
 }
 
 std::vector<std::string> disabledPlugins()

@@ -28,6 +28,10 @@ Message whyOthersMayWrite(const std::filesystem::path& place);
 /// or as installed.
 std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& programFolder);
 
+/// The same for programs of others, which may lie anywhere: the place of this library's own plugins is seen from where
+/// the library was loaded from.
+std::vector<std::filesystem::path> pluginFoldersOfLibrary();
+
 /// The ids in the environment variable TAN_PLUGIN_DISABLE (separated by ','): plugins that are not to be loaded, for
 /// instance because they crash.
 std::vector<std::string> disabledPlugins();

@@ -245,16 +245,17 @@ Status checkChoice(const Parameter& parameter, const ParameterValue& value)
     for (const std::string& choice : parameter.choices)
         choices += (choices.empty() ? "" : ", ") + choice;
     return Error{ErrorKind::WrongUsage,
-                 Message::say("'%1' is no choice for '%2'. There is: %3.", *text, parameter.id, choices)};
+                 Message::say("'%1' is not a choice for '%2'. Available: %3.", *text, parameter.id, choices)};
 }
 
 Status checkScene(const std::string& id, const Scene* scene)
 {
     const auto mistake = [&](const Message& what) {
-        return Error{ErrorKind::BadInput,
-                     Message::say("The plugin '%1' made a scene that cannot be shown: %2 This is a mistake in the "
-                                  "plugin; tell its author.",
-                                  id, what)};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "The plugin '%1' made a scene that cannot be shown: %2 This is a fault of the plugin; tell its author.",
+                id, what)};
     };
     if (scene == nullptr)
         return mistake(Message::say("there is none."));

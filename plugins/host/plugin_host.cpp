@@ -127,13 +127,27 @@ PluginHost::PluginHost(PluginHostOptions options) : options_(std::move(options))
 
 PluginHost::~PluginHost() = default;
 
-std::unique_ptr<PluginHost> PluginHost::standard()
+namespace {
+
+std::unique_ptr<PluginHost> hostOf(std::vector<fs::path> folders)
 {
     std::error_code problem;
     const fs::path own = fs::weakly_canonical(userPluginFolder(), problem); // as it stands among the folders
-    const fs::path program = fs::read_symlink("/proc/self/exe", problem);
-    return std::make_unique<PluginHost>(PluginHostOptions{
-        .folders = pluginFolders(program.parent_path()), .disabled = disabledPlugins(), .ownFolder = own});
+    return std::make_unique<PluginHost>(
+        PluginHostOptions{.folders = std::move(folders), .disabled = disabledPlugins(), .ownFolder = own});
+}
+
+} // namespace
+
+std::unique_ptr<PluginHost> PluginHost::standard()
+{
+    std::error_code problem;
+    return hostOf(pluginFolders(fs::read_symlink("/proc/self/exe", problem).parent_path()));
+}
+
+std::unique_ptr<PluginHost> PluginHost::ofLibrary()
+{
+    return hostOf(pluginFoldersOfLibrary());
 }
 
 std::vector<PluginStatus> PluginHost::plugins() const
@@ -291,7 +305,7 @@ Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::stri
     const auto ids = usableIds(kind);
     return Error{ErrorKind::WrongUsage, Message::say("There is no %1 \"%2\". %3", kindName, id,
                                                      ids.empty() ? Message::say("None is installed.")
-                                                                 : Message::say("There is: %1.", joined(ids)))};
+                                                                 : Message::say("Available: %1.", joined(ids)))};
 }
 
 Status PluginHost::loadRequired(const Entry& entry)
@@ -354,9 +368,9 @@ Status PluginHost::open(Entry& entry)
     } catch (const std::exception& problem) {
         if (const auto lack = lackOfResources(problem))
             return *lack;
-        return bad(Message::say("It failed when it was started: %1. Install it again.", problem.what()));
+        return bad(Message::say("It failed to start: %1. Install it again.", problem.what()));
     } catch (...) {
-        return bad(Message::say("It failed without saying why when it was started. Install it again."));
+        return bad(Message::say("It failed to start, without giving a reason. Install it again."));
     }
     if (object == nullptr)
         return bad(

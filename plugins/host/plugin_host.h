@@ -67,6 +67,8 @@ public:
 
     /// With the folders and the disabled plugins of plugin_folders.h, as seen from the running program.
     static std::unique_ptr<PluginHost> standard();
+    /// The same for programs of others: as seen from this library.
+    static std::unique_ptr<PluginHost> ofLibrary();
 
     const std::vector<std::filesystem::path>& folders() const noexcept { return options_.folders; }
     /// All that was found, by kind and id.

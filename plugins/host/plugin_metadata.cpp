@@ -46,7 +46,7 @@ Result<std::string> requiredText(const JsonValue& json, const char* key)
         return malformed(Message::say("the key \"%1\" is missing", key));
     std::string text = textOf(json, key);
     if (text.empty())
-        return malformed(Message::say("\"%1\" is not a text", key));
+        return malformed(Message::say("\"%1\" is not a string", key));
     return text;
 }
 
@@ -57,7 +57,7 @@ Result<Version> requiredVersion(const JsonValue& json, const char* key)
         return text.error();
     const auto version = parseVersion(*text);
     if (!version)
-        return malformed(Message::say("\"%1\" is \"%2\", which is no version like \"1.2.3\"", key, *text));
+        return malformed(Message::say("\"%1\" is \"%2\", which is not a version like \"1.2.3\"", key, *text));
     return *version;
 }
 
@@ -66,7 +66,7 @@ Result<PluginKind> parseKind(const std::string& text)
     const auto entry = std::ranges::find(kinds, std::string_view(text), &KindEntry::name);
     if (entry == kinds.end())
         return malformed(
-            Message::say("\"kind\" is \"%1\", which is none of builder, renderer, reader, writer, editor", text));
+            Message::say("\"kind\" is \"%1\", which is not one of builder, renderer, reader, writer, editor", text));
     return entry->kind;
 }
 
@@ -87,7 +87,7 @@ Result<std::vector<std::string>> parseRequiredIds(const JsonValue* value)
         return malformed(Message::say("\"requires\" is not a list"));
     for (const JsonValue& entry : *value->array()) {
         if (entry.string() == nullptr || !isId(*entry.string()))
-            return malformed(Message::say("\"requires\" lists something that is no plugin's id"));
+            return malformed(Message::say("\"requires\" lists something that is not the id of a plugin"));
         ids.push_back(*entry.string());
     }
     return ids;
@@ -138,7 +138,7 @@ Result<PluginMetadata> parsePluginMetadata(std::string_view text)
         return id.error();
     if (!isId(*id))
         return malformed(
-            Message::say("\"id\" is \"%1\"; only lower-case letters, digits, '.', '-' and '_' may stand in it", *id));
+            Message::say("\"id\" is \"%1\"; it may contain only lower-case letters, digits, '.', '-' and '_'", *id));
     metadata.id = *id;
 
     const auto kindName = requiredText(own, "kind");
@@ -171,7 +171,7 @@ Result<PluginMetadata> parsePluginMetadata(std::string_view text)
     metadata.title = textOf(own, own.find("title") != nullptr ? "title" : "name");
     metadata.edits = textOf(own, "edits");
     if (metadata.kind == PluginKind::Editor && metadata.edits.empty())
-        return malformed(Message::say("\"edits\" does not say which type of parameters the editor is for"));
+        return malformed(Message::say("\"edits\" does not state which type of parameters the editor is for"));
     metadata.description = textOf(own, "description");
     metadata.names = translationsOf(own, "name");
     metadata.titles = translationsOf(own, own.find("title") != nullptr ? "title" : "name");

@@ -19,7 +19,7 @@ Error cannotStream(const std::filesystem::path& name, int systemError)
 {
     if (systemError == EPIPE)
         return {ErrorKind::CannotWrite,
-                Message::say("Cannot write '%1': whoever was to read it has ended. See what that program says.",
+                Message::say("Cannot write '%1': the program that reads it has ended. Look at its messages.",
                              name.string())};
     return {ErrorKind::CannotWrite,
             Message::say("Cannot write '%1': %2.", name.string(), systemErrorText(systemError))};
@@ -81,7 +81,7 @@ Status StreamOutput::put(std::span<const std::byte> bytes)
 Result<OutputFile*> StreamOutput::another(const std::filesystem::path& target)
 {
     return Error{ErrorKind::WrongUsage,
-                 Message::say("'%1' would be a second file beside '%2'. Give the output a name instead of '-'.",
+                 Message::say("'%1' would be a second file next to '%2'. Give the output a name instead of '-'.",
                               target.filename().string(), name_.string())};
 }
 

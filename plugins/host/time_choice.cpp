@@ -74,7 +74,7 @@ Result<std::int64_t> timeStepOf(PluginHost& host, const std::filesystem::path& p
     if (!time)
         return std::max<std::int64_t>(1, std::ssize(times));
     if (times.empty())
-        return ofFile(path, Message::say("it has one time step, and tells no time. Leave '--time' out."));
+        return ofFile(path, Message::say("it has one time step, and states no time. Leave '--time' out."));
     const auto step = stepAt(*time, times);
     return step ? step : ofFile(path, step.error().message);
 }

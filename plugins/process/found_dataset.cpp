@@ -83,7 +83,8 @@ Status checkPoints(const FileFindings& found, std::span<const double> values)
             !found.positions[point].allFinite())
             return Error{
                 ErrorKind::BadInput,
-                Message::say("the position of point %1 (from 0) is no number, or too large. Repair the file.", point)};
+                Message::say("the position of point %1 (from 0) is not a number, or too large. Repair the file.",
+                             point)};
     return {};
 }
 

@@ -101,9 +101,9 @@ Message limitMessage(std::string_view words, std::string_view library)
         return words.starts_with(word) ? parseNumber<std::uint64_t>(words.substr(word.size())) : std::nullopt;
     };
     if (const auto space = numberBehind(addressSpaceWord))
-        return Message::say("%1 needs more memory for it than the %2 that programs may take here. Raise the limit "
-                            "(ulimit -v).",
-                            library, neededBytesText(*space));
+        return Message::say(
+            "%1 needs more memory for it than the %2 that programs may use here. Raise the limit (ulimit -v).", library,
+            neededBytesText(*space));
     if (const auto half = numberBehind(machineWord))
         return Message::say("%1 needs more than %2 of memory for it, half of what this machine has. It may be damaged, "
                             "or too large for this machine: take a part of it.",
@@ -112,7 +112,7 @@ Message limitMessage(std::string_view words, std::string_view library)
         return Message::say("%1 needs more than %2 of memory for it, which files of its size do not need. It "
                             "may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
                             library, neededBytesText(*memory));
-    return Message::say("%1 needs more than %2 seconds of the processor for it, which files of its size do not need. "
+    return Message::say("%1 needs more than %2 seconds of processor time for it, which files of its size do not need. "
                         "It may be damaged; if not, write it in another format (.vtu, .vti, .nrrd).",
                         library, numberBehind(timeWord).value_or(0));
 }

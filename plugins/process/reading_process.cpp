@@ -35,8 +35,8 @@ Error cannotRead(const std::string& file, ErrorKind kind, const Message& reason)
 Error notEnoughToStart(const ReadingProgram& program, const Message& reason)
 {
     return {ErrorKind::OutOfResource,
-            Message::say("There are not enough memory, processes or open files to start the %1 readers (%2). "
-                         "Close other programs, or raise the limit (ulimit).",
+            Message::say("There is not enough memory, or there are not enough processes or open files, to start the %1 "
+                         "readers (%2). Close other programs, or raise the limit (ulimit).",
                          program.library, reason)};
 }
 
@@ -296,10 +296,10 @@ std::optional<Error> loaderError(const ReadingProgram& program, std::string_view
     if (isLoadersLack(reason))
         return notEnoughToStart(program, reason);
     const bool missing = reason.find("cannot open shared object") != std::string::npos;
-    return Error{
-        ErrorKind::BadInput,
-        missing ? Message::say("The %1 readers are not installed: %2. %3", program.library, reason, program.install)
-                : Message::say("The %1 readers are installed badly: %2. %3", program.library, reason, program.install)};
+    return Error{ErrorKind::BadInput, missing ? Message::say("The %1 readers are not installed: %2. %3",
+                                                             program.library, reason, program.install)
+                                              : Message::say("The %1 readers are not installed correctly: %2. %3",
+                                                             program.library, reason, program.install)};
 }
 
 /// Why the program gave no answer.
@@ -318,12 +318,12 @@ Error explainEnd(const ReadingProgram& program, RunningProgram& process, const s
         return cancelledError(Message::marked("Reading"));
     if (signal == SIGKILL)
         return cannotRead(file, ErrorKind::OutOfResource,
-                          Message::say("the system ended %1, which it does when memory runs out. Close other "
-                                       "programs, or take a part of the file.",
+                          Message::say("the system ended %1, which happens when memory runs out. Close other programs, "
+                                       "or take a part of the file.",
                                        program.library));
     return cannotRead(file, ErrorKind::BadInput,
                       Message::say("%1's reader crashed, and TAn cannot tell why: the file may be damaged, or of a "
-                                   "kind that %1 reads badly. %2",
+                                   "kind that %1 reads incorrectly. %2",
                                    program.library, program.otherwise));
 }
 
@@ -363,8 +363,8 @@ Result<ReadAnswer> receive(const ReadingProgram& program, RunningProgram& proces
         return cancelledError(Message::marked("Reading"));
     if (output.wasIdle())
         return cannotRead(file, ErrorKind::OutOfResource,
-                          Message::say("%1 has waited for its disk for minutes. See whether the disk answers, or copy "
-                                       "the file to another one.",
+                          Message::say("%1 has waited for its disk for minutes. Check whether the disk answers, or "
+                                       "copy the file to another one.",
                                        program.library));
     if (!input.good() || !answer)
         return explainEnd(program, process, file);

@@ -55,7 +55,7 @@ try {
 } catch (const std::bad_alloc&) {
     return memoryLimitMet(library);
 } catch (const std::length_error&) {
-    return Error{ErrorKind::BadInput, Message::say("it says that it holds more than any machine can. It is damaged.")};
+    return Error{ErrorKind::BadInput, Message::say("it claims to hold more than any machine can. It is damaged.")};
 } catch (const std::exception& problem) {
     return Error{ErrorKind::BadInput, Message::say("%1 says: %2. It cannot be read.", library, problem.what())};
 }

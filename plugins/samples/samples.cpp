@@ -516,7 +516,7 @@ constexpr std::array<SampleKind, 10> kinds = {{
      SampleType::Float32},
     {"marschner-lobb", Message::marked("the test signal of Marschner and Lobb: ripples that are hard to reproduce"),
      SampleType::Float32},
-    {"noise", Message::marked("white noise, the worst case: no sample tells of its neighbour"), SampleType::UInt8,
+    {"noise", Message::marked("white noise, the worst case: no sample predicts its neighbour"), SampleType::UInt8,
      DomainClass::RegularLattice, true},
     {"blunt-body", Message::marked("flow in front of a hemisphere: a curvilinear grid whose axis is collapsed"),
      SampleType::Float32, DomainClass::Curvilinear},
@@ -524,10 +524,10 @@ constexpr std::array<SampleKind, 10> kinds = {{
      DomainClass::Curvilinear},
     {"bent-duct", Message::marked("flow through a bent duct: a curvilinear grid"), SampleType::Float32,
      DomainClass::Curvilinear},
-    {"stretched", Message::marked("a layer at a wall: a rectilinear grid with spacings that grow"), SampleType::Float32,
+    {"stretched", Message::marked("a layer at a wall: a rectilinear grid with growing spacing"), SampleType::Float32,
      DomainClass::Curvilinear},
-    {"scattered", Message::marked("random points in a ball, with waves that grow finer outwards"), SampleType::Float32,
-     DomainClass::Scattered, true},
+    {"scattered", Message::marked("random points in a ball, with waves that become finer outwards"),
+     SampleType::Float32, DomainClass::Scattered, true},
     {"part", Message::marked("stress in a plate with five holes and a closed cavity: an irregular mesh"),
      SampleType::Float32, DomainClass::Irregular},
 }};
@@ -548,7 +548,7 @@ Error unknownKind(std::string_view name)
     std::string names;
     for (const SampleKind& kind : kinds)
         names += " " + std::string(kind.name);
-    return {ErrorKind::WrongUsage, Message::say("There is no sample called '%1'. There are:%2.", name, names)};
+    return {ErrorKind::WrongUsage, Message::say("There is no sample called '%1'. Available:%2.", name, names)};
 }
 
 template <class T> void quantise(std::span<const double> values, T* samples)
@@ -732,7 +732,7 @@ try {
     return described(std::move(dataset), *kind, request.size);
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory to make the sample. Ask for a smaller size.")};
+                 Message::say("Not enough memory to make the sample. Choose a smaller size.")};
 }
 
 } // namespace tetra

@@ -193,7 +193,7 @@ private slots:
         step.defaultValue = std::int64_t(1);
         step.minimum = 1;
         step.maximum = 1e9;
-        step.explanation = Message::marked("Of files with several time steps: which one, from 1.");
+        step.explanation = Message::marked("Files with several time steps: which one, from 1.");
         const std::vector<Parameter> parameters = {number("threshold", 1, 0, 100), text, step};
         Syntax syntax;
         addPluginOptions(syntax, parameters);
@@ -205,7 +205,7 @@ private slots:
                  std::string("'many' does not fit '--threshold': it takes a number from 0 to 100. A number."));
         QCOMPARE(messageOf({"--curve", "x"}), std::string("'--curve': this is no curve."));
         QCOMPARE(messageOf({"--time", "0.5"}),
-                 std::string("'0.5' does not fit '--time': it takes a whole number from 1 to 1000000000. Of files with "
+                 std::string("'0.5' does not fit '--time': it takes a whole number from 1 to 1000000000. Files with "
                              "several time steps: which one, from 1."));
     }
 

@@ -80,7 +80,7 @@ private slots:
         QTest::newRow("1xNxM lattice") << build("flat.nrrd") << 3 << "1 x 5 x 5";
         QTest::newRow("unknown NRRD type") << build("unknown_type.nrrd") << 3 << "quaternion";
         QTest::newRow("larger than any memory") << build("huge.nrrd") << 3 << "huge.nrrd";
-        QTest::newRow("no known format") << build("letter.txt") << 3 << "unknown format";
+        QTest::newRow("an unknown format") << build("letter.txt") << 3 << "unknown format";
         QTest::newRow("samples missing") << build("detached.nhdr") << 3 << "nowhere.raw";
         QTest::newRow("a folder") << build(".") << 3 << "folder";
         QTest::newRow("a model instead of a dataset") << build("good.tan") << 3 << "is a TAn model";
@@ -131,15 +131,16 @@ private slots:
         QTest::newRow("output is the input")
             << QStringList{"build", "good.nrrd", "-o", "./good.nrrd"} << 2 << "is the input";
         QTest::newRow("output is no model")
-            << QStringList{"build", "good.nrrd", "-o", "letter.txt"} << 2 << "no TAn model";
+            << QStringList{"build", "good.nrrd", "-o", "letter.txt"} << 2 << "not a TAn model";
         QTest::newRow("output is only called a model")
-            << QStringList{"build", "good.nrrd", "-o", "text.tan"} << 2 << "no TAn model";
+            << QStringList{"build", "good.nrrd", "-o", "text.tan"} << 2 << "not a TAn model";
         QTest::newRow("output whose work folder has too long a name")
             << QStringList{"build", "good.nrrd", "-o", QString(249, 'm') + ".tan"} << 4 << "shorter name";
         QTest::newRow("mesh called like the dataset")
-            << QStringList{"extract", "part.tan", "-o", "part.vtu"} << 2 << "like the dataset";
+            << QStringList{"extract", "part.tan", "-o", "part.vtu"} << 2 << "same name as the dataset";
         QTest::newRow("surface called like the dataset")
-            << QStringList{"isosurface", "part.tan", "--value", "0.5", "-o", "part.vtu"} << 2 << "like the dataset";
+            << QStringList{"isosurface", "part.tan", "--value", "0.5", "-o", "part.vtu"} << 2
+            << "same name as the dataset";
         QTest::newRow("output in a missing folder")
             << QStringList{"build", "good.nrrd", "-o", "no/where.tan"} << 4 << "no";
         QTest::newRow("output is a folder")

@@ -51,7 +51,7 @@ private slots:
         row("grid, options of two builders", "grid.xyz", {"--block", "4", "--order", "paper"}, "Leave it out.");
         row("grid, paper's selection in blocks", "grid.xyz",
             {"--builder", "refinement", "--selection", "paper", "--block", "4"},
-            "The paper's selection of points does not go with blocks");
+            "The paper's selection of points cannot be used with blocks");
         row("points, block", "points.csv", {"--block", "4"}, "'--block' is for regular or curvilinear data");
         row("points, no block", "points.csv", {"--block", "none"}, "'--block' is for regular or curvilinear");
         row("points, warping", "points.csv", {"--warping", "2"}, warping);

@@ -63,9 +63,9 @@ class CheckedByVtk(unittest.TestCase):
             asked = 2.0
             found = tan("extract", model, "--error", asked, "-o", mesh)
             self.assertLess(found["sites"], 24 * 20 * 8 / 2)
-            self.assertTrue(any("outside of the mesh" in text for text in found["remarks"]), found["remarks"])
+            self.assertTrue(any("outside the mesh" in text for text in found["remarks"]), found["remarks"])
             measured = tan("extract", model, "--error", asked, "--against", data, "-o", mesh)
-            self.assertFalse(any("outside of the mesh" in text for text in measured.get("remarks", [])), measured)
+            self.assertFalse(any("outside the mesh" in text for text in measured.get("remarks", [])), measured)
             printed = subprocess.run(["/usr/bin/python3", folder / "check_error.py", data, mesh, "u"], capture_output=True, text=True, check=True)
             inside, number, nearest = map(float, re.search(r"error ([\d.e-]+) %\nof (\d+) .* place ([\d.e-]+) %", printed.stdout).groups())
             self.assertLessEqual(inside, asked)

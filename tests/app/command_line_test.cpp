@@ -71,7 +71,7 @@ private slots:
             warping);
         row("render, warping", {"render", "c60.tan", "--warping", "1", "-o", "refused.png"}, warping);
         row("sample without chance", {"sample", "c60", "--seed", "2", "-o", "refused.nrrd"},
-            "'--seed' is for samples with chance in them");
+            "'--seed' is for samples with random values");
     }
     void whatIsOfNoUseIsRefused()
     {
@@ -269,7 +269,7 @@ private slots:
         table.close();
         const QJsonArray remarks = tan({"info", "twice.csv", "--json"}).json()["remarks"].toArray();
         QCOMPARE(remarks.size(), 1);
-        QVERIFY(remarks[0].toString().startsWith("1 point on the place of another one was merged"));
+        QVERIFY(remarks[0].toString().startsWith("1 point at the same place as another was merged"));
         QVERIFY(tan({"build", "twice.csv", "-o", "twice.tan"}).output.contains(remarks[0].toString().toUtf8()));
     }
 

@@ -245,7 +245,7 @@ private slots:
             const Run seen = tan(QStringList{command, "seen.tan"} + last);
             QVERIFY2(seen.exitCode == 0 && seen.output.contains("are both guaranteed"), seen.output);
             const Run other = tan(QStringList{command, "body.tan"} + last);
-            QVERIFY2(other.output.contains("What is guaranteed is the error in the grid"), other.output);
+            QVERIFY2(other.output.contains("The guarantee is for the error in the grid"), other.output);
         }
         const auto inSpace = [this](const char* model) {
             const Run run = tan({"verify", model, "--against", "body.xyz", "--lod", "4", "--json"});
@@ -287,7 +287,7 @@ private slots:
         const Run build = tan({"build", "crossing.xyz", "-o", "crossing.tan", "--json"});
         QVERIFY2(build.exitCode == 0, build.messages);
         QCOMPARE(build.json()["builder"].toString(), QString("refinement"));
-        QVERIFY(build.json()["remarks"].toArray()[0].toString().contains("cannot be taken as a mesh"));
+        QVERIFY(build.json()["remarks"].toArray()[0].toString().contains("cannot be used as a mesh"));
         const Run verdict = tan({"verify", "crossing.tan", "--against", "crossing.xyz"});
         QVERIFY2(verdict.exitCode == 0, verdict.output + verdict.messages);
         QCOMPARE(tan({"build", "crossing.xyz", "--builder", "decimation", "-o", "no.tan"}).exitCode, 3);

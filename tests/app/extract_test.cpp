@@ -364,7 +364,8 @@ private slots:
         const Run run = tan({"isosurface", "c60.tan", "--value", "120", "--range", "1,8", "-o", "lives.ply", "--json"});
         QCOMPARE(run.exitCode, 0);
         const QString remark = run.json()["remarks"].toArray().at(0).toString();
-        QVERIFY2(remark.contains("does not have the triangles' values (birth_error, death_error)"), qPrintable(remark));
+        QVERIFY2(remark.contains("does not contain the triangles' values (birth_error, death_error)"),
+                 qPrintable(remark));
         QFile file(path("lives.ply"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray content = file.readAll();

@@ -50,9 +50,9 @@ private slots:
                                    "box:1,2,3,4,5,inf", "box:1;2;3;4;5;6", "box", ""})
             row(qPrintable(QString("focus ") + region), {"--focus", region, "--focus-error", "0.5"}, "sphere:x,y,z,r");
         row("field that is none", {"--field", "cube(1)"}, "'--field'");
-        row("field and error", {"--field", "1", "--error", "1"}, "'--error' does not go with it");
-        row("field and focus", QStringList{"--field", "1"} + focus, "'--focus' does not go with it");
-        row("field and falloff", {"--field", "1", "--falloff", "2"}, "'--falloff' does not go with it");
+        row("field and error", {"--field", "1", "--error", "1"}, "'--error' cannot be combined with it");
+        row("field and focus", QStringList{"--field", "1"} + focus, "'--focus' cannot be combined with it");
+        row("field and falloff", {"--field", "1", "--falloff", "2"}, "'--falloff' cannot be combined with it");
         row("no budget", {"--budget", "0"}, "'--budget'");
         row("broken budget", {"--budget", "12.5"}, "a whole number from 1 to 1000000000000.");
         row("budget too small", {"--budget", "1"}, "budget");
@@ -69,22 +69,24 @@ private slots:
             false);
         row("window of five numbers", {"--window", "0,0,0,5,5"}, "'--window'", false);
         row("window outside", {"--window", "100,100,100,105,105,105"},
-            "in that window, so nothing was written. The data lie between (0, 0, 0) and (15, 15, 15)", false);
+            "in that crop box, so nothing was written. The data lie between (0, 0, 0) and (15, 15, 15)", false);
         row("values of one number", {"--values", "100"}, "'--values'", false);
         row("values turned round", {"--values", "100,90"}, "'--values'", false);
         row("values outside", {"--values", "900,901"}, "No tetrahedron has such values, so nothing was written", false);
         row("range of one", {"--range", "1"}, "'--range'", false);
         row("range of three", {"--range", "1,2,3"}, "'--range'", false);
         row("range too large", {"--range", "1,200"}, "'--range'", false);
-        row("range and error", {"--range", "1,2", "--error", "1"}, "'--error' does not go with it", false);
-        row("range and focus", QStringList{"--range", "1,2"} + focus, "'--focus' does not go with it", false);
-        row("range and budget", {"--range", "1,2", "--budget", "100"}, "'--budget' does not go with it", false);
-        row("range and method", {"--range", "1,2", "--method", "automatic"}, "'--method' does not go with it", false);
+        row("range and error", {"--range", "1,2", "--error", "1"}, "'--error' cannot be combined with it", false);
+        row("range and focus", QStringList{"--range", "1,2"} + focus, "'--focus' cannot be combined with it", false);
+        row("range and budget", {"--range", "1,2", "--budget", "100"}, "'--budget' cannot be combined with it", false);
+        row("range and method", {"--range", "1,2", "--method", "automatic"}, "'--method' cannot be combined with it",
+            false);
         row("births without a range", {"--births", "1,2"}, "'--range'", false);
         row("deaths turned round", {"--range", "1,2", "--deaths", "2,1"}, "'--deaths'", false);
-        row("nothing so short-lived", {"--range", "1,2", "--births", "0,0"}, "has such a life", false);
+        row("nothing so short-lived", {"--range", "1,2", "--births", "0,0"}, "appears and disappears at such errors",
+            false);
         row("range cut off", {"--range", "1,2", "--window", "0,0,0,5,5,5", "--border", "clipped"},
-            "'--border clipped' does not go", false);
+            "'--border clipped' cannot be combined", false);
     }
     void wrongUseIsRefused()
     {

@@ -270,7 +270,7 @@ LimitsTest::Outcome LimitsTest::outcomeOf(const QStringList& words, const std::f
     const bool isTold =
         run.exitCode == 4 && run.messages.contains("tan: ") && std::ranges::any_of(reasons, isSaid) &&
         (run.messages.contains("ulimit") || run.messages.contains("Close other programs") ||
-         run.messages.contains("Choose a") || run.messages.contains("Ask for") || run.messages.contains("Show fewer") ||
+         run.messages.contains("Choose ") || run.messages.contains("Ask for") || run.messages.contains("Show fewer") ||
          run.messages.contains("Take a region") || run.messages.contains("Make the picture smaller"));
     const bool isTidy = isDone || made.isEmpty();
     const QString said = QString("under %1: exit code %2, %3 left, %4");

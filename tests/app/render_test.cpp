@@ -116,7 +116,7 @@ private slots:
         };
         const Run told = run({"--error", "4"});
         QCOMPARE(told.exitCode, 0);
-        QVERIFY2(told.messages.contains("is within the error that is shown"), told.messages.constData());
+        QVERIFY2(told.messages.contains("is within the displayed error"), told.messages.constData());
         QCOMPARE(told.json()["remarks"].toArray().size(), 1);
         const QString remark = told.json()["remarks"][0].toString();
         for (const char* option : {"--error", "--field"}) {
@@ -202,7 +202,7 @@ private slots:
         const auto told = [&](const char* name) {
             return QString(drawn(bare + QStringList{name}).second["remarks"].toArray().first().toString());
         };
-        QVERIFY2(told("unit.json").contains("'unit.json' goes from 0 to 1, and is stretched"),
+        QVERIFY2(told("unit.json").contains("'unit.json' covers 0 to 1, and is stretched"),
                  qPrintable(told("unit.json")));
         QVERIFY(told("range.json").isEmpty());
         int opaque = 0, seenThrough = 0; // nearly all is behind the last point of a function that is not stretched
@@ -585,7 +585,7 @@ private slots:
         const QMap<QString, QString> plugins{{"TAN_PLUGIN_PATH", TAN_BAND_RENDERER}};
         const Run refused = runTan(words + QStringList{"--colour-bar"}, folder_.path(), plugins);
         QCOMPARE(refused.exitCode, 2);
-        QVERIFY2(refused.messages.contains("'example.band' draws nothing whose colours '--colour-bar' could explain"),
+        QVERIFY2(refused.messages.contains("'example.band' draws nothing that '--colour-bar' could explain"),
                  refused.messages);
         QVERIFY(!QFile::exists(path("band.png")));
         const Run axes = runTan(words + QStringList{"--axes"}, folder_.path(), plugins);
@@ -603,23 +603,23 @@ private slots:
         row("isovalue of a volume", {"--isovalue", "9"}, 2, "'volume' has no option '--isovalue'");
         row("order of a volume", {"--order", "exact"}, 2, "'--order'");
         row("unknown order", {"--mode", "hybrid", "--order", "random"}, 2, "exact, with-cell");
-        row("no clip plane", {"--clip", "1,2,3"}, 2, "'1,2,3' is no clip plane");
+        row("not a clip plane", {"--clip", "1,2,3"}, 2, "'1,2,3' is not a clip plane");
         row("no normal", {"--clip", "1,0,0,0", "--clip", "0,0,0,1"}, 2, "'0,0,0,1'");
-        row("no plane", {"--mode", "slice", "--slice", "w=3"}, 2, "'w=3' is no plane");
+        row("not a plane", {"--mode", "slice", "--slice", "w=3"}, 2, "'w=3' is not a plane");
         row("a plane beside the data", {"--mode", "slice", "--slice", "z=3", "--slice", "z=99"}, 2, "misses the data");
         row("a slice of a volume", {"--slice", "z=3"}, 2, "'volume' has no option '--slice'");
         row("a plane in place of those by its axis", {"--mode", "slice", "--slice", "z=3", "--slice-axis", "x"}, 2,
-            "'--slice-axis' is of use only without '--slice'");
+            "'--slice-axis' applies only without '--slice'");
         row("the place of a plane that is given", {"--mode", "slice", "--slice", "z=3", "--slice-place", "40"}, 2,
-            "'--slice-place' is of use only without '--slice'");
+            "'--slice-place' applies only without '--slice'");
         row("a slice beside everything", {"--mode", "slice", "--slice-place", "101"}, 2, "'--slice-place'");
         row("an unknown projection", {"--mode", "projection", "--projection", "mean"}, 2, "maximum, minimum");
         row("unknown boundary", {"--boundary", "thick"}, 2, "off, translucent, values");
         row("boundary of no opacity", {"--boundary-opacity", "0"}, 2, "0.01");
-        row("opacity without a boundary", {"--boundary-opacity", "0.5"}, 2, "'--boundary-opacity' is of use only if");
-        row("far side without a boundary", {"--boundary-far-side"}, 2, "'--boundary-far-side' is of use only if");
-        row("light without values", {"--lit"}, 2, "'--lit' is of use only if");
-        row("light on one colour", {"--boundary", "translucent", "--lit"}, 2, "'--lit' is of use only if");
+        row("opacity without a boundary", {"--boundary-opacity", "0.5"}, 2, "'--boundary-opacity' applies only if");
+        row("far side without a boundary", {"--boundary-far-side"}, 2, "'--boundary-far-side' applies only if");
+        row("light without values", {"--lit"}, 2, "'--lit' applies only if");
+        row("light on one colour", {"--boundary", "translucent", "--lit"}, 2, "'--lit' applies only if");
         row("ends without a bar", {"--bar-range", "1:2"}, 2, "'--colour-bar'");
         row("a bar from more to less", {"--colour-bar", "--bar-range", "2:1"}, 2, "does not fit '--bar-range'");
         row("a bar of one end", {"--colour-bar", "--bar-range", "2"}, 2, "does not fit '--bar-range'");

@@ -175,7 +175,7 @@ private slots:
                        ::setrlimit(RLIMIT_AS, &limit);
                    });
         QVERIFY2(run.exitCode == 3 || run.exitCode == 4, run.messages);
-        QVERIFY2(run.messages.contains("too many for the memory") || run.messages.contains("is no packed mesh"),
+        QVERIFY2(run.messages.contains("too many for the memory") || run.messages.contains("is not a packed mesh"),
                  run.messages);
     }
 

@@ -14,6 +14,7 @@
 #include <open_example.h>
 #include <packed_example.h>
 #include <parameter_example.h>
+#include <picture_example.h>
 #include <query_example.h>
 #include <render_example.h>
 #include <tan_example.h>

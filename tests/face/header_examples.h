@@ -27,5 +27,8 @@ bool hasThickLines(const tetra::ParameterValues& chosen);
 std::string viewOfBall(const tetra::Model& model, const tetra::Sphere& ball, double isovalue);
 tetra::Result<std::shared_ptr<const tetra::ExtractedMesh>> meshInView(std::string_view text,
                                                                       std::shared_ptr<const tetra::Model> model);
+tetra::Status pictureFromAbove(const std::filesystem::path& file, const std::string& mode,
+                               const std::filesystem::path& target);
+tetra::Status framesOf(tetra::PictureMaker& maker, const tetra::ViewValue& film, const std::filesystem::path& folder);
 tetra::Result<tetra::Picture> look(std::shared_ptr<const tetra::TetrahedralMesh> mesh, double isovalue,
                                    const tetra::TransferFunction& function);

@@ -175,6 +175,23 @@ private slots:
         QCOMPARE(meshInView("{", model_).error().kind, ErrorKind::BadInput);
     }
 
+    void viewsBecomePicturesAndFilms()
+    {
+        const Status drawn = pictureFromAbove(path("ball.tan"), "volume", path("above.png"));
+        QVERIFY2(drawn.ok(), drawn ? "" : drawn.error().text().c_str());
+        QVERIFY(std::filesystem::file_size(path("above.png")) > 1000);
+        QCOMPARE(pictureFromAbove(path("ball.tan"), "none", path("none.png")).error().kind, ErrorKind::WrongUsage);
+        auto maker = PictureMaker::of(model_);
+        QVERIFY2(maker.ok(), maker ? "" : maker.error().text().c_str());
+        const auto again = maker->keptView(path("above.png"));
+        QVERIFY(again.ok());
+        QCOMPARE(again->view.camera.elevation, 90.0);
+        ViewValue film = maker->startingView();
+        film.animation.turntable.frames = 3;
+        QVERIFY(framesOf(*maker, film, path(".")).ok());
+        QVERIFY(std::filesystem::exists(path("2.png")) && !std::filesystem::exists(path("3.png")));
+    }
+
     /// A user's file is no model, and stays; options that make no sense are refused before anything is written.
     void nothingIsLost()
     {

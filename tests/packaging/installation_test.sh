@@ -19,7 +19,7 @@ for component in core program window development; do
 done
 # Before 1.0 a library of another minor version is another library.
 soname=so.$(cut -d. -f1,2 <<<"$version")
-for file in bin/tan bin/tan-desktop "$libraries/libtan-core.$soname" "$libraries"/tan/libtan-{ui,plugin-host,widgets}."$soname" \
+for file in bin/tan bin/tan-desktop "$libraries"/libtan-{core,picture}."$soname" "$libraries"/tan/libtan-{ui,plugin-host,widgets}."$soname" \
     "$libraries/tan/plugins" include/tan/base.h \
     include/tan-plugin/plugins/api/{reader,builder,renderer,writer,editor}.h "$libraries/cmake/TAn/TAnConfig.cmake" share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
     share/applications/org.tan.tan.desktop share/mime/packages/org.tan.tan.xml share/icons/hicolor/scalable/apps/org.tan.tan.svg; do
@@ -31,7 +31,7 @@ if [ -e "$build/share/doc/tan/manual" ]; then
 fi
 # Headers of sources that are not interfaces stay at home, and so does what belongs to the VTK readers.
 check test "$(ls "$place/include/tan" | tr '\n' ' ')" = \
-    "base.h build.h data.h mesh.h model.h open.h packed.h parameter.h query.h render.h transfer.h verify.h version.h view.h zones.h "
+    "base.h build.h data.h mesh.h model.h open.h packed.h parameter.h picture.h query.h render.h transfer.h verify.h version.h view.h zones.h "
 check test "$(ls "$place/include")" = "$(printf 'tan\ntan-plugin')"
 check test ! -e "$place/include/tan-plugin/plugins/host"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-vtk"

@@ -21,13 +21,20 @@ check test "$(head -c 15 picture.ppm)" = "P6 1024 768 255"
 check test "$("$examples"/my-programs/build/query_at_accuracy none.tan 1 2>&1 | grep -c none.tan)" = 1
 # Installed, the programs find the library as well.
 cmake --install "$examples"/my-programs/build --prefix "$scratch/installed" >messages
-check test "$(ls "$scratch/installed/bin" | wc -l)" = 4
+check test "$(ls "$scratch/installed/bin" | wc -l)" = 5
 check "$scratch/installed/bin/query_at_accuracy" wells.tan 1 >messages
-check "$(dirname -- "$0")/run_paths_test.sh" 8 "$scratch/installed" "$examples"/my-programs/build >messages
-if readelf -d "$examples"/my-programs/build/picture_to_file | grep -i qt; then
-    echo "FAIL: a program of the library alone is linked with Qt"
-    exit 1
-fi
+check "$(dirname -- "$0")/run_paths_test.sh" 10 "$scratch/installed" "$examples"/my-programs/build >messages
+for program in picture_to_file view_to_picture; do
+    if ldd "$examples"/my-programs/build/$program | grep -i libqt; then
+        echo "FAIL: a program of the library is linked with Qt"
+        exit 1
+    fi
+done
+# The picture of a view is the one that `tan render` makes of the same session.
+check "$examples"/my-programs/build/view_to_picture wells.tan view
+check tan render view.tansession -o rendered.png >messages
+check cmp view.png rendered.png
+check test "$(stat -c %s view.png)" -gt 20000
 
 export TAN_PLUGIN_PATH="$examples"/my-reader/build
 tan plugins --json | grep -A5 '"id": "example.grid-text"' | grep '"state": "loaded"' >/dev/null || { tan plugins; exit 1; }

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# without_qt_test.sh LIBRARIES: the library, the host of plugins and all plugins but editors are loaded without Qt.
+# without_qt_test.sh BUILD: the program tan, the libraries that it and others stand on, and all plugins but editors are loaded without Qt.
 set -euo pipefail
-libraries=$1
+program=$1/bin/tan libraries=$1/lib
 export LC_ALL=C
 
 # What the system's loader would load for a file, and what it does not find.
 needed() { ldd "$1" || { echo "FAIL: ldd cannot read $1" >&2; exit 1; }; }
 
 count=0
-for file in "$libraries"/libtan-core.so "$libraries"/libtan-plugin-host.so "$libraries"/tan/plugins/*.so; do
+for file in "$program" "$libraries"/libtan-{core,picture,plugin-host}.so "$libraries"/tan/plugins/*.so; do
     all=$(needed "$file")
     grep -q 'libstdc++\|libc++' <<<"$all" || { echo "FAIL: nothing is told of $file"; exit 1; }
     case $file in

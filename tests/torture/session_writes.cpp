@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tan-torture-writes write FOLDER: writes a session and settings into the folder until it is killed. ... check FOLDER:
 // whether what is there is whole, and whether nothing else is left once both have been written again.
+#include "core/picture/session_document.h"
+#include "core/picture/text_file.h"
 #include "ui/session/files.h"
-#include "ui/session/session_document.h"
 
 #include <QCoreApplication>
 #include <QDir>

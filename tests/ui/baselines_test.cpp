@@ -5,17 +5,17 @@
 // by
 //
 //     TAN_UPDATE_BASELINES=1 ctest --preset release -R test_ui_baselines
+#include "core/picture/annotations/annotation_painter.h"
+#include "core/picture/annotations/placed_text.h"
 #include "plugins/editors/transferfunction/canvas_painting.h"
 #include "plugins/editors/transferfunction/preset.h"
 #include "plugins/widgets/curves/whole_function.h"
 #include "plugins/widgets/icons.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 #include "tests/ui/pictures.h"
-#include "ui/annotations/annotation_layout.h"
-#include "ui/annotations/annotation_painter.h"
+#include "ui/session/annotation_language.h"
 #include "ui/viewport/region_painter.h"
 
-#include <QFontMetricsF>
 #include <QPainter>
 
 using namespace tetra;
@@ -98,58 +98,50 @@ AnnotationContent contentOn(bool dark)
     content.camera.azimuth = 45;
     content.camera.elevation = 35.26;
     content.background = dark ? Colour{0.12F, 0.12F, 0.13F} : Colour{1, 1, 1};
+    if (const auto fonts = openFonts())
+        content.fonts = *fonts;
     return content;
 }
 
-AnnotationLayout layoutOf(const AnnotationContent& content, QSizeF picture)
+AnnotationLayout layoutOf(const AnnotationContent& content, const Size& picture)
 {
-    QFont font = content.font;
-    font.setPixelSize(12); // as the painter does
-    QFont bold = font;
-    bold.setBold(true);
-    const QFontMetricsF metrics(font);
-    const QFontMetricsF boldMetrics(bold);
-    return layOutAnnotations(content, picture,
-                             {[&](const QString& text) { return metrics.horizontalAdvance(text); },
-                              [&](const QString& text) { return boldMetrics.horizontalAdvance(text); },
-                              metrics.height()});
+    return layOutAnnotations(content, picture, textMeasure(*content.fonts));
 }
 
-/// What is painted of a picture of this size in a rectangle of it.
-QImage annotationsIn(const QRectF& place, const AnnotationContent& content, QSizeF picture)
+/// What is painted of a picture of this size in a rectangle of it, from a whole pixel on.
+QImage annotationsIn(const Rectangle& place, const AnnotationContent& content, const Size& picture)
 {
-    QImage image(place.size().toSize(), QImage::Format_ARGB32_Premultiplied);
+    QImage image(qRound(picture.width), qRound(picture.height), QImage::Format_RGBA8888);
     image.fill(QColor::fromRgbF(content.background.red, content.background.green, content.background.blue));
-    QPainter painter(&image);
-    painter.translate(-place.topLeft());
-    paintAnnotations(painter, content, picture);
-    return image;
+    if (!paintAnnotations(pixelsOf(image), content, 1))
+        return {};
+    return image.copy(qRound(place.left), qRound(place.top), qRound(place.width), qRound(place.height));
 }
 
 /// The bar and the marks on its left; a picture in which the bar is 130 high, which depends on the font.
 QImage colourBarOf(const AnnotationContent& content)
 {
     constexpr double height = 130;
-    QSizeF picture(900, 300);
-    QRectF bar;
+    Size picture{900, 300};
+    Rectangle bar;
     for (int round = 0; round < 40; ++round) {
         bar = layoutOf(content, picture).colourBar->bar;
-        picture.rheight() += height - bar.height();
+        picture.height += height - bar.height;
     }
-    return annotationsIn(bar.adjusted(-11, -8, 3, 8), content, picture);
+    return annotationsIn({bar.left - 11, bar.top - 8, bar.width + 14, bar.height + 16}, content, picture);
 }
 
 /// The arrows, with a piece of the ground where their letters are.
 QImage axesOf(const AnnotationContent& content)
 {
-    constexpr QSizeF picture(900, 600);
+    constexpr Size picture{900, 600};
     const AxesLayout axes = *layoutOf(content, picture).axes;
-    const QRectF place(axes.origin - QPointF(40, 40), QSizeF(80, 80));
+    const Rectangle place{axes.origin.x() - 40, axes.origin.y() - 40, 80, 80};
     QImage image = annotationsIn(place, content, picture);
     QPainter painter(&image);
     for (const AxisLayout& axis : axes.axes) {
-        const QPointF letter = axis.label.place.center() - place.topLeft();
-        painter.fillRect(QRectF(letter - QPointF(7, 7), QSizeF(14, 14)), image.pixelColor(0, 0));
+        const Eigen::Vector2d letter = axis.label.place.centre() - Eigen::Vector2d(place.left, place.top);
+        painter.fillRect(QRectF(letter.x() - 7, letter.y() - 7, 14, 14), image.pixelColor(0, 0));
     }
     return image;
 }
@@ -157,9 +149,10 @@ QImage axesOf(const AnnotationContent& content)
 /// The bar without what it says.
 QImage scaleBarOf(const AnnotationContent& content)
 {
-    constexpr QSizeF picture(900, 600);
-    const QLineF bar = layoutOf(content, picture).scaleBar->bar;
-    return annotationsIn({bar.x1() - 8, bar.y1() - 3, std::ceil(bar.length()) + 16, 10}, content, picture);
+    constexpr Size picture{900, 600};
+    const ScaleBarLayout bar = *layoutOf(content, picture).scaleBar;
+    return annotationsIn({bar.from.x() - 8, bar.from.y() - 3, std::ceil(bar.to.x() - bar.from.x()) + 16, 10}, content,
+                         picture);
 }
 
 enum class Hold { Selected, Hovered, Dragged };
@@ -170,7 +163,7 @@ QImage regionPicture(RegionKind kind, const MovableRegion& region, bool dark, Ho
     constexpr QSize size(120, 90);
     Camera camera;
     camera.distance = 12;
-    const PictureProjection projection(camera, size);
+    const ViewProjection projection(camera, size);
     const QPalette palette = paletteOf(dark);
     const auto handles = handlesOf(region, projection);
     RegionLook look;

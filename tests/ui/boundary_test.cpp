@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/annotations/annotation_content.h"
+#include "core/picture/session_document.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/annotations/annotation_content.h"
 #include "ui/opening/import_texts.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/files.h"
-#include "ui/session/session_document.h"
 #include "ui/viewport/value_pick.h"
 
 #include <QCheckBox>
@@ -239,7 +239,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
     seen.surfaces = {{mesh(0.5f), {}, 1}, {mesh(-0.5f), {}, 0.2f}};
     Camera camera = fitted({}, seen.bounds);
     camera.azimuth = camera.elevation = 0;
-    const PictureProjection projection(camera, QSizeF(100, 100));
+    const ViewProjection projection(camera, QSizeF(100, 100));
     const auto depth = [&] {
         const auto place = seenPlace(seen, projection.pickingRay(QPointF(50, 50)));
         return place ? place->place.y() : 99.0;

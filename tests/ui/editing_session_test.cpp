@@ -2,6 +2,7 @@
 // An hour of transfer-function editing (R18, R27), a few minutes of it in ./dev test: the memory stays as it is,
 // pictures follow, how soon is for ./dev soak to judge, all can be undone, and what a killed program was at is there
 // again. The hour is that of a clock that the test drives: nobody waits for it.
+#include "core/picture/text_file.h"
 #include "tests/soak.h"
 #include "tests/ui/random_edits.h"
 #include "tests/ui/window_fixture.h"

@@ -91,7 +91,8 @@ private slots:
         QVERIFY(!band.isHidden() && !transfer.isHidden());
         const QString mode = withoutMnemonic(window_->find<QAction>("action.mode.isosurface").text());
         QCOMPARE(band.text(), "The mode " + mode + " has nothing to edit here. Choose another mode.");
-        QCOMPARE(transfer.text(), "The mode " + mode + " shows no transfer function. Changes are seen in other modes.");
+        QCOMPARE(transfer.text(),
+                 "The mode " + mode + " does not use a transfer function. Changes appear in other modes.");
         QVERIFY(!low.isEnabled());
         QVERIFY(window_->find<QWidget>("transfer.canvas").isEnabled()); // it can be prepared
         chooseMode("example.band");

@@ -3,7 +3,7 @@
 #include "core/history/error_meaning.h"
 #include "tests/ui/languages.h"
 #include "ui/session/message_text.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <QFile>
 #include <QLocale>

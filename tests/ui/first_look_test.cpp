@@ -2,7 +2,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "tests/lacks.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/scenes/picture_file.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/widgets/motion.h"
 
 #include <tan/data.h>
@@ -222,7 +222,7 @@ void FirstLookTest::whatMayBeErrorAloneIsTold()
     isovalue.value = 20;
     session().setIsovalue(0, isovalue);
     QTRY_VERIFY(remarks.isVisible());
-    QVERIFY2(remarks.toolTip().contains("The isovalue 20 is within the error that is shown, 40,"),
+    QVERIFY2(remarks.toolTip().contains("The isovalue 20 is within the displayed error, 40,"),
              qPrintable(remarks.toolTip()));
     session().setError(0.1);
     QTRY_VERIFY(!remarks.isVisible());

@@ -77,7 +77,7 @@ void GlViewportTest::onePictureThatIsRefusedIsDrawnByTheCpu()
         planes << "1,0,0,4";
     session.setSetting("clip", planes.join(';').toStdString());
     QTRY_COMPARE(window.messages().size(), 1);
-    QVERIFY2(window.messages().first().startsWith("OpenGL cannot draw this picture; the processor draws it instead."),
+    QVERIFY2(window.messages().first().startsWith("OpenGL cannot draw this picture; the CPU draws it instead."),
              qPrintable(window.messages().first()));
     QTRY_VERIFY(window.settled());
     QCOMPARE(window.viewport().backendName(), QString("OpenGL"));

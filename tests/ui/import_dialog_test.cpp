@@ -155,7 +155,7 @@ void ImportDialogTest::valuesOverPowersOfTenAreTold()
     const auto dataset = latticeDataset(lattice, ScalarField::of(std::move(values)), "c60");
     QVERIFY(dataset);
     window_->window.open(QString::fromStdString(writeNrrd(*dataset, window_->folderPath())));
-    QTRY_VERIFY(window_->find<QLabel>("build.facts").text().contains("Scale: linear. The values go over"));
+    QTRY_VERIFY(window_->find<QLabel>("build.facts").text().contains("Scale: linear. The values span"));
     openAndAsk(window_->folder.filePath("c60.nrrd"));
     choose("import.scale", "Logarithmic");
     click("import.read");
@@ -200,7 +200,7 @@ void ImportDialogTest::aPackedRawFileIsDescribed()
     window_->window.open(packed.fileName());
     QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());
     QCOMPARE(window_->find<QLineEdit>("import.option.size").text(), QString("8x8x8"));
-    QVERIFY(window_->find<QLabel>("import.sizeCheck").text().contains("8 × 8 × 8 × uint8 = 512 bytes: the file has"));
+    QVERIFY(window_->find<QLabel>("import.sizeCheck").text().contains("8 × 8 × 8 × uint8 = 512 bytes: exactly"));
     click("import.read");
     QTRY_VERIFY(window_->workbench.opening().datasets().dataset());
     QCOMPARE(window_->workbench.opening().datasets().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
@@ -319,7 +319,7 @@ void ImportDialogTest::whatIsRefusedIsAskedAgain()
     QTRY_VERIFY(window_->find<QLabel>("import.region.count").text().contains("8 × 8 × 8"));
     choose("import.option.array", "energy"); // the same everywhere
     click("import.read");
-    QTRY_VERIFY(window_->find<QLabel>("import.reason").text().contains("one value everywhere"));
+    QTRY_VERIFY(window_->find<QLabel>("import.reason").text().contains("the same value everywhere"));
     QVERIFY(dialog()->isVisible());
     QCOMPARE(window_->find<QComboBox>("import.option.array").currentText(), QString("energy"));
     choose("import.option.array", "density");

@@ -67,7 +67,7 @@ private slots:
         const StoredSamples samples{.size = {32, 32, 32}, .type = SampleType::UInt8};
         QVERIFY(checkRawSize(samples, 32768).fits);
         QCOMPARE(checkRawSize(samples, 32768).text,
-                 QString("32 × 32 × 32 × uint8 = 32,768 bytes: the file has exactly that."));
+                 QString("32 × 32 × 32 × uint8 = 32,768 bytes: exactly the size of the file."));
         QVERIFY(!checkRawSize(samples, 32767).fits);
         QCOMPARE(checkRawSize(samples, 32767).text,
                  QString("32 × 32 × 32 × uint8 = 32,768 bytes; the file has 32,767 (1 missing)."));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/text_file.h"
 #include "tests/soak.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"

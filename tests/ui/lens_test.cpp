@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lens over the picture (C5): where it lies and what it shows, by mouse and by keys, and what is kept of it.
+#include "core/picture/session_document.h"
+#include "core/picture/view_picture.h"
 #include "core/view/lens.h"
 #include "tests/ui/sample_window.h"
-#include "ui/annotations/picture_projection.h"
-#include "ui/scenes/view_picture.h"
-#include "ui/session/session_document.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/viewport/lens_tool.h"
 #include "ui/viewport/value_pick.h"
+#include "ui/viewport/view_projection.h"
 #include "ui/window/picture_orders.h"
 
 #include <QToolButton>
@@ -132,7 +133,7 @@ void LensTest::theFrustumHoldsWhatIsSeen()
                 picture.part.top + picture.part.height <= picture.height);
         QVERIFY(std::abs(static_cast<double>(picture.width) / width - state.magnification) < 0.01);
         const auto planes = seenInLens(picture, camera);
-        const PictureProjection enlarged(camera, QSize(picture.width, picture.height)),
+        const ViewProjection enlarged(camera, QSize(picture.width, picture.height)),
             small(camera, QSize(width, height));
         for (int place = 0; place < 20; ++place) {
             const Eigen::Vector3d point(unit(random), unit(random), unit(random));
@@ -196,8 +197,9 @@ void LensTest::itIsTheLargerPicture()
     QVERIFY(picture.ok());
     const PixelRectangle& part = drawn.place.part;
     const QImage crop = imageOf(*picture).copy(part.left, part.top, part.width, part.height);
-    QCOMPARE(crop.size(), drawn.content.size());
-    QVERIFY(crop.convertToFormat(QImage::Format_RGB32) == drawn.content.convertToFormat(QImage::Format_RGB32));
+    const QImage content = imageOf(drawn.content);
+    QCOMPARE(crop.size(), content.size());
+    QVERIFY(crop.convertToFormat(QImage::Format_RGB32) == content.convertToFormat(QImage::Format_RGB32));
     // With the mesh of the picture it would be another one.
     whole.scene = window_->viewport().scene();
     const auto coarse = pipeline.draw(whole, false, {});
@@ -207,10 +209,9 @@ void LensTest::itIsTheLargerPicture()
     const QPoint middle(drawn.place.square.left + drawn.place.square.width / 2,
                         drawn.place.square.top + drawn.place.square.height / 2);
     QCOMPARE(QColor(screen.pixel(middle)),
-             QColor(drawn.content.pixel(middle - QPoint(drawn.place.square.left + drawn.place.left,
-                                                        drawn.place.square.top + drawn.place.top))));
+             QColor(content.pixel(middle - QPoint(drawn.place.square.left + drawn.place.left,
+                                                  drawn.place.square.top + drawn.place.top))));
     // Another mode, camera or error is another picture.
-    const QImage before = drawn.content;
     session().setLens([&] {
         LensState moved = lens();
         moved.x += 0.05;
@@ -218,7 +219,7 @@ void LensTest::itIsTheLargerPicture()
     }());
     QVERIFY(!tool().settled());
     QTRY_VERIFY(upToDate());
-    QVERIFY(tool().drawn()->content != before);
+    QVERIFY(tool().drawn()->content.pixels != drawn.content.pixels);
 }
 
 void LensTest::keysAndActions()
@@ -346,15 +347,16 @@ void LensTest::itIsInSavedPictures()
     const QSize size(300, 260);
     PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), {size, 0, false, none});
     QVERIFY(order.lens);
-    const auto with = drawPicture(order, {});
+    const auto drawnWith = drawPicture(order, {});
     order.lens.reset();
-    const auto without = drawPicture(order, {});
-    QVERIFY(with.ok() && without.ok());
+    const auto drawnWithout = drawPicture(order, {});
+    QVERIFY(drawnWith.ok() && drawnWithout.ok());
+    const QImage with = imageOf(*drawnWith), without = imageOf(*drawnWithout);
     const LensPicture place = lensPicture(lens(), size.width(), size.height());
     int changed = 0;
     for (int y = 0; y < size.height(); ++y)
         for (int x = 0; x < size.width(); ++x) {
-            const bool differs = with->pixel(x, y) != without->pixel(x, y);
+            const bool differs = with.pixel(x, y) != without.pixel(x, y);
             const Eigen::Vector2d beside(x + (x < size.width() / 2 ? 3 : -3), y + (y < size.height() / 2 ? 3 : -3));
             if (!holds(lens(), place, {x + 0.5, y + 0.5}) && !holds(lens(), place, beside))
                 QVERIFY(!differs);

@@ -105,7 +105,7 @@ void ModelAddressTest::aModelIsShownWhileItComes()
     QCOMPARE(opened.size(), 1);
     QVERIFY(!grown.isEmpty());
     QVERIFY(shown.front() < 5'000 && std::ranges::is_sorted(shown));
-    QVERIFY2(!told.isEmpty() && told.first().contains("more is coming"), qPrintable(told.value(0)));
+    QVERIFY2(!told.isEmpty() && told.first().contains("on the way"), qPrintable(told.value(0)));
     QCOMPARE(opening().models().sitesOfWhole(), 0u);
     QCOMPARE(model()->path().string(), addressOf(*server).toStdString());
     QVERIFY(opening().proposedPath(".packed.tan").endsWith("/sample.packed.tan"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/session_document.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/session/session_document.h"
 
 #include <tan/render.h>
 

@@ -7,9 +7,10 @@
 //     with_film.tansession    by 3930fd9: with annotations, a film, a mask and groups of points
 //     with_domain.tansession  by c035d89: with the model's domain and range, before views had a size and cameras an
 //                             upright axis
+#include "core/picture/session_document.h"
+#include "core/picture/text_file.h"
 #include "ui/opening/kept_views.h"
 #include "ui/session/files.h"
-#include "ui/session/session_document.h"
 
 #include <QDir>
 #include <QLockFile>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures and films of what the window shows: dialogs, files and what they say of themselves.
+#include "core/picture/session_document.h"
 #include "tests/ui/sample_window.h"
-#include "ui/session/session_document.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/window/picture_orders.h"
+
+#include <tan/version.h>
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -48,7 +51,6 @@ void OutputTest::initTestCase()
 {
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("output");
-    QCoreApplication::setApplicationVersion("1.2.3");
     QLocale::setDefault(QLocale::c());
 }
 
@@ -184,7 +186,7 @@ void OutputTest::aPictureSaysHowItWasMade()
     const QString path = window_->folder.filePath("told.png");
     savePictureTo(path);
     QImageReader reader(path);
-    QCOMPARE(reader.text("Software"), QString("TAn 1.2.3"));
+    QCOMPARE(reader.text("Software"), QString("TAn " TAN_VERSION));
     QCOMPARE(reader.text("Title"), QString("c60"));
     QVERIFY(reader.text("Description").contains("error"));
     const auto document = sessionFromText(*sessionInPicture(path.toStdString()), window_->folderPath());
@@ -193,10 +195,8 @@ void OutputTest::aPictureSaysHowItWasMade()
     QVERIFY(document->view == session().view());
     SessionDocument blanks = *document; // such as a folder may have
     blanks.model = "/a   folder  of models/c60.tan";
-    QImage picture(2, 2, QImage::Format_RGB32);
-    for (const auto& [key, text] : pictureTexts(blanks, "error 1 %", "/elsewhere"))
-        picture.setText(key, text);
-    QVERIFY(writePicture(picture, path.toStdString()));
+    const Picture small{.width = 2, .height = 2, .pixels = std::vector<std::array<std::uint8_t, 4>>(4)};
+    QVERIFY(writePicture(small, path.toStdString(), {.texts = pictureTexts(blanks, "error 1 %", "/elsewhere")}));
     const auto again = sessionFromText(*sessionInPicture(path.toStdString()), "/elsewhere");
     QVERIFY(again);
     QCOMPARE(again->model, blanks.model);
@@ -258,10 +258,10 @@ void OutputTest::backgroundsCanBeTransparent()
     PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), wanted);
     const auto picture = drawPicture(order, {});
     QVERIFY(picture);
-    QCOMPARE(picture->pixelColor(100, 2).alpha(), 0);
-    QCOMPARE(picture->pixelColor(100, 75).alpha(), 255);
+    QCOMPARE(imageOf(*picture).pixelColor(100, 2).alpha(), 0);
+    QCOMPARE(imageOf(*picture).pixelColor(100, 75).alpha(), 255);
     order.transparent = false;
-    QCOMPARE(drawPicture(order, {})->pixelColor(100, 2).alpha(), 255);
+    QCOMPARE(imageOf(*drawPicture(order, {})).pixelColor(100, 2).alpha(), 255);
 }
 
 void OutputTest::picturesWaitForEachOther()

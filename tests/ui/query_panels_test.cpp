@@ -355,7 +355,7 @@ void QueryPanelsTest::whatAFileSaysOtherwiseIsTold()
     }
     const QStringList told = window_->messages();
     QCOMPARE(told.size(), 2);
-    const QString text = "In '%1' x, y and z are less than in the data by 339385, 4264212 and 1680, as";
+    const QString text = "In '%1' x, y and z are smaller than in the data by 339385, 4264212 and 1680, because";
     QVERIFY2(told[0].startsWith(text.arg(folder.filePath("far.glb"))), qPrintable(told[0]));
     QVERIFY2(told[1].startsWith(text.arg(folder.filePath("far.stl"))), qPrintable(told[1]));
     QFile ply(folder.filePath("far.ply"));

@@ -3,7 +3,7 @@
 #include "plugins/samples/samples.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/session.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <tan/view.h>
 
@@ -96,7 +96,7 @@ void QueryTest::everyEditIsOneStepAndUndoRestoresIt()
     session_->setFocus(sphereAt({3, 4, 5}));
     edited("Change Focus");
     session_->setWindow({true, {{{1, 2, 3}, {4, 5, 6}}, WindowBorder::Contained}});
-    edited("Change Window");
+    edited("Change Crop Box");
     session_->setValueFilter({true, 10, 20});
     edited("Change Values");
     session_->setByBudget(false);
@@ -306,7 +306,7 @@ void QueryTest::aRangeTakesThePlaceOfAMesh()
     mesh.keptTetrahedra = 30;
     mesh.wholeTetrahedra = 2000;
     QCOMPARE(meshText(mesh, *model_),
-             QString("Shown: tetrahedra of the meshes of errors from 0.5 % to 4 %. 30 of 2000 are chosen."));
+             QString("Shown: tetrahedra of the meshes of errors from 0.5 % to 4 %. 30 of 2000 are selected."));
     session_->undoStack().undo();
     session_->undoStack().undo();
     QVERIFY(meshQuery(query(), *model_).budget.has_value());
@@ -372,7 +372,7 @@ void QueryTest::theMeshIsToldInWords()
     QVERIFY(piecesText(mesh).isEmpty());
     mesh.tetrahedra = 2300; // pieces
     QVERIFY(meshText(mesh, *model_).endsWith("30 of its 2000 tetrahedra are shown."));
-    QCOMPARE(piecesText(mesh), QString("30 tetrahedra in 2300 pieces, as the window cuts them"));
+    QCOMPARE(piecesText(mesh), QString("30 tetrahedra in 2300 pieces, cut by the crop box"));
     mesh.isBlended = true;
     QCOMPARE(meshText(mesh, *model_), QString("Shown: error 0.5 % in the focus, 4 % outside."));
 
@@ -422,7 +422,7 @@ void QueryTest::theMeshIsToldInWords()
     uniform.query.warping = 3;
     QCOMPARE(meshText(uniform, **warped), QString("Shown: error 0.5 %, warping 3 %."));
     uniform.query.warping = anyWarping;
-    QCOMPARE(meshText(uniform, **warped), QString("Shown: error 0.5 %, whatever the warping."));
+    QCOMPARE(meshText(uniform, **warped), QString("Shown: error 0.5 %, with any warping."));
 }
 
 /// C1: the warping has a limit of its own, or none; a focus asks for no more of it than outside, and a lattice for

@@ -66,7 +66,7 @@ double distance(QPointF one, QPointF other)
     return std::hypot(one.x() - other.x(), one.y() - other.y());
 }
 
-RegionDrag dragOf(const MovableRegion& region, const PictureProjection& projection, std::size_t handle)
+RegionDrag dragOf(const MovableRegion& region, const ViewProjection& projection, std::size_t handle)
 {
     const RegionHandle held = handlesOf(region, projection)[handle];
     return {region, held, projection, *projection.pixelOf(held.place)};
@@ -84,7 +84,7 @@ void RegionHandlesTest::pixelsAreThoseOfThePicture()
                                      viewMatrix(camera) * place.homogeneous();
         const QPointF wanted((clip.x() / clip.w() + 1) / 2 * pictureSize.width(),
                              (1 - clip.y() / clip.w()) / 2 * pictureSize.height());
-        QVERIFY(distance(*PictureProjection(camera, pictureSize).pixelOf(place), wanted) < 1e-6);
+        QVERIFY(distance(*ViewProjection(camera, pictureSize).pixelOf(place), wanted) < 1e-6);
     }
 }
 
@@ -92,7 +92,7 @@ void RegionHandlesTest::aMovementIsSeenAsItsPixels()
 {
     Views views;
     for (int i = 0; i < 200; ++i) {
-        const PictureProjection projection(views.camera(), pictureSize);
+        const ViewProjection projection(views.camera(), pictureSize);
         const Eigen::Vector3d place = views.place(50);
         const QPointF pixels(views.number(-90, 90), views.number(-90, 90));
         const QPointF seen =
@@ -108,7 +108,7 @@ void RegionHandlesTest::theCentreStaysUnderThePointer()
 {
     Views views;
     for (int i = 0; i < 100; ++i) {
-        const PictureProjection projection(views.camera(), pictureSize);
+        const ViewProjection projection(views.camera(), pictureSize);
         const Sphere sphere{views.place(30), 10};
         const QPointF pixels(views.number(-90, 90), views.number(-90, 90));
         const RegionDrag drag = dragOf(sphere, projection, 0);
@@ -124,7 +124,7 @@ void RegionHandlesTest::aFaceStaysUnderThePointer()
     for (int i = 0; i < 100; ++i) {
         Camera camera = views.camera();
         camera.perspective = false; // in perspective it stays nearly so
-        const PictureProjection projection(camera, pictureSize);
+        const ViewProjection projection(camera, pictureSize);
         const Box box = views.box();
         const auto handles = handlesOf(box, projection);
         for (std::size_t handle = 1; handle < handles.size(); ++handle) {
@@ -144,7 +144,7 @@ void RegionHandlesTest::theOppositeFaceStaysUnlessRestrained()
     camera.azimuth = 0;
     camera.elevation = 0;
     camera.distance = 100;
-    const PictureProjection projection(camera, pictureSize);
+    const ViewProjection projection(camera, pictureSize);
     const Box box{{-10, -10, -10}, {10, 10, 10}};
     const auto handles = handlesOf(box, projection);
     const auto right = std::ranges::find_if(
@@ -163,7 +163,7 @@ void RegionHandlesTest::theRadiusFollowsThePointer()
 {
     Views views;
     for (int i = 0; i < 100; ++i) {
-        const PictureProjection projection(views.camera(), pictureSize);
+        const ViewProjection projection(views.camera(), pictureSize);
         const Sphere sphere{views.place(30), views.number(5, 20)};
         for (std::size_t handle = 1; handle < 5; ++handle) {
             const RegionDrag drag = dragOf(sphere, projection, handle);
@@ -180,7 +180,7 @@ void RegionHandlesTest::nothingBecomesSmallerThanTheLeast()
     Views views;
     const DragRule rule{.restrained = false, .axis = {}, .least = 2};
     for (int i = 0; i < 100; ++i) {
-        const PictureProjection projection(views.camera(), pictureSize);
+        const ViewProjection projection(views.camera(), pictureSize);
         const QPointF pointer(views.number(0, 640), views.number(0, 480));
         const Sphere sphere{views.place(30), 10};
         QVERIFY(std::get<Sphere>(dragOf(sphere, projection, 1).at(pointer, rule)).radius >= 2);
@@ -197,7 +197,7 @@ void RegionHandlesTest::anAxisRestrainsTheCentre()
 {
     Views views;
     for (int i = 0; i < 100; ++i) {
-        const PictureProjection projection(views.camera(), pictureSize);
+        const ViewProjection projection(views.camera(), pictureSize);
         const Sphere sphere{views.place(30), 10};
         const RegionDrag drag = dragOf(sphere, projection, 0);
         const QPointF pixels(views.number(-90, 90), views.number(-90, 90));
@@ -216,7 +216,7 @@ void RegionHandlesTest::anAxisRestrainsTheCentre()
 
 void RegionHandlesTest::theNearestHandleWithinReachIsGrabbed()
 {
-    const PictureProjection projection({.target = {0, 0, 0}, .distance = 100}, pictureSize);
+    const ViewProjection projection({.target = {0, 0, 0}, .distance = 100}, pictureSize);
     const auto handles = handlesOf(Sphere{{0, 0, 0}, 20}, projection);
     QCOMPARE(handles.size(), std::size_t{5});
     for (const RegionHandle& handle : handles) {
@@ -232,7 +232,7 @@ void RegionHandlesTest::facesThatMoveAlongTheViewHaveNoHandle()
     camera.azimuth = 0;
     camera.elevation = 0;
     camera.distance = 100;
-    const auto handles = handlesOf(Box{{-10, -10, -10}, {10, 10, 10}}, PictureProjection(camera, pictureSize));
+    const auto handles = handlesOf(Box{{-10, -10, -10}, {10, 10, 10}}, ViewProjection(camera, pictureSize));
     QCOMPARE(handles.size(), std::size_t{5});
     for (std::size_t i = 1; i < handles.size(); ++i)
         QVERIFY(handles[i].axis != 1);
@@ -263,7 +263,7 @@ void RegionHandlesTest::aPixelShowsTheNearestSurface()
     camera.distance = 200;
     for (const bool perspective : {true, false}) {
         camera.perspective = perspective;
-        const PictureProjection projection(camera, pictureSize);
+        const ViewProjection projection(camera, pictureSize);
         const Eigen::Vector3d wanted(3, -10, -7);
         const auto at = [&projection](const Scene& seen, QPointF pixel) {
             return seenPlace(*surfacesOf(seen), projection.pickingRay(pixel));

@@ -2,11 +2,12 @@
 // A look goes to another model: in the window that opens a session whose model was built anew or that takes over the
 // look of another session, and in `tan render`. Values and colours stay, the camera, too, where the domain is the same,
 // and what does not is named.
+#include "core/picture/text_file.h"
 #include "tests/app/program.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
-#include "ui/session/session_model.h"
+#include "core/picture/session_model.h"
 
 #include <QFileDialog>
 #include <QJsonArray>
@@ -172,7 +173,7 @@ void RestoredViewTest::whatAnotherModelCannotHaveIsNamed()
     QVERIFY(view.background == (Colour{0, 0.5F, 0}));
     QCOMPARE(window_->messages().size(), 1);
     const QString told = window_->messages().first();
-    for (const char* named : {"1 of 2 isovalues", "camera", "window", "clipped", "slices", "other.tansession"})
+    for (const char* named : {"1 of 2 isovalues", "camera", "crop box", "clipped", "slices", "other.tansession"})
         QVERIFY2(told.contains(named), qPrintable(told));
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/mesh_saving.h"
+#include "core/picture/png_file.h"
 #include "plugins/host/plugin_guards.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
-#include "ui/scenes/picture_file.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/scenes/scene_builder.h"
 #include "ui/workbench/film_file.h"
-#include "ui/workbench/mesh_saving.h"
 
 #include <tan/query.h>
 
@@ -346,9 +347,8 @@ void SceneBuilderTest::aPictureThatCannotBeHeldIsNone()
 {
     Picture picture;
     picture.width = picture.height = std::numeric_limits<int>::max(); // more bytes than there are addresses
-    const QImage image = imageOf(picture);
-    QVERIFY(image.isNull());
-    const Status written = writePicture(image, folder_.filePath("none.png").toStdString());
+    QVERIFY(imageOf(picture).isNull());
+    const Status written = writePicture(picture, folder_.filePath("none.png").toStdString());
     QVERIFY(!written.ok() && written.error().kind == ErrorKind::OutOfResource);
 }
 

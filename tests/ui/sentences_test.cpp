@@ -2,6 +2,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/system_error.h"
 #include "core/data/cells/clean_cells.h"
+#include "core/picture/session_document.h"
 #include "plugins/host/colour_text.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
@@ -13,7 +14,6 @@
 #include "tests/ui/sample_files.h"
 #include "ui/session/language.h"
 #include "ui/session/message_text.h"
-#include "ui/session/session_document.h"
 
 #include <tan/data.h>
 #include <tan/model.h>
@@ -323,7 +323,7 @@ void SentencesTest::messagesAreTranslatedByTheirPlaces_data()
         Message::say("Cannot open '%1': too many files are open. Close some of them.", "%2"),
         "„%2“ kann nicht geöffnet werden: Zu viele Dateien sind offen. Schließen Sie einige.");
     row("places in another order",
-        Message::say("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other programs.",
+        Message::say("Not enough memory to write '%1' after %2 sites. Choose a larger error, or close other programs.",
                      "a.tan", 7),
         "Der Arbeitsspeicher reicht nach 7 Stützstellen nicht mehr, um „a.tan“ zu schreiben. Verlangen Sie einen "
         "größeren "

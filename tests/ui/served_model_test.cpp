@@ -2,12 +2,14 @@
 // Models that the window leaves at their server (R28; the paper's 5.1): the meshes are those of the model itself, the
 // newest request wins, and whatever is wrong is told.
 #include "core/history/whole_elsewhere.h"
+#include "core/picture/text_file.h"
 #include "tests/app/local_server.h"
 #include "tests/core/packed/any_order.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 #include "ui/opening/model_cache.h"
 #include "ui/opening/recent_files.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/window/address_dialog.h"
 
 #include <tan/packed.h>
@@ -160,7 +162,7 @@ void ServedModelTest::picturesAreThoseOfTheModel()
         order.width = order.height = 300;
         order.lens = std::make_shared<const LensOrder>(LensOrder{session().view().lens, request});
         const auto picture = drawPicture(order, request, {});
-        return picture ? *picture : QImage();
+        return picture ? imageOf(*picture) : QImage();
     };
     const QImage far = drawn(model()), near = drawn(here_);
     QVERIFY(!far.isNull() && far.size() == near.size());
@@ -277,7 +279,7 @@ void ServedModelTest::aTokenIsAskedForAndNotKept()
     QTRY_VERIFY(field.isVisible());
     QCOMPARE(field.echoMode(), QLineEdit::Password);
     field.setText("0123456789abcdef-tokex");
-    QTRY_VERIFY2(offer().contains("not the token"), qPrintable(offer()));
+    QTRY_VERIFY2(offer().contains("Wrong token"), qPrintable(offer()));
     field.setText(token);
     QTRY_VERIFY2(offer().contains("vertices"), qPrintable(offer()));
     window_->find<QRadioButton>("addressDialog.leave").click();

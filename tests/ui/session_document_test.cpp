@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as text: they come back the same, keep what they do not know, and say what is wrong with them.
+#include "core/picture/session_model.h"
+#include "core/picture/text_file.h"
 #include "ui/opening/kept_views.h"
 #include "ui/session/files.h"
-#include "ui/session/session_model.h"
 
 #include <QDir>
 #include <QJsonArray>

@@ -128,7 +128,7 @@ void StartPageTest::samplesAreDescribedForPeople()
         QCOMPARE(QString(action.text()).remove('&'), button.text());
         QCOMPARE(action.toolTip(), button.toolTip());
         const QString text = button.toolTip();
-        for (const QString& part : {QString("computed by TAn"), QString("Look at")})
+        for (const QString& part : {QString("computed by TAn"), QString("See ")})
             QVERIFY2(text.contains(part), qPrintable(text));
         QVERIFY2(kind.domain == DomainClass::Irregular || text.contains(" points"), qPrintable(text));
         button.setFocus(Qt::TabFocusReason);

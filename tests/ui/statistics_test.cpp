@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/session_document.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/verify/verify_mesh.h"
 #include "core/view/accuracy_scale.h"
@@ -8,7 +9,6 @@
 #include "tests/ui/folded_model.h"
 #include "tests/ui/sample_window.h"
 #include "ui/panels/model_statistics.h"
-#include "ui/session/session_document.h"
 
 #include <tan/build.h>
 #include <tan/model.h>
@@ -119,7 +119,7 @@ void StatisticsTest::whichErrorIsSaid()
         if (!tetra::buildModel(*grid, path, Refinement{.inSpace = inSpace}))
             return QString("no model");
         const auto facts = modelFacts(*Model::open(path).value());
-        const auto taken = std::ranges::find(facts, QString("Taken of the file"), &StatisticsFact::name);
+        const auto taken = std::ranges::find(facts, QString("Used from the file"), &StatisticsFact::name);
         if (taken == facts.end() || taken->value != "Time step: 2 of 5 (a guess)")
             return QString("taken of nothing");
         const auto fact = std::ranges::find(facts, QString("Error"), &StatisticsFact::name);

@@ -155,7 +155,7 @@ void StoryTest::scatteredPoints()
     buildThere(window, file);
     const QString facts = window.find<QLabel>("build.facts").text();
     QVERIFY2(facts.contains("1001 scattered points"), qPrintable(facts));
-    QVERIFY2(facts.contains("1 point on the place of another one was merged with it."), qPrintable(facts));
+    QVERIFY2(facts.contains("1 point at the same place as another was merged with it."), qPrintable(facts));
     QVERIFY(!testing::partsOf(*window.viewport().scene()).surfaces.empty());
     QVERIFY(testing::partsOf(*window.viewport().scene()).surfaces[0].mesh->triangles.size() > 100);
     dragAccuracy(window);

@@ -429,7 +429,7 @@ void WindowTest::anInterruptedBuildGoesOn()
     QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QCOMPARE(window_->find<QComboBox>("build.builder").currentData().toString(), builder);
     QCOMPARE(window_->find<QDoubleSpinBox>(refines ? "build.option.error" : "build.option.finest").value(), 0.25);
-    QVERIFY(start.accessibleDescription().contains("goes on where it stopped"));
+    QVERIFY(start.accessibleDescription().contains("continue where it stopped"));
     QCOMPARE(start.text(), QString("Resume &Build"));
     const auto& resume = window_->find<QCheckBox>("build.resume");
     QVERIFY(resume.isChecked() && !resume.isEnabled());
@@ -454,7 +454,7 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
     auto& error = window_->find<QDoubleSpinBox>("build.option.error");
     error.setValue(5);
     QVERIFY(!start.isEnabled());
-    QVERIFY(window_->find<QLabel>("build.interrupted.text").text().contains("other options"));
+    QVERIFY(window_->find<QLabel>("build.interrupted.text").text().contains("different options"));
     error.setValue(0);
     QVERIFY(start.isEnabled());
 
@@ -891,7 +891,7 @@ void WindowTest::aDatasetThatIsNotBuiltIsSaid()
     window_->window.open(window_->folder.filePath("another.nrrd"));
     QTRY_VERIFY(notice.isVisible());
     const QString text = notice.accessibleName();
-    QVERIFY2(text.contains("another.nrrd is not built yet") && text.contains("c60.tan"), qPrintable(text));
+    QVERIFY2(text.contains("another.nrrd has not been built yet") && text.contains("c60.tan"), qPrintable(text));
     window_->find<QPushButton>("build.start").click();
     QTRY_VERIFY(window_->workbench.session().model() && !window_->workbench.building().running());
     QTRY_VERIFY(window_->window.windowTitle().startsWith("another.tan"));

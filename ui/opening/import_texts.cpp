@@ -101,7 +101,7 @@ ImportCheck checkRawSize(const StoredSamples& samples, std::uint64_t fileBytes)
     const QString product = sizeText(samples.size) + " × " + typeText(samples.type);
     const QString sum = samples.skippedBytes == 0 ? product : countText(samples.skippedBytes) + " + " + product;
     if (wanted == fileBytes)
-        return {true, ImportTexts::tr("%1 = %2 bytes: the file has exactly that.").arg(sum, countText(wanted))};
+        return {true, ImportTexts::tr("%1 = %2 bytes: exactly the size of the file.").arg(sum, countText(wanted))};
     const QString text = wanted > fileBytes ? ImportTexts::tr("%1 = %2 bytes; the file has %3 (%4 missing).")
                                             : ImportTexts::tr("%1 = %2 bytes; the file has %3 (%4 too many).");
     const std::uint64_t difference = std::max(wanted, fileBytes) - std::min(wanted, fileBytes);
@@ -118,8 +118,9 @@ ImportCheck countPart(const Lattice& lattice, const DatasetPart& part)
 {
     const auto taken = partOfLattice(lattice, part);
     if (!taken)
-        return {false, ImportTexts::tr("A volume needs at least two points along each axis. Take a larger region or a "
-                                       "smaller stride.")};
+        return {false,
+                ImportTexts::tr(
+                    "A volume needs at least two points along each axis. Choose a larger region or a smaller stride.")};
     if (part.isWhole())
         return {true,
                 ImportTexts::tr("All %1 = %2 points.").arg(sizeText(lattice.size), countText(lattice.pointCount()))};

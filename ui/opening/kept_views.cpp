@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/opening/kept_views.h"
 
+#include "core/picture/text_file.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 
@@ -121,10 +122,9 @@ Status KeptViews::writeNow(const std::filesystem::path& what, const std::optiona
         return {};
     }
     if (!folder.mkpath("."))
-        return Error{ErrorKind::CannotWrite,
-                     Message::say("The folder '%1' cannot be written to, so that the view cannot be kept. Make room "
-                                  "there, or save the session.",
-                                  folder_.string())};
+        return Error{ErrorKind::CannotWrite, Message::say("The folder '%1' cannot be written to, so that the view "
+                                                          "cannot be kept. Free some space there, or save the session.",
+                                                          folder_.string())};
     if (place == Place::Aside)
         return setAsideNow(file, *text);
     lock(file);

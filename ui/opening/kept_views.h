@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/session_document.h"
+#include "core/picture/session_document.h"
 #include "ui/work/long_task.h"
 
 #include <QLockFile>

@@ -2,11 +2,11 @@
 #include "ui/opening/model_opening.h"
 
 #include "core/opening/served_model.h"
+#include "core/picture/restored_view.h"
+#include "core/picture/view_picture.h"
 #include "core/remote/remote_file.h"
 #include "ui/opening/model_cache.h"
 #include "ui/opening/recent_files.h"
-#include "ui/scenes/restored_view.h"
-#include "ui/scenes/view_picture.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 

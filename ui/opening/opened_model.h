@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/session_document.h"
 #include "plugins/api/renderer.h"
-#include "ui/session/session_document.h"
 
 #include <tan/model.h>
 

@@ -36,16 +36,15 @@ Opening::~Opening() = default;
 
 QStringList Opening::nameFilters()
 {
-    QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)"),
-                        tr("Pictures with their sessions (*.png)")};
+    QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)"), tr("Pictures saved by TAn (*.png)")};
     for (const std::string& filter : readableFiles(host_))
         filters.append(translatedText(filter));
-    filters.append(tr("Datasets packed by gzip (*.gz)"));
+    filters.append(tr("Datasets compressed with gzip (*.gz)"));
     static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
     QStringList all;
     for (const QString& filter : std::as_const(filters))
         all.append(patterns.match(filter).captured(1));
-    filters.prepend(tr("All that can be opened (%1)").arg(all.join(' ')));
+    filters.prepend(tr("All supported files (%1)").arg(all.join(' ')));
     filters.append(tr("All files (*)"));
     return filters;
 }

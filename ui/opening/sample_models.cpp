@@ -2,16 +2,17 @@
 #include "ui/opening/sample_models.h"
 
 #include "core/base/system_error.h"
+#include "core/picture/png_file.h"
+#include "core/picture/rendering_modes.h"
+#include "core/picture/view_picture.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
-#include "ui/scenes/picture_file.h"
-#include "ui/scenes/view_picture.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/session/files.h"
-#include "ui/session/rendering_modes.h"
 
 #include <tan/model.h>
 #include <tan/version.h>
@@ -79,7 +80,7 @@ ThumbnailStyle thumbnailStyle(const SampleKind& kind)
     return {kind.name == "c60" || kind.name == "marschner-lobb" ? "isosurface" : "volume", false};
 }
 
-Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Progress& progress)
+Result<Picture> drawThumbnail(PluginHost& host, const SampleKind& kind, const Progress& progress)
 {
     constexpr std::uint32_t smallSize = 24;
     SampleRequest request{.name = kind.name, .size = smallSize, .type = {}, .seed = 1};
@@ -176,40 +177,35 @@ std::vector<SampleCard> sampleCards()
     };
     return {
         card("c60", SampleTexts::tr("Buckyball"),
-             SampleTexts::tr(
-                 "Electron density of a C60 molecule; regular grid, %1, computed by TAn. Look at the cage of "
-                 "atoms as an isosurface, and at how few tetrahedra are enough for an error of 1 %.")),
+             SampleTexts::tr("Electron density of a C60 molecule; regular grid, %1, computed by TAn. See the cage of "
+                             "atoms as an isosurface, and how few tetrahedra are enough for an error of 1 %.")),
         card("hydrogen", SampleTexts::tr("Hydrogen atom"),
-             SampleTexts::tr(
-                 "Probability density of the 3d electron; regular grid, %1, computed by TAn. Look at the two "
-                 "lobes and the ring, as a volume or as isosurfaces.")),
+             SampleTexts::tr("Probability density of the 3d electron; regular grid, %1, computed by TAn. See the two "
+                             "lobes and the ring, as a volume or as isosurfaces.")),
         card("blunt-body", SampleTexts::tr("Supersonic flow"),
-             SampleTexts::tr("Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. Look at the bow "
-                             "shock, and at the grid that follows the body.")),
+             SampleTexts::tr("Density in front of a hemisphere; curvilinear grid, %1, computed by TAn. See the bow "
+                             "shock, and how the grid follows the body.")),
         card("o-grid", SampleTexts::tr("Flow around a cylinder"),
-             SampleTexts::tr("Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. Look "
-                             "at the front, where the flow is stopped, and at the sides, where it is fastest.")),
+             SampleTexts::tr("Pressure of the flow; curvilinear grid that closes on itself, %1, computed by TAn. See "
+                             "the front, where the flow is stopped, and the sides, where it is fastest.")),
         card("bent-duct", SampleTexts::tr("Flow in a duct"),
-             SampleTexts::tr(
-                 "Speed in a bent duct; curvilinear grid, %1, computed by TAn. Look at how the flow keeps to "
-                 "the outer wall of the bend.")),
+             SampleTexts::tr("Speed in a bent duct; curvilinear grid, %1, computed by TAn. See how the flow keeps to "
+                             "the outer wall of the bend.")),
         card("part", SampleTexts::tr("Plate with holes"),
              SampleTexts::tr("Stress in a plate with five holes and a closed cavity; irregular mesh, computed by TAn. "
-                             "Look at the boundary, which keeps its holes at every accuracy.")),
+                             "See how the boundary keeps its holes at every accuracy.")),
         card("scattered", SampleTexts::tr("Scattered points"),
-             SampleTexts::tr("Waves that grow finer outwards, sampled at random points in a ball; %1, computed by TAn. "
-                             "Look at the volume: it needs no grid.")),
+             SampleTexts::tr("Waves that become finer outwards, sampled at random points in a ball; %1, computed by "
+                             "TAn. See the volume: it needs no grid.")),
         card("marschner-lobb", SampleTexts::tr("Ripples"),
-             SampleTexts::tr(
-                 "The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. Look at the fine "
-                 "ripples, which vanish first when the error grows.")),
+             SampleTexts::tr("The test signal of Marschner and Lobb; regular grid, %1, computed by TAn. See the fine "
+                             "ripples, which vanish first as the error grows.")),
         card("stretched", SampleTexts::tr("Boundary layer"),
-             SampleTexts::tr(
-                 "A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. Look at how "
-                 "the tetrahedra crowd at the wall.")),
+             SampleTexts::tr("A layer at a wall; rectilinear grid with growing spacing, %1, computed by TAn. See how "
+                             "the tetrahedra crowd at the wall.")),
         card("noise", SampleTexts::tr("White noise"),
-             SampleTexts::tr("Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at "
-                             "the statistics: even at a large error nearly all points are needed.")),
+             SampleTexts::tr("Random values, the worst case for any method; regular grid, %1, computed by TAn. See the "
+                             "statistics: even at a large error nearly all points are needed.")),
     };
 }
 
@@ -222,11 +218,13 @@ Result<QImage> sampleThumbnail(PluginHost& host, const std::string& name, const 
     const std::filesystem::path file = folder / "thumbnails" / TAN_VERSION / (name + ".png");
     if (QImage kept(pathText(file)); kept.width() == thumbnailWidth && kept.height() == thumbnailHeight)
         return kept;
-    auto drawn = drawThumbnail(host, *kind, progress);
+    const auto drawn = drawThumbnail(host, *kind, progress);
+    if (!drawn)
+        return drawn.error();
     // Where it cannot be kept it is drawn again the next time.
-    if (drawn && makeFolder(file.parent_path()))
-        static_cast<void>(writePicture(*drawn, file));
-    return drawn;
+    if (makeFolder(file.parent_path()))
+        static_cast<void>(writePicture(*drawn, file, {.transparent = true}));
+    return imageOf(*drawn);
 }
 
 } // namespace tetra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/opening/session_file.h"
 
+#include "core/picture/text_file.h"
 #include "ui/opening/recent_files.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
@@ -46,10 +47,10 @@ void SessionFile::take(const RestoredView& restored, const OpenedModel& opened)
         told << tr("Not all of the session could be kept.") + sentencesOf(restored.differences)
              << (opened.source == SessionSource::Lost
                      ? tr("It will be offered again the next time.")
-                     : tr("The session %1 stays as it is; saving will ask for another file name.")
+                     : tr("The session %1 is not changed; saving will ask for another file name.")
                            .arg(shownName(opened.from)));
     else if (!told.isEmpty())
-        told << tr("It is shown as the session says.");
+        told << tr("The view saved in the session is applied.");
     if (!told.isEmpty())
         emit failed(told.join(' '));
 }

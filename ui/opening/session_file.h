@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/restored_view.h"
 #include "ui/opening/opened_model.h"
-#include "ui/scenes/restored_view.h"
 #include "ui/session/session.h"
 #include "ui/work/long_task.h"
 
-#include <QJsonObject>
+#include <QObject>
 
 #include <filesystem>
 #include <functional>
@@ -30,7 +30,7 @@ public:
     /// it is seen is kept by itself.
     bool isModified() const { return !path_.empty() && !session_.undoStack().isClean(); }
     /// The text of that file: what is not known here stays in it.
-    const QJsonObject& found() const noexcept { return found_; }
+    const JsonObject& found() const noexcept { return found_; }
 
     /// What is open has no file of a session any more.
     void clear() { set({}); }
@@ -57,7 +57,7 @@ private:
 
     Session& session_;
     std::filesystem::path path_;
-    QJsonObject found_;
+    JsonObject found_;
     LongTask saving_; ///< last: ends before what it uses
 };
 

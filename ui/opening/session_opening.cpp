@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/opening/session_opening.h"
 
+#include "core/picture/session_model.h"
 #include "ui/session/files.h"
-#include "ui/session/session_model.h"
 
 #include <tan/open.h>
 
@@ -72,14 +72,9 @@ std::optional<SessionDocument> SessionOpening::document() const
     if (!session_.model() || !models_.becomes().empty())
         return std::nullopt;
     const Model& model = *session_.model();
-    SessionDocument document;
-    document.model = isAddress(model.path().string()) ? model.path() : std::filesystem::absolute(model.path());
-    document.identity = models_.sitesOfWhole() == 0 ? modelIdentity(model) : 0;
-    document.bounds = model.description().bounds;
-    document.withDirections = !model.description().lattice.isAlongAxes();
-    document.range = model.description().range;
-    document.view = session_.view();
-    document.hasCamera = true;
+    SessionDocument document = documentOf(model, session_.view());
+    if (models_.sitesOfWhole() != 0)
+        document.identity = 0;
     document.found = file_.found();
     return document;
 }

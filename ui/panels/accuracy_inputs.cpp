@@ -120,7 +120,7 @@ BudgetBox::BudgetBox(QWidget* parent) : QSpinBox(parent)
     setAlignment(Qt::AlignRight);
     setKeyboardTracking(false);
     setAccessibleName(tr("Most tetrahedra"));
-    setToolTip(tr("The best mesh within this number of tetrahedra"));
+    setToolTip(tr("The best mesh with at most this number of tetrahedra"));
     connect(this, &QSpinBox::valueChanged, this, [this](int count) { emit chosen(static_cast<quint64>(count)); });
     // Also the number that stood there already, if somebody says that it is to hold.
     connect(lineEdit(), &QLineEdit::returnPressed, this, [this] { emit chosen(static_cast<quint64>(value())); });

@@ -10,7 +10,7 @@
 #include "ui/panels/accuracy_inputs.h"
 #include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 #include "ui/widgets/checked_button.h"
 
 #include <QComboBox>
@@ -68,11 +68,10 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     setObjectName("accuracy");
     inUnits_->setObjectName("accuracy.inUnits");
     inUnits_->setToolTip(
-        tr("What the percentages mean in units of the data. The warping of curvilinear and irregular data is the "
-           "distance of the mesh from the data, in percent of the diagonal of the box around these. Samples of "
-           "irregular data, and of grids that were decimated as a mesh, that lie just outside of the mesh are compared "
-           "with a place of its boundary within the warping; at the nearest place the error may be larger, and "
-           "'tan verify' measures it."));
+        tr("The percentages in data units. The warping of curvilinear and irregular data is the distance of the mesh "
+           "from the data, in percent of the diagonal of the data's bounding box. Samples just outside the mesh, of "
+           "irregular data and of grids decimated as a mesh, are compared with a place on its boundary within the "
+           "warping; at the nearest place the error may be larger, and 'tan verify' measures it."));
     errorPlace_->setObjectName("accuracy.errorPlace");
     errorPlace_->setWordWrap(true);
     errorPlace_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -139,7 +138,7 @@ QLayout* AccuracyPanel::makeModes()
     byError_->setToolTip(tr("The smallest mesh with this error"));
     byBudget_->setObjectName("accuracy.byBudget");
     byBudget_->setToolTip(
-        tr("The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest."));
+        tr("The best mesh with at most this number of tetrahedra. A focus keeps its ratio to the rest."));
     auto* grid = new QGridLayout;
     grid->setColumnStretch(2, 1);
     grid->addWidget(byError_, 0, 0);
@@ -156,14 +155,14 @@ QLayout* AccuracyPanel::makeModes()
 void AccuracyPanel::addWarping(QGridLayout& grid, int row)
 {
     warpingLimit_->setObjectName("accuracy.warpingLimit");
-    warpingLimit_->addItems({tr("Same as the error"), tr("Its own"), tr("None")}); // as WarpingLimit
+    warpingLimit_->addItems({tr("Same as the error"), tr("Custom"), tr("None")}); // as WarpingLimit
     warpingLimit_->setAccessibleName(tr("Limit of the warping"));
     warpingLimit_->setToolTip(
-        tr("Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal "
-           "then; one of its own; or none, for the smallest mesh whose values are within the error"));
+        tr("Limit on the warping, the distance of the mesh from the data: the same percentage as the error, but of the "
+           "diagonal; a percentage of its own; or none, for the smallest mesh whose values are within the error"));
     warping_->setObjectName("accuracy.warping");
     warping_->setAccessibleName(tr("Warping in percent of the diagonal"));
-    warping_->setToolTip(tr("Warping in percent of the diagonal of the box around the data"));
+    warping_->setToolTip(tr("Warping in percent of the diagonal of the data's bounding box"));
     warpingLabel_->setBuddy(warpingLimit_);
     grid.addWidget(warpingLabel_, row, 0);
     grid.addWidget(warpingLimit_, row, 1);

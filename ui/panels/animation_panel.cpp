@@ -86,7 +86,7 @@ QWidget* AnimationPanel::makeTurntable()
     axis_->setObjectName("animation.axis");
     axis_->setAccessibleName(tr("Axis to turn around"));
     axis_->addItems({tr("Around the vertical axis"), tr("Up and down")});
-    axis_->setToolTip(tr("Up and down: the camera returns to its start, and stops at the poles"));
+    axis_->setToolTip(tr("Up and down: the camera returns to its start and stops at the poles"));
     degrees_->setObjectName("animation.degrees");
     degrees_->setAccessibleName(tr("Angle to turn by"));
     degrees_->setValueRange(-3600, 3600);

@@ -41,15 +41,14 @@ QString annotationExplanation(AnnotationKind kind)
     switch (kind) {
     case AnnotationKind::ColourBar:
         return AnnotationRowTexts::tr(
-            "Values and their colours, in the units of the data; right their opacity, with marks at the "
-            "isovalues");
+            "Values and their colours, in data units; on the right their opacity, with marks at the isovalues");
     case AnnotationKind::Axes: return AnnotationRowTexts::tr("The directions of x, y and z");
     case AnnotationKind::ScaleBar:
         return AnnotationRowTexts::tr(
-            "A length in the units of the data; in perspective that of things as far away as the target");
+            "A length in data units; in perspective it applies at the distance of the target");
     case AnnotationKind::Title: return AnnotationRowTexts::tr("The name of the model");
     case AnnotationKind::Accuracy:
-        return AnnotationRowTexts::tr("The error that what is shown keeps, in % of the value range");
+        return AnnotationRowTexts::tr("The error bound of the displayed mesh, in % of the value range");
     }
     return {};
 }
@@ -100,9 +99,8 @@ void AnnotationRows::show(const AnnotationState& state)
 QWidget* AnnotationRows::makeBarEnds()
 {
     fixed_->setObjectName("view.barEnds.fixed");
-    fixed_->setToolTip(
-        tr("The colour bar goes from one chosen value to another, so that several pictures have the same "
-           "one; else it goes over all values of the data"));
+    fixed_->setToolTip(tr("The colour bar covers a chosen range, so that several pictures can share it; otherwise it "
+                          "covers all values of the data"));
     least_->setObjectName("view.barEnds.least");
     least_->setAccessibleName(tr("Colour bar: smaller end"));
     least_->setToolTip(tr("Value at the lower end of the colour bar"));

@@ -121,7 +121,7 @@ QString scaleTextOf(const Dataset& dataset, const ValueScale& scale)
     if (scale.logarithmic)
         return BuildPanel::tr("Scale: logarithmic; an error of 1 % is %1").arg(factorWords(1, range));
     if (range.minimum > 0 && range.maximum >= manyTimes * range.minimum)
-        return BuildPanel::tr("Scale: linear. The values go over several powers of ten: with the logarithmic scale in "
+        return BuildPanel::tr("Scale: linear. The values span several powers of ten: with the logarithmic scale in "
                               "Import Options, errors are factors.");
     return {};
 }
@@ -171,7 +171,7 @@ QWidget* BuildPanel::makeBuildPage()
     differently_ = new QPushButton(tr("&Import Options…"));
     differently_->setObjectName("build.differently");
     differently_->setToolTip(
-        tr("Read the file again with other options: other values, another scale, a part of it, fewer points"));
+        tr("Read the file again with other options: other values, another scale, a part of it, or fewer points"));
     connect(differently_, &QPushButton::clicked, this, [this] { workbench_.opening().datasets().readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");
@@ -187,7 +187,7 @@ QWidget* BuildPanel::makeBuildPage()
     openExisting_ = new QPushButton(tr("&Open the Existing Model"));
     openExisting_->setObjectName("build.openExisting");
     openExisting_->setIcon(glyphIcon(Glyph::Open));
-    openExisting_->setToolTip(tr("Open the model that is there already; nothing is built or replaced"));
+    openExisting_->setToolTip(tr("Open the existing model; nothing is built or replaced"));
     connect(openExisting_, &QPushButton::clicked, this, [this] { emit openWanted(target_->text()); });
     for (QPushButton* button : {openExisting_, build_})
         button->setAutoDefault(true); // Enter presses the one with the focus
@@ -209,8 +209,7 @@ QWidget* BuildPanel::makeBuildPage()
     inputs->addWidget(makeResume());
     estimate_ = wrappedLabel("build.estimate");
     estimate_->setForegroundRole(QPalette::PlaceholderText);
-    estimate_->setToolTip(
-        tr("Estimated from a few thousand of the dataset's samples; it may be off by a factor of two"));
+    estimate_->setToolTip(tr("Estimated from a few thousand samples of the dataset; it may be off by a factor of two"));
     inputs->addWidget(estimate_);
     inputs->addWidget(makeInterrupted());
 
@@ -242,10 +241,10 @@ QWidget* BuildPanel::makeDetails()
     };
     const std::array<Entry, detailErrors.size()> entries{{
         {"quick", tr("Qui&ck look, error 1 %"),
-         tr("Keeps what is needed for an error of 1 % of the value range: enough for a first look")},
+         tr("Keeps enough for an error of 1 % of the value range: enough for a first look")},
         {"good", tr("&Good, error 0.1 %"),
-         tr("Keeps what is needed for an error of 0.1 % of the value range: pictures can hardly be told from "
-            "those of the full data")},
+         tr("Keeps enough for an error of 0.1 % of the value range: pictures can hardly be told from those of the full "
+            "data")},
         {"everything", tr("&Everything"),
          tr("Keeps every value of the dataset, so that any accuracy can be shown later")},
     }};
@@ -303,9 +302,8 @@ QWidget* BuildPanel::makeResume()
     resume_ = new QCheckBox(tr("Re&sume if interrupted"));
     resume_->setObjectName("build.resume");
     resume_->setToolTip(
-        tr("Write down now and then how far the build is, so that it can be paused, and goes on where it was if the "
-           "program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it "
-           "takes up to three times the size of the model on the disk"));
+        tr("Save checkpoints so that the build can be paused and resumed, even after a crash. Short builds take up to "
+           "20 % longer, and until the build ends it needs up to three times the model's size on disk"));
     connect(resume_, &QCheckBox::clicked, this, [](bool resumes) { QSettings().setValue(resumeKey, resumes); });
     return resume_;
 }
@@ -315,9 +313,9 @@ QWidget* BuildPanel::makeInterrupted()
     interrupted_ = new QWidget;
     interrupted_->setObjectName("build.interrupted");
     interruptedText_ = wrappedLabel("build.interrupted.text");
-    beginAnew_ = new QPushButton(tr("Begin &Anew"));
+    beginAnew_ = new QPushButton(tr("St&art Over"));
     beginAnew_->setObjectName("build.beginAnew");
-    beginAnew_->setToolTip(tr("Delete what the interrupted build has left"));
+    beginAnew_->setToolTip(tr("Delete the interrupted build"));
     connect(beginAnew_, &QPushButton::clicked, this, &BuildPanel::beginAnew);
     auto* layout = new QVBoxLayout(interrupted_);
     layout->setContentsMargins({});
@@ -340,13 +338,12 @@ QWidget* BuildPanel::makeProgress()
     connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Discard); });
     pause_ = new QPushButton(tr("&Pause"));
     pause_->setObjectName("build.pause");
-    pause_->setToolTip(tr("Stop the build; it goes on from there later, even if the program is closed meanwhile"));
+    pause_->setToolTip(tr("Stop the build; it can be resumed later, even after TAn has been closed"));
     connect(pause_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Pause); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
-    keep_->setToolTip(
-        tr("Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model "
-           "of the same name stays as it is."));
+    keep_->setToolTip(tr("Stop the build and keep what is finished as a model, with the accuracy reached so far. A "
+                         "finished model of the same name is not changed."));
     connect(keep_, &QPushButton::clicked, this, &BuildPanel::keepWanted);
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
@@ -538,7 +535,7 @@ void BuildPanel::showTarget()
     build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
     targetHint_->setText(
         look_->facts()->isModel
-            ? tr("This file exists. You can open it; if you build, it is replaced when the build is done.")
+            ? tr("This file exists. You can open it; if you build, it is replaced when the build is complete.")
         : exists ? tr("This exists and is not a model. Choose another name.")
                  : QString());
     targetHint_->setVisible(exists);
@@ -588,10 +585,9 @@ void BuildPanel::showInterrupted()
     build_->setEnabled(left != LeftBuild::Other && workbench_.host().builder(builder));
     interrupted_->setVisible(left != LeftBuild::None);
     interruptedText_->setText(
-        left == LeftBuild::Same
-            ? tr("An interrupted build of these data was found: it goes on where it stopped.")
-            : tr("An interrupted build of other data, or with other options, was found. Give the same ones, or begin "
-                 "anew."));
+        left == LeftBuild::Same ? tr("An interrupted build of these data was found: it will continue where it stopped.")
+                                : tr("Found an interrupted build of different data or with different options. Restore "
+                                     "those options, or start over."));
     build_->setAccessibleDescription(left == LeftBuild::Same ? interruptedText_->text() : QString());
     beginAnew_->setAccessibleDescription(interruptedText_->text());
     beginAnew_->setEnabled(true);

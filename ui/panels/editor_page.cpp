@@ -22,8 +22,9 @@ class EditorPage {
 
 QWidget* makeReasonPage(const std::string& id, const Message& reason)
 {
-    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(translatedMessage(reason)) + "\n\n" +
-                            EditorPage::tr("Help › Plugins lists all plugins and where they are looked for."));
+    auto* text =
+        new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(translatedMessage(reason)) + "\n\n" +
+                   EditorPage::tr("Help › Plugins lists all plugins and the folders that are searched for them."));
     text->setObjectName(QString::fromStdString(id) + ".missing");
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -38,9 +39,9 @@ QString hintOf(const Workbench& workbench, bool canBeEdited)
     const auto& modes = workbench.scenes().modes();
     const auto mode = std::ranges::find(modes, id, &Provided<Renderer>::id);
     const QString name = mode != modes.end() ? inUsersLanguage(mode->name, mode->names) : QString::fromStdString(id);
-    return canBeEdited
-               ? EditorPage::tr("The mode %1 shows no transfer function. Changes are seen in other modes.").arg(name)
-               : EditorPage::tr("The mode %1 has nothing to edit here. Choose another mode.").arg(name);
+    return canBeEdited ? EditorPage::tr("The mode %1 does not use a transfer function. Changes appear in other modes.")
+                             .arg(name)
+                       : EditorPage::tr("The mode %1 has nothing to edit here. Choose another mode.").arg(name);
 }
 
 /// The editor below its hint, which is seen only where it is needed.

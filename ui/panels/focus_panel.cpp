@@ -61,8 +61,8 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
 {
     setObjectName("focus");
     hint_->setText(tr("Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles "
-                      "in the picture; a double click on a surface moves it there. Or let the error grow with the "
-                      "distance from the viewer or from the isovalues, or where little is seen."));
+                      "in the picture; double-click a surface to move it there. Or let the error grow with the "
+                      "distance from the viewer or from the isovalues, or where little is visible."));
     auto* settings = new QVBoxLayout(settings_);
     settings->setContentsMargins({});
     settings->addLayout(makeInputs());
@@ -121,7 +121,7 @@ QLayout* FocusPanel::makeShapes()
         {"focus.view", tr("Viewer"),
          tr("The error grows with the distance from the viewer. While you move the camera, the mesh stays as it is."),
          std::nullopt},
-        {"focus.isovalues", tr("Isovalues"), tr("The error grows with the distance from the isovalues that are shown"),
+        {"focus.isovalues", tr("Isovalues"), tr("The error grows with the distance from the displayed isovalues"),
          std::nullopt},
         {"focus.opacity", tr("Opacity"), tr("The error is smaller where the transfer function is more opaque"),
          std::nullopt},
@@ -152,7 +152,7 @@ QLayout* FocusPanel::makeRegions()
 {
     regions_->setObjectName("focus.region");
     regions_->setAccessibleName(tr("Region"));
-    regions_->setToolTip(tr("The region that place and size are of; all have the same error and fall-off"));
+    regions_->setToolTip(tr("Selected region. All regions share one error and fall-off."));
     add_->setObjectName("focus.add");
     add_->setToolTip(tr("Add another region of the same size"));
     remove_->setObjectName("focus.remove");
@@ -182,12 +182,12 @@ QLayout* FocusPanel::makeInputs()
                               session_, *grid, 1, this);
     size_ = new VectorInput("focus.size", tr("&Size"), tr("Edges of the box, in data units"), session_, *grid, 2, this);
     radius_->setTexts(tr("Radius of the sphere"), tr("Radius of the sphere, in data units"));
-    falloff_->setTexts(tr("Fall-off"), tr("The distance over which the error grows from that in the focus to that "
-                                          "outside, in data units; 0 is a sharp border"));
-    distance_->setTexts(tr("Distance"), tr("The distance over which the error grows from that inside, at the part of "
-                                           "the data that is nearest to the viewer, to that outside, in data units"));
+    falloff_->setTexts(tr("Fall-off"), tr("The distance over which the error grows from its value in the focus to that "
+                                          "outside, in data units; 0 gives a sharp border"));
+    distance_->setTexts(tr("Distance"), tr("The distance over which the error grows from its value inside, at the part "
+                                           "of the data nearest to the viewer, to that outside, in data units"));
     valueFalloff_->setTexts(tr("Range of values"), tr("The difference from an isovalue over which the error grows from "
-                                                      "that inside to that outside, in the units of the values"));
+                                                      "its value inside to that outside, in the units of the values"));
     error_->setObjectName("focus.error.slider");
     errorBox_->setObjectName("focus.error.box");
     for (QWidget* input : std::initializer_list<QWidget*>{error_, errorBox_}) {
@@ -237,7 +237,7 @@ QLayout* FocusPanel::makeButtons()
     connect(centre, &QPushButton::clicked, this, &FocusPanel::centreWanted);
     auto* reset = new QPushButton(tr("Reset"));
     reset->setObjectName("focus.reset");
-    reset->setToolTip(tr("Reset place, size, error and fall-off"));
+    reset->setToolTip(tr("Reset position, size, error and fall-off"));
     connect(reset, &QPushButton::clicked, this, [this] {
         const FocusState first = startingQuery(*session_.model(), session_.view().query.error).focus;
         edit([&first](FocusState& changed) {
@@ -335,10 +335,10 @@ void FocusPanel::showExpectation()
     if (!model || !query.focus.isOn())
         return;
     clamped_->setText(
-        query.byBudget ? tr("A focus is not coarser than what is around it, so it gets the same error.")
-                       : tr("A focus is not coarser than what is around it, so it gets %1.").arg(percentText(inner)));
+        query.byBudget ? tr("A focus is never coarser than its surroundings, so it gets the same error.")
+                       : tr("A focus is never coarser than its surroundings, so it gets %1.").arg(percentText(inner)));
     if (query.byBudget) {
-        outside_->setText(tr("With the budget the error outside is %1 times this one.")
+        outside_->setText(tr("With the budget, the error outside is %1 times the error inside.")
                               .arg(QLocale().toString(query.error / std::max(inner, 1e-3), 'g', 3)));
         return;
     }
@@ -352,7 +352,7 @@ void FocusPanel::showExpectation()
     const QString least = countText(std::min(inside, outside)), most = countText(std::max(inside, outside));
     // Of the whole domain, as the two others are, whatever the window and the range of values leave of it.
     const bool isKnown = session_.showsQuery() && !session_.shown()->isBlended;
-    expectation_->setText(isKnown ? tr("%1 tetrahedra; without the focus %2, with its error everywhere %3.")
+    expectation_->setText(isKnown ? tr("%1 tetrahedra; %2 without the focus and with its error everywhere %3.")
                                         .arg(countText(session_.shown()->wholeTetrahedra), least, most)
                                   : tr("Between %1 and %2 tetrahedra.").arg(least, most));
 }

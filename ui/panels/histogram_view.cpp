@@ -12,8 +12,8 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
 {
     setObjectName("statistics.histogram");
     setAccessibleName(tr("Histogram"));
-    setToolTip(tr("How often the values of the mesh that is shown occur, on a logarithmic scale; from the least to the "
-                  "largest value, in the units of the data"));
+    setToolTip(tr("How often the values of the displayed mesh occur, on a logarithmic scale; from the smallest to the "
+                  "largest value, in data units"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

@@ -102,7 +102,7 @@ std::vector<ParameterChoice> blockChoices(const Parameter& parameter, const File
     const bool takesOne = std::ranges::find(contents.taken, TakenPart::Block, &Taken::part) != contents.taken.end();
     if (isText(parameter) || parameter.defaultValue == ParameterValue(std::int64_t(0)))
         choices.push_back({parameter.defaultValue,
-                           takesOne ? ImportForms::tr("Automatic") : ImportForms::tr("All that fit together")});
+                           takesOne ? ImportForms::tr("Automatic") : ImportForms::tr("All that go together")});
     for (std::size_t block = 0; block < contents.blocks.size(); ++block) {
         const std::string& name = contents.blocks[block];
         const ParameterValue value =

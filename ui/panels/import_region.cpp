@@ -32,7 +32,7 @@ ImportRegion::ImportRegion(QWidget* parent)
 {
     setObjectName("import.region");
     reset_->setObjectName("import.region.reset");
-    reset_->setToolTip(tr("Takes every point of the whole dataset"));
+    reset_->setToolTip(tr("Takes every point of the dataset"));
     grid_ = makeGrid();
     space_ = makeSpace();
     auto* layout = new QVBoxLayout(this);
@@ -94,7 +94,7 @@ QWidget* ImportRegion::makeSpace()
     auto* grid = new QGridLayout(widget);
     grid->setContentsMargins({});
     inBox_->setObjectName("import.region.inBox");
-    inBox_->setToolTip(tr("Takes only what lies in a box; of irregular meshes whole tetrahedra"));
+    inBox_->setToolTip(tr("Takes only what lies in a box; for irregular meshes, whole tetrahedra"));
     grid->addWidget(inBox_, 0, 0, 1, 4);
     for (int axis = 0; axis < 3; ++axis)
         grid->addWidget(new QLabel(axisNames[static_cast<std::size_t>(axis)]), 1, axis + 1, Qt::AlignHCenter);

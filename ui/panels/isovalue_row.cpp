@@ -29,7 +29,7 @@ IsovalueRow::IsovalueRow(Session& session, int index, QWidget* parent)
     opacity_->setRange(1, 100);
     opacity_->box()->setDecimals(0);
     opacity_->box()->setSuffix(tr(" %"));
-    opacity_->setTexts(tr("Opacity"), tr("Opacity in percent; below 100 % what lies behind shows through"));
+    opacity_->setTexts(tr("Opacity"), tr("Opacity in percent; below 100 % what lies behind it shows through"));
     visible_->setToolTip(tr("Show this isosurface"));
     visible_->setAccessibleName(tr("Show this isosurface"));
     remove_->setIcon(glyphIcon(Glyph::Remove));

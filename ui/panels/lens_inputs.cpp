@@ -55,7 +55,7 @@ QLayout* LensInputs::makeShapes()
     const std::array<Entry, 3> entries{{
         {"lens.none", tr("None", "no lens"), tr("No lens"), std::nullopt},
         {"lens.circle", tr("Circle"),
-         tr("A round lens, with its own error (L). Drag it; the wheel over it changes the magnification."),
+         tr("A round lens with its own error (L). Drag it; turn the wheel over it to change the magnification."),
          Glyph::Lens},
         {"lens.square", tr("Square"), tr("A square lens, with its own error"), std::nullopt},
     }};
@@ -81,7 +81,7 @@ QLayout* LensInputs::makeShapes()
 
 void LensInputs::makeSettings()
 {
-    magnification_->setTexts(tr("Magnification"), tr("How much larger the lens shows what lies under its middle"));
+    magnification_->setTexts(tr("Magnification"), tr("How much larger the lens shows what is under its centre"));
     magnification_->setRange(leastMagnification, largestMagnification);
     radius_->setTexts(tr("Size of the lens"),
                       tr("Half the width of the lens, in percent of the picture's shorter side"));

@@ -7,7 +7,7 @@
 #include "ui/session/files.h"
 #include "ui/session/logarithm_text.h"
 #include "ui/session/message_text.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <tan/query.h>
 #include <tan/view.h>
@@ -104,9 +104,9 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
         facts.push_back({Statistics::tr("Faulty cells"), countText(faulty)});
     const ModelDescription& description = model.description();
     if (const QStringList lines = provenanceLines(description.taken, {}); !lines.isEmpty())
-        facts.push_back({Statistics::tr("Taken of the file"), lines.join('\n')});
+        facts.push_back({Statistics::tr("Used from the file"), lines.join('\n')});
     if (const QStringList lines = provenanceLines({}, description.leftOut); !lines.isEmpty())
-        facts.push_back({Statistics::tr("Not used of it"), lines.join('\n')});
+        facts.push_back({Statistics::tr("Not used from the file"), lines.join('\n')});
     return facts;
 }
 
@@ -119,7 +119,7 @@ QString cyclesText(const OrderFaults& faults)
     const QString cut = countText(faults.cutCells);
     if (faults.brokenCycles == 0)
         return Statistics::tr("tetrahedra cut: %1").arg(cut);
-    return Statistics::tr("tetrahedra cut: %1; groups that overlap, drawn by distance: %2")
+    return Statistics::tr("tetrahedra cut: %1; overlapping groups, drawn by distance: %2")
         .arg(cut, countText(faults.brokenCycles));
 }
 

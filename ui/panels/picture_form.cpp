@@ -97,7 +97,7 @@ void PictureForm::addSize(QFormLayout& form)
     preset_->setObjectName(name + ".preset");
     preset_->addItems(
         {tr("As on screen"), tr("Twice the screen size"), tr("HD"), tr("Full HD"), tr("4K"), tr("Custom")});
-    preset_->setToolTip(tr("Annotations and lines take as much of the picture as they do of the view"));
+    preset_->setToolTip(tr("Annotations and lines take up the same share of the picture as of the view"));
     form.addRow(tr("Si&ze"), preset_);
     auto* pixels = new QHBoxLayout;
     pixels->addWidget(width_, 1);
@@ -105,7 +105,7 @@ void PictureForm::addSize(QFormLayout& form)
     pixels->addWidget(height_, 1);
     addRow(form, tr("Pixe&ls"), *width_, *pixels);
     keepProportions_->setObjectName(name + ".keepProportions");
-    keepProportions_->setToolTip(tr("Width and height follow each other, so that nothing is added or cut off"));
+    keepProportions_->setToolTip(tr("Width and height change together, so that nothing is added or cut off"));
     form.addRow(QString(), keepProportions_);
 }
 

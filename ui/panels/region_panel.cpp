@@ -26,7 +26,7 @@ constexpr std::array borders{WindowBorder::Clipped, WindowBorder::Intersecting, 
 } // namespace
 
 RegionPanel::RegionPanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), window_(new QCheckBox(tr("Only a &window"))), windowSettings_(new QWidget),
+    : QWidget(parent), session_(session), window_(new QCheckBox(tr("&Only a crop box"))), windowSettings_(new QWidget),
       border_(new QComboBox), values_(new QCheckBox(tr("&Limit to a range of values"))), valueSettings_(new QWidget),
       least_(new ValueSlider("region.least", session)), largest_(new ValueSlider("region.largest", session)),
       reset_(new QPushButton(tr("&Reset to Whole Domain"))),
@@ -36,12 +36,11 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
     window_->setObjectName("region.window");
     window_->setToolTip(tr("Show only the part of the domain in a box (W)"));
     values_->setObjectName("region.values");
-    values_->setToolTip(tr("Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are "
-                           "not seen, or only in part."));
+    values_->setToolTip(tr("Show only tetrahedra that can contain a value in a range. Isosurfaces of other values "
+                           "disappear, or are shown only in part."));
     range_->setObjectName("region.range");
     range_->setToolTip(
-        tr("In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as "
-           "surfaces. A window keeps them whole."));
+        tr("Overlay the tetrahedra of every mesh between two errors, as surfaces. The crop box does not cut them."));
     windowSettings_->setLayout(makeWindow());
     valueSettings_->setLayout(makeValues());
     rangeSettings_->setLayout(makeRange());
@@ -105,21 +104,21 @@ QLayout* RegionPanel::makeWindow()
     auto* grid = new QGridLayout;
     grid->setContentsMargins({});
     addAxisNames(*grid, 0);
-    const QString toolTip = tr("Bounds of the window, in data coordinates");
+    const QString toolTip = tr("Corners of the crop box, in data coordinates");
     from_ = new VectorInput("region.from", tr("Fro&m"), toolTip, session_, *grid, 1, this);
     to_ = new VectorInput("region.to", tr("&To"), toolTip, session_, *grid, 2, this);
     border_->setObjectName("region.border");
     border_->addItems({tr("Cut exactly"), tr("Keep tetrahedra that touch it"), tr("Keep tetrahedra inside")});
     border_->setAccessibleName(tr("Tetrahedra at the border"));
     border_->setToolTip(
-        tr("How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole"));
+        tr("How tetrahedra at the border of the crop box are treated: cut exactly there, or kept or left out whole"));
     border_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     auto* label = new QLabel(tr("&Border"));
     label->setBuddy(border_);
     grid->addWidget(label, 3, 0);
     grid->addWidget(border_, 3, 1, 1, 3);
     reset_->setObjectName("region.reset");
-    reset_->setToolTip(tr("Make the window as large as the domain"));
+    reset_->setToolTip(tr("Make the crop box as large as the domain"));
 
     connect(from_, &VectorInput::edited, this, [this](const Eigen::Vector3d& from) {
         editWindow([&from](WindowState& window) { window.window.box.least = from; });
@@ -167,19 +166,19 @@ QLayout* RegionPanel::makeRange()
         QString accessibleName;
         QString toolTip;
     };
-    const QString noLimit = tr("in percent of the value range; 100 is no limit");
+    const QString noLimit = tr("in percent of the value range; 100 means no limit");
     const std::array<Row, 6> rows{{
         {"fine", &RangeState::fine, tr("F&inest"), tr("Smallest error of the range"),
          tr("The mesh of this error is the finest of the range, in percent of the value range")},
         {"coarse", &RangeState::coarse, tr("&Coarsest"), tr("Largest error of the range"),
          tr("The mesh of this error is the coarsest of the range, in percent of the value range")},
-        {"bornAbove", &RangeState::bornAbove, tr("Bor&n above"), tr("Born above"),
-         tr("Only tetrahedra that are in meshes from an error above this one on, in percent of the value range")},
-        {"bornTo", &RangeState::bornTo, tr("Born &up to"), tr("Born up to"),
-         tr("Only tetrahedra that are in no mesh of a larger error than this, %1").arg(noLimit)},
-        {"diedFrom", &RangeState::diedFrom, tr("Replace&d from"), tr("Replaced from"),
-         tr("Only tetrahedra that are replaced at this error or before, in percent of the value range")},
-        {"diedTo", &RangeState::diedTo, tr("Re&placed up to"), tr("Replaced up to"),
+        {"bornAbove", &RangeState::bornAbove, tr("&Appear above"), tr("Appear above"),
+         tr("Only tetrahedra that first appear above this error, in percent of the value range")},
+        {"bornTo", &RangeState::bornTo, tr("Appear &up to"), tr("Appear up to"),
+         tr("Only tetrahedra that first appear at or below this error, %1").arg(noLimit)},
+        {"diedFrom", &RangeState::diedFrom, tr("&Disappear from"), tr("Disappear from"),
+         tr("Only tetrahedra that are replaced at this error or a larger one, in percent of the value range")},
+        {"diedTo", &RangeState::diedTo, tr("Disap&pear up to"), tr("Disappear up to"),
          tr("Only tetrahedra that are still in the mesh of this error, %1").arg(noLimit)},
     }};
     auto* grid = new QGridLayout;
@@ -220,7 +219,7 @@ void RegionPanel::showModel()
         to_->setRange(bounds.min(), bounds.max());
         const ModelDescription& description = model->description();
         const QString ends =
-            tr("In the units of the data: %1 to %2")
+            tr("In data units: %1 to %2")
                 .arg(rangeEndText(range.minimum, description), rangeEndText(range.maximum, description));
         least_->setTexts(tr("Smallest value"), ends);
         largest_->setTexts(tr("Largest value"), ends);

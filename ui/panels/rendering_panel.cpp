@@ -102,14 +102,14 @@ QFormLayout* RenderingPanel::makeMotion()
         control.setToolTip(explanation);
     };
     describe(*moving_, "rendering.moving", tr("What to draw while moving"),
-             tr("What to draw while something moves. The picture at rest is always complete."));
+             tr("What to draw while something moves. The still picture is always complete."));
     moving_->addItem(tr("As the frame rate allows"), QStringLiteral("frameRate"));
     moving_->addItem(tr("A mesh of a fixed error"), QStringLiteral("error"));
     moving_->addItem(tr("A share of the tetrahedra"), QStringLiteral("share"));
     moving_->addItem(tr("Always full quality"), QStringLiteral("full"));
     describe(*frameRate_, "rendering.frameRate", tr("Frame rate while moving"),
-             tr("The frame rate to keep while something moves. If the machine is too slow, frames are "
-                "drawn smaller and with fewer tetrahedra; the picture at rest is always complete."));
+             tr("The frame rate to keep while something moves. If the machine is too slow, frames are drawn smaller "
+                "and with fewer tetrahedra; the still picture is always complete."));
     frameRate_->setRange(automatic, highestRate);
     frameRate_->setSpecialValueText(tr("Automatic (%1 frames/s)").arg(static_cast<int>(viewport_.usualFrameRate())));
     frameRate_->setSuffix(tr(" frames/s"));
@@ -122,7 +122,7 @@ QFormLayout* RenderingPanel::makeMotion()
     movingShare_->setRange(1, 100);
     movingShare_->setSuffix(tr(" %"));
     describe(*idleTime_, "rendering.idleTime", tr("Time until the full picture"),
-             tr("When nothing has moved for this long, in milliseconds, the full picture is drawn."));
+             tr("The full picture is drawn when nothing has moved for this long, in milliseconds."));
     idleTime_->setRange(0, longestIdleTime);
     idleTime_->setSingleStep(50);
     idleTime_->setSuffix(tr(" ms"));

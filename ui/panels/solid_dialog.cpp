@@ -21,18 +21,17 @@ SolidDialog::SolidDialog(QWidget* parent)
 {
     setObjectName("solidOptions");
     setWindowTitle(tr("Save Solids"));
-    auto* explanation =
-        new QLabel(tr("The isosurfaces shown are closed where they meet the boundary of the mesh, so that each is the "
-                      "surface of a solid, as a 3D printer needs it."));
+    auto* explanation = new QLabel(tr("The displayed isosurfaces are closed where they meet the boundary of the mesh, "
+                                      "so that each is the surface of a solid, as 3D printing requires."));
     explanation->setWordWrap(true);
     side_->setObjectName("solid.side");
     side_->addItems({tr("Values above the isovalue"), tr("Values below the isovalue"), tr("None: leave them open")});
     side_->setToolTip(tr("Where the solid lies: on which side of the isosurface"));
     largestPart_->setObjectName("solid.largestPart");
-    largestPart_->setToolTip(tr("Save of each surface only the part with the largest area"));
+    largestPart_->setToolTip(tr("Save only the part of each surface with the largest area"));
     deviation_->setObjectName("solid.deviation");
-    deviation_->setToolTip(tr("Also measure how far the surfaces are from those of the finest mesh; that takes as long "
-                              "as to show the model at error 0"));
+    deviation_->setToolTip(tr("Also measure how far the surfaces are from those of the finest mesh; this takes as long "
+                              "as showing the model at error 0"));
     auto* form = new QFormLayout;
     form->addRow(tr("S&olid:"), side_);
     form->addRow(largestPart_);

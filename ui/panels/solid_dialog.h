@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/workbench/surface_making.h"
+#include "core/picture/surface_making.h"
 
 #include <QDialog>
 

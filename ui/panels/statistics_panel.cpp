@@ -37,9 +37,9 @@ QTreeWidget* makeTable()
     table->setObjectName("statistics.table");
     table->setAccessibleName(StatisticsPanel::tr("Mesh sizes"));
     table->setToolTip(
-        StatisticsPanel::tr("What the mesh of each error costs: its error in percent of the range of "
-                            "values and in their units or as a factor, its size, the time to extract it, as measured "
-                            "here, and the memory that it occupies. Choose a line to see that mesh."));
+        StatisticsPanel::tr("What the mesh of each error costs: its error in percent of the value range and in units "
+                            "of the values or as a factor, its size, the time to extract it, measured on this "
+                            "computer, and the memory that it occupies. Choose a row to see that mesh."));
     table->setRootIsDecorated(false);
     table->setUniformRowHeights(true);
     table->setAlternatingRowColors(true);
@@ -155,7 +155,7 @@ void StatisticsPanel::showFaultyCells()
     faultyCells_->setChecked(hasSome && showsFaultyCells(session_.view().appearance));
     faultyCells_->setToolTip(
         hasSome ? tr("Outline, over the picture, the cells that were left out because something is wrong with them, "
-                     "and those of a grid that are folded or have no volume")
+                     "and the cells of a grid that are folded or have no volume")
                 : tr("This model lists no faulty cells: its data have none, or an earlier version of TAn built it"));
 }
 

@@ -97,7 +97,7 @@ void ViewPanel::addNumbers(QGridLayout& grid)
     azimuth_->setValueRange(-180, 180);
     azimuth_->setWrapping(true);
     setUp(*elevation_, "elevation", tr("Elevation"), degrees,
-          tr("Height above the plane across the up axis, in degrees"));
+          tr("Height above the plane perpendicular to the up axis, in degrees"));
     elevation_->setValueRange(-90, 90);
     setUp(*roll_, "roll", tr("Roll"), degrees, tr("Clockwise roll of the picture, in degrees"));
     roll_->setValueRange(-180, 180);
@@ -171,7 +171,7 @@ QLayout* ViewPanel::makeNamedViews()
     }
     auto* fit = new QPushButton(tr("Fit"));
     fit->setObjectName("view.fit");
-    fit->setToolTip(tr("Frame what is shown, or the focus; once more: the whole domain (Home)"));
+    fit->setToolTip(tr("Frame what is shown, or the focus; press again for the whole domain (Home)"));
     connect(fit, &QPushButton::clicked, &workbench_.session(), &Session::fitCamera);
     grid->addWidget(fit, 1, 3);
     for (int i = 0; i < grid->count(); ++i)
@@ -190,7 +190,7 @@ QLayout* ViewPanel::makeFiles()
     load_->setObjectName("view.load");
     load_->setToolTip(tr("Load the camera from a JSON file"));
     save_->setObjectName("view.save");
-    save_->setToolTip(tr("Save the camera as a JSON file, which “tan render --camera” takes, too"));
+    save_->setToolTip(tr("Save the camera as a JSON file, which “tan render --camera” also accepts"));
     auto* colour = new QHBoxLayout;
     auto* label = new QLabel(tr("Bac&kground"));
     label->setBuddy(background_);

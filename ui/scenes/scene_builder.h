@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/scene_pipeline.h"
 #include "ui/animation/frame_pacer.h"
-#include "ui/scenes/scene_pipeline.h"
 #include "ui/work/latest_job.h"
 
 #include <QObject>

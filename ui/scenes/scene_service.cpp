@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scenes/scene_service.h"
 
+#include "core/picture/rendering_modes.h"
+#include "core/picture/shown_error.h"
+#include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
-#include "ui/scenes/view_picture.h"
+#include "ui/session/annotation_language.h"
 #include "ui/session/message_text.h"
-#include "ui/session/rendering_modes.h"
-#include "ui/session/shown_error.h"
 
 #include <chrono>
 
@@ -17,7 +18,7 @@ constexpr std::chrono::milliseconds settlingTime(300);
 } // namespace
 
 SceneService::SceneService(PluginHost& host, Session& session)
-    : host_(host), session_(session), errors_(sceneBuilder_, session)
+    : host_(host), session_(session), errors_(sceneBuilder_, session), fonts_(windowFonts())
 {
     session_.setUsualTransfer(
         [this](const QueryState& query) { return usualTransfer(modes_, *session_.model(), field_, query); });
@@ -45,7 +46,7 @@ bool SceneService::prepare(const FieldExtent& field)
 {
     auto modes = renderingModes(host_);
     if (modes.empty()) {
-        emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
+        emit failed(tr("No renderer plugin could be loaded, so models cannot be shown. %1")
                         .arg(translatedMessage(host_.explainMissing(PluginKind::Renderer))));
         return false;
     }
@@ -108,8 +109,13 @@ AnnotationContent SceneService::annotations(const Camera& camera, const Colour& 
     view.background = background;
     const auto& model = session_.model();
     const auto& shown = session_.shown();
-    return model ? annotationContent(*model, matteringParameters(), view, shown ? &*shown : nullptr)
-                 : AnnotationContent{.state = view.annotations, .camera = camera, .background = background};
+    if (!model)
+        return {.state = view.annotations, .camera = camera, .background = background, .fonts = fonts_};
+    const AnnotationLanguage language = annotationLanguage();
+    AnnotationContent content = annotationContent(*model, matteringParameters(), view,
+                                                  shown ? accuracyText(*shown, language) : std::string(), language);
+    content.fonts = fonts_;
+    return content;
 }
 
 void SceneService::previewView(const std::optional<ViewValue>& view)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/annotations/annotation_content.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/annotations/annotation_content.h"
 #include "ui/scenes/error_measuring.h"
 #include "ui/scenes/scene_builder.h"
 #include "ui/session/session.h"
@@ -69,6 +69,8 @@ public:
     std::vector<ErrorRemark> errorRemarks(const BuiltScene& scene) const;
     /// What the annotations of a picture of what is shown say, seen by `camera` before `background`.
     AnnotationContent annotations(const Camera& camera, const Colour& background) const;
+    /// Those of what is written over pictures; null if the system has none.
+    const std::shared_ptr<const Fonts>& fonts() const noexcept { return fonts_; }
     /// Shows another view, such as of a film, in place of the session's; nothing: that again. The camera is the
     /// viewport's.
     void previewView(const std::optional<ViewValue>& view);
@@ -96,6 +98,7 @@ private:
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
     ErrorMeasuring errors_;
+    std::shared_ptr<const Fonts> fonts_; ///< the window's; null if the system has none
 };
 
 } // namespace tetra

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/files.h"
 
-#include "core/base/file_writer.h"
-#include "core/base/mapped_file.h"
 #include "core/remote/remote_file.h"
 #include "ui/session/message_text.h"
 
@@ -15,8 +13,6 @@
 #include <QLocale>
 #include <QStandardPaths>
 
-#include <span>
-
 namespace tetra {
 namespace {
 
@@ -25,7 +21,6 @@ class PlaceTexts {
 };
 
 constexpr qsizetype longestArrayName = 60;
-constexpr std::size_t largestFile = 64 << 20; // a session with a long film has some megabytes
 
 } // namespace
 
@@ -72,21 +67,6 @@ QString proposedModelPath(const std::filesystem::path& dataset, const std::strin
         if (!character.isLetterOrNumber() && !QString("-_.+()").contains(character))
             character = '_';
     return folder + "/" + name + ofArray.left(longestArrayName) + ".tan";
-}
-
-Result<std::string> readTextFile(const std::filesystem::path& path)
-{
-    std::error_code problem;
-    if (std::filesystem::is_regular_file(path, problem) && std::filesystem::file_size(path, problem) > largestFile)
-        return Error{ErrorKind::BadInput,
-                     Message::say("The file '%1' is larger than 64 MiB. Choose a session, camera or transfer function.",
-                                  path.string())};
-    return wholeText(path, largestFile);
-}
-
-Status writeTextFile(const std::filesystem::path& path, std::string_view text)
-{
-    return writeWholeFile(path, std::as_bytes(std::span(text)));
 }
 
 } // namespace tetra

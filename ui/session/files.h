@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace tetra {
 
@@ -29,11 +28,5 @@ QString shownName(const std::filesystem::path& place);
 
 /// "4.7 MB", in the user's language.
 QString sizeText(std::uint64_t bytes);
-
-/// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
-Result<std::string> readTextFile(const std::filesystem::path& path);
-
-/// Whole or not at all.
-Status writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 } // namespace tetra

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/logarithm_text.h"
 
-#include "core/data/value_scale.h"
 #include "plugins/widgets/number_text.h"
+#include "ui/session/annotation_language.h"
 
 #include <QCoreApplication>
-#include <QLocale>
-
-#include <algorithm>
-#include <cmath>
 
 namespace tetra {
 namespace {
@@ -19,17 +15,9 @@ class LogarithmText {
 
 } // namespace
 
-std::optional<ValueRange> logarithmsOf(const ModelDescription& model)
-{
-    return holdsLogarithms(model.parameters) ? std::optional(model.range) : std::nullopt;
-}
-
 QString factorNumber(double percent, const ValueRange& logarithms)
 {
-    constexpr int fewest = 3, most = 12;
-    const double factor = factorOf(percent, logarithms);
-    const double wanted = factor > 1 ? 2 - std::floor(std::log10(factor - 1)) : fewest;
-    return QLocale().toString(factor, 'g', static_cast<int>(std::clamp<double>(wanted, fewest, most)));
+    return QString::fromStdString(factorNumber(percent, logarithms, numberSigns(QLocale())));
 }
 
 QString factorWords(double percent, const ValueRange& logarithms)

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/shown_mesh.h"
+
 #include <tan/data.h>
 #include <tan/model.h>
 
 #include <QString>
-
-#include <optional>
 
 namespace tetra {
 
 // What is told of a model of logarithms (core/data/value_scale.h): its errors are factors, and its values those of the
 // data, by the user's locale.
 
-/// The range of a model's values if these are logarithms to base 10; else nothing.
-std::optional<ValueRange> logarithmsOf(const ModelDescription& model);
-
-/// The factor that an error of so many percent of the range of logarithms is: "1.26", and with two digits of the
-/// difference if it is hardly more than 1.
+/// factorNumber() as the user writes numbers.
 QString factorNumber(double percent, const ValueRange& logarithms);
 /// The same in a sentence: "a factor of 1.26".
 QString factorWords(double percent, const ValueRange& logarithms);

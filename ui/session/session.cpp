@@ -147,7 +147,7 @@ QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& af
         if (before.query.focus != after.query.focus)
             return tr("Change Focus");
         if (before.query.window != after.query.window)
-            return tr("Change Window");
+            return tr("Change Crop Box");
         if (before.query.values != after.query.values)
             return tr("Change Values");
         if (before.query.range != after.query.range)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <tan/model.h>
 #include <tan/query.h>

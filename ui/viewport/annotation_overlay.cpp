@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/annotation_overlay.h"
 
-#include "ui/annotations/annotation_painter.h"
+#include "core/picture/annotations/annotation_painter.h"
+#include "ui/session/annotation_language.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workbench/workbench.h"
 
 #include <QEvent>
+#include <QImage>
 #include <QPainter>
 
 namespace tetra {
@@ -41,8 +43,14 @@ void AnnotationOverlay::paintEvent(QPaintEvent* event)
     Q_UNUSED(event);
     if (!workbench_.session().model())
         return;
-    QPainter painter(this);
-    paintAnnotations(painter, workbench_.scenes().annotations(viewport_.shownCamera(), viewport_.background()), size());
+    const double pixelsPerUnit = devicePixelRatioF();
+    QImage written((QSizeF(size()) * pixelsPerUnit).toSize(), QImage::Format_RGBA8888);
+    written.fill(Qt::transparent);
+    const auto content = workbench_.scenes().annotations(viewport_.shownCamera(), viewport_.background());
+    if (!paintAnnotations(pixelsOf(written), content, pixelsPerUnit))
+        return; // a desktop without fonts
+    written.setDevicePixelRatio(pixelsPerUnit);
+    QPainter(this).drawImage(QPoint(0, 0), written);
 }
 
 } // namespace tetra

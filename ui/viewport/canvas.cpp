@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/canvas.h"
 
+#include "core/picture/scene_pipeline.h"
 #include "plugins/widgets/colour_button.h"
-#include "ui/scenes/picture_file.h"
-#include "ui/scenes/scene_pipeline.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/motion.h"
 
@@ -400,7 +400,7 @@ void Canvas::tellRefusal(const QString& refusal)
         isTooSmooth_ = false; // that was not the reason
     const bool isNew = refusal != std::exchange(toldRefusal_, refusal);
     if (isNew && !refusal.isEmpty())
-        emit failed(tr("OpenGL cannot draw this picture; the processor draws it instead. %1").arg(refusal));
+        emit failed(tr("OpenGL cannot draw this picture; the CPU draws it instead. %1").arg(refusal));
 }
 
 /// A finer picture of what a coarse one shows fades in; what moves is there at once.

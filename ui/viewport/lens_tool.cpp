@@ -2,11 +2,14 @@
 #include "ui/viewport/lens_tool.h"
 
 #include "core/view/lens.h"
+#include "ui/session/annotation_language.h"
 #include "ui/session/message_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/workbench/workbench.h"
 
+#include <QImage>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -182,9 +185,9 @@ void LensTool::draw(std::shared_ptr<const Scene> scene, std::size_t tetrahedra, 
             const bool failed = !picture && picture.error().kind != ErrorKind::Cancelled;
             QMetaObject::invokeMethod(
                 this,
-                [this, order, image = picture ? imageOf(*picture) : QImage(),
+                [this, order, drawn = picture ? *picture : Picture(),
                  error = failed ? translatedMessage(picture.error().message) : QString()] {
-                    arrived(order, image, error);
+                    arrived(order, drawn, error);
                 },
                 Qt::QueuedConnection);
         },
@@ -192,17 +195,17 @@ void LensTool::draw(std::shared_ptr<const Scene> scene, std::size_t tetrahedra, 
 }
 
 /// Of an older place it is no news: the enlarged picture is.
-void LensTool::arrived(const Order& order, const QImage& image, const QString& error)
+void LensTool::arrived(const Order& order, const Picture& picture, const QString& error)
 {
     if (order.number != newest_ || !isOn())
         return;
     settled_ = order.fine;
     if (!error.isEmpty())
         emit failed(error);
-    if (image.isNull())
+    if (picture.pixels.empty())
         return;
     drawn_ = order.lens;
-    drawn_->content = image;
+    drawn_->content = picture;
     drawnCamera_ = order.camera;
     update();
 }
@@ -317,7 +320,7 @@ bool LensTool::keyPress(const QKeyEvent& event)
 }
 
 /// What is on the screen there, enlarged: until it is drawn for the lens.
-QImage LensTool::enlargedPicture() const
+Picture LensTool::enlargedPicture() const
 {
     const QImage picture = viewport_.picture();
     const LensPicture lens = place();
@@ -327,11 +330,14 @@ QImage LensTool::enlargedPicture() const
     const double scaleY = static_cast<double>(picture.height()) / lens.height;
     const QRectF part(lens.part.left * scaleX, lens.part.top * scaleY, lens.part.width * scaleX,
                       lens.part.height * scaleY);
-    QImage enlarged(lens.part.width, lens.part.height, QImage::Format_RGB32);
+    QImage enlarged(lens.part.width, lens.part.height, QImage::Format_RGBA8888);
     QPainter painter(&enlarged);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(QRectF(enlarged.rect()), picture, part);
-    return enlarged;
+    painter.end();
+    const PixelView seen = pixelsOf(enlarged);
+    return {.width = seen.width, .height = seen.height, .pixels = {seen.pixels.begin(), seen.pixels.end()}};
 }
 
 void LensTool::paintEvent(QPaintEvent* event)
@@ -342,10 +348,18 @@ void LensTool::paintEvent(QPaintEvent* event)
     DrawnLens seen{.shape = lens().shape, .place = place()};
     const bool isDrawn = drawn_ && drawn_->place == seen.place && drawnCamera_ == viewport_.shownCamera();
     seen.content = isDrawn ? drawn_->content : enlargedPicture();
-    QPainter painter(this);
     const double pixelsPerUnit = viewport_.devicePixelRatioF();
-    painter.scale(1 / pixelsPerUnit, 1 / pixelsPerUnit);
-    paintLens(painter, seen, viewport_.background(), pixelsPerUnit);
+    const int around = static_cast<int>(std::ceil(2 * pixelsPerUnit)); // of its rim
+    PixelRectangle& square = seen.place.square;
+    const QPointF corner(square.left - around, square.top - around);
+    QImage image(square.width + 2 * around, square.height + 2 * around, QImage::Format_RGBA8888);
+    image.fill(Qt::transparent);
+    square.left = square.top = around;
+    if (!paintLens(pixelsOf(image), seen, viewport_.background(), pixelsPerUnit,
+                   {numberSigns(QLocale()), workbench_.scenes().fonts()}))
+        return; // a desktop without fonts
+    image.setDevicePixelRatio(pixelsPerUnit);
+    QPainter(this).drawImage(corner / pixelsPerUnit, image);
 }
 
 } // namespace tetra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/annotations/lens_painter.h"
 #include "core/view/lens.h"
-#include "ui/annotations/annotation_painter.h"
 #include "ui/scenes/scene_builder.h"
 #include "ui/session/session.h"
 #include "ui/work/latest_job.h"
@@ -60,7 +60,7 @@ private:
     void follow();
     void rest();
     void draw(std::shared_ptr<const Scene> scene, std::size_t tetrahedra, bool fine);
-    void arrived(const Order& order, const QImage& image, const QString& error);
+    void arrived(const Order& order, const Picture& picture, const QString& error);
     void change(LensState lens);
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
@@ -68,7 +68,7 @@ private:
     bool wheel(const QWheelEvent& event);
     bool keyPress(const QKeyEvent& event);
     void endDrag();
-    QImage enlargedPicture() const;
+    Picture enlargedPicture() const;
 
     Workbench& workbench_;
     Viewport& viewport_;

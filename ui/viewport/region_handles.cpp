@@ -19,7 +19,7 @@ double lengthOf(QPointF vector)
 }
 
 /// How far along a direction a movement in the picture goes, in units of length; nowhere if the direction is not seen.
-double along(const PictureProjection& projection, const Eigen::Vector3d& place, const Eigen::Vector3d& direction,
+double along(const ViewProjection& projection, const Eigen::Vector3d& place, const Eigen::Vector3d& direction,
              QPointF pixels)
 {
     const QPointF seen = projection.pixelsPerUnit(place, direction);
@@ -30,7 +30,7 @@ double along(const PictureProjection& projection, const Eigen::Vector3d& place, 
 }
 
 /// The axis along which a movement in the picture can best be followed.
-int bestAxis(const PictureProjection& projection, const Eigen::Vector3d& place, QPointF pixels)
+int bestAxis(const ViewProjection& projection, const Eigen::Vector3d& place, QPointF pixels)
 {
     std::array<double, 3> fit{};
     for (int axis = 0; axis < 3; ++axis) {
@@ -108,7 +108,7 @@ MovableRegion moved(const MovableRegion& region, const Eigen::Vector3d& by)
     return Box{box.least + by, box.largest + by};
 }
 
-std::vector<RegionHandle> handlesOf(const MovableRegion& region, const PictureProjection& projection)
+std::vector<RegionHandle> handlesOf(const MovableRegion& region, const ViewProjection& projection)
 {
     using Kind = RegionHandle::Kind;
     std::vector<RegionHandle> handles{{Kind::Centre, 0, 1, centreOf(region)}};
@@ -132,7 +132,7 @@ std::vector<RegionHandle> handlesOf(const MovableRegion& region, const PicturePr
     return handles;
 }
 
-std::optional<RegionHandle> handleAt(const std::vector<RegionHandle>& handles, const PictureProjection& projection,
+std::optional<RegionHandle> handleAt(const std::vector<RegionHandle>& handles, const ViewProjection& projection,
                                      QPointF pixel, double reach)
 {
     std::optional<RegionHandle> nearest;

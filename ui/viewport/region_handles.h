@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/annotations/picture_projection.h"
+#include "ui/viewport/view_projection.h"
 
 #include <tan/render.h>
 #include <tan/view.h>
@@ -30,10 +30,10 @@ MovableRegion moved(const MovableRegion& region, const Eigen::Vector3d& by);
 
 /// The handles that are of use in this view: the centre; the faces of a box but those that are moved towards the viewer
 /// or away; four places around a sphere, in the plane of the view.
-std::vector<RegionHandle> handlesOf(const MovableRegion& region, const PictureProjection& projection);
+std::vector<RegionHandle> handlesOf(const MovableRegion& region, const ViewProjection& projection);
 
 /// The handle that is seen nearest to a place in the picture, none farther than `reach` pixels.
-std::optional<RegionHandle> handleAt(const std::vector<RegionHandle>& handles, const PictureProjection& projection,
+std::optional<RegionHandle> handleAt(const std::vector<RegionHandle>& handles, const ViewProjection& projection,
                                      QPointF pixel, double reach);
 
 /// What the edges of the box are, or three great circles of the sphere.
@@ -51,7 +51,7 @@ struct DragRule {
 struct RegionDrag {
     MovableRegion start;
     RegionHandle handle;
-    PictureProjection projection;
+    ViewProjection projection;
     QPointF from;
 
     MovableRegion at(QPointF pointer, const DragRule& rule) const;

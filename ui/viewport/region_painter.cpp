@@ -10,7 +10,7 @@ constexpr double handleRadius = 5; ///< pixels
 constexpr double hoveredRadius = 7;
 constexpr double hiddenOpacity = 0.5;
 
-void drawLine(QPainter& painter, const PictureProjection& projection, const Eigen::Vector3d& one,
+void drawLine(QPainter& painter, const ViewProjection& projection, const Eigen::Vector3d& one,
               const Eigen::Vector3d& other)
 {
     const auto from = projection.pixelOf(one);
@@ -19,7 +19,7 @@ void drawLine(QPainter& painter, const PictureProjection& projection, const Eige
         painter.drawLine(*from, *to);
 }
 
-void paintOutline(QPainter& painter, const PictureProjection& projection, const MovableRegion& place,
+void paintOutline(QPainter& painter, const ViewProjection& projection, const MovableRegion& place,
                   const RegionLook& look)
 {
     QColor colour = look.colour;
@@ -57,7 +57,7 @@ QColor regionColour(RegionKind kind, const QColor& ground)
     return dark ? QColor(225, 225, 225) : QColor(60, 60, 60);
 }
 
-void paintRegion(QPainter& painter, const PictureProjection& projection, const MovableRegion& place,
+void paintRegion(QPainter& painter, const ViewProjection& projection, const MovableRegion& place,
                  const std::vector<RegionHandle>& handles, const RegionLook& look)
 {
     paintOutline(painter, projection, place, look);
@@ -66,7 +66,7 @@ void paintRegion(QPainter& painter, const PictureProjection& projection, const M
             paintHandle(painter, handle, *pixel, look);
 }
 
-void paintAxis(QPainter& painter, const PictureProjection& projection, const Eigen::Vector3d& centre, int axis,
+void paintAxis(QPainter& painter, const ViewProjection& projection, const Eigen::Vector3d& centre, int axis,
                double half, const QColor& colour)
 {
     painter.setPen(QPen(colour, 1, Qt::DashLine));

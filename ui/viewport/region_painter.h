@@ -22,11 +22,11 @@ struct RegionLook {
 QColor regionColour(RegionKind kind, const QColor& ground);
 
 /// The whole outline, faintly, as surfaces hide parts of it in the picture; and the handles.
-void paintRegion(QPainter& painter, const PictureProjection& projection, const MovableRegion& place,
+void paintRegion(QPainter& painter, const ViewProjection& projection, const MovableRegion& place,
                  const std::vector<RegionHandle>& handles, const RegionLook& look);
 
 /// The line that a centre is held to, `half` long to either side.
-void paintAxis(QPainter& painter, const PictureProjection& projection, const Eigen::Vector3d& centre, int axis,
+void paintAxis(QPainter& painter, const ViewProjection& projection, const Eigen::Vector3d& centre, int axis,
                double half, const QColor& colour);
 
 } // namespace tetra

@@ -242,7 +242,7 @@ bool RegionTools::moveByKey(const QKeyEvent& event)
 {
     if (event.modifiers() & ~(Qt::ControlModifier | Qt::KeypadModifier))
         return false;
-    const PictureProjection projection = viewport_.projection();
+    const ViewProjection projection = viewport_.projection();
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
     switch (event.key()) {
     case Qt::Key_Left: direction = -projection.right(); break;
@@ -324,7 +324,7 @@ void RegionTools::paintEvent(QPaintEvent* event)
     Q_UNUSED(event);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const PictureProjection projection = viewport_.projection();
+    const ViewProjection projection = viewport_.projection();
     for (const RegionKind kind : kinds) {
         if (!query().has(kind))
             continue;

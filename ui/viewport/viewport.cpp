@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/viewport.h"
 
+#include "core/picture/view_picture.h"
 #include "core/view/lens.h"
-#include "ui/scenes/view_picture.h"
 #include "ui/widgets/motion.h"
 
 #include <QEvent>
@@ -98,7 +98,7 @@ void Viewport::useCanvas(Canvas* canvas)
     connect(canvas_, &Canvas::framePainted, this, &Viewport::framePainted);
     connect(canvas_, &Canvas::failed, this, &Viewport::failed);
     connect(canvas_, &Canvas::unusable, this, [this](const QString& text) {
-        emit failed(tr("OpenGL cannot be used, the picture is drawn by the processor instead. %1").arg(text));
+        emit failed(tr("OpenGL cannot be used; the CPU draws the picture instead. %1").arg(text));
         useCanvas(new Canvas);
     });
     setFrameRate(frameRate_);

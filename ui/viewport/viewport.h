@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/annotations/picture_projection.h"
 #include "ui/session/session.h"
 #include "ui/viewport/camera_controls.h"
 #include "ui/viewport/canvas.h"
+#include "ui/viewport/view_projection.h"
 
 #include <QTimer>
 #include <QVariantAnimation>
@@ -39,7 +39,7 @@ public:
     /// Where in the picture that lies which is seen at a pixel: elsewhere if the lens is there.
     QPointF beneathLens(QPointF pixel) const;
     /// From places to this widget's coordinates.
-    PictureProjection projection() const { return {view_.camera, size()}; }
+    ViewProjection projection() const { return {view_.camera, size()}; }
 
     /// Of the user's: a drag, or a series of wheel turns or keys without a longer pause.
     Gesture gesture() const noexcept { return gesture_; }

@@ -17,15 +17,14 @@ ScaleInput::ScaleInput(const QString& name, QWidget* parent)
 {
     kind_->setObjectName(name);
     kind_->setAccessibleName(tr("Scale"));
-    kind_->setToolTip(
-        tr("Linear takes the values as they are. Logarithmic takes their logarithms to base 10, for values "
-           "over many powers of ten: errors are factors then, the same at large and at small values"));
+    kind_->setToolTip(tr("Linear uses the values as they are. Logarithmic uses their logarithms to base 10, for values "
+                         "spanning many powers of ten: errors are then factors, the same for large and small values"));
     kind_->addItems({tr("Linear"), tr("Logarithmic")});
     from_->setObjectName(name + ".from");
     from_->setAccessibleName(tr("Smallest value"));
     from_->setPlaceholderText(tr("all values are positive"));
-    from_->setToolTip(tr("What smaller values are taken as, zero and negative ones too: they have no logarithm. Empty: "
-                         "all values have to be positive"));
+    from_->setToolTip(tr("Values smaller than this are replaced by it, including zero and negative ones, which have no "
+                         "logarithm. Leave empty if all values are positive"));
     from_->setEnabled(false);
     auto* fromLabel = new QLabel(tr("Smallest value"));
     fromLabel->setBuddy(from_);

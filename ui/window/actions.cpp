@@ -52,20 +52,20 @@ void addFileMenu(QMainWindow& window, Actions& actions)
         addAction(*menu, "openWithOptions", ActionTexts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
                   ActionTexts::tr("Open a part of a dataset, or choose how its file is read"));
     actions.openAddress = addAction(*menu, "openAddress", ActionTexts::tr("Ope&n URL…"), QKeySequence("Ctrl+Alt+O"),
-                                    ActionTexts::tr("Open a model that lies on a server"));
+                                    ActionTexts::tr("Open a model on a server"));
     actions.recent = menu->addMenu(ActionTexts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
     actions.samples = menu->addMenu(ActionTexts::tr("Open Samp&le"));
     addSamples(actions.samples);
     menu->addSeparator();
     actions.saveSession = addAction(*menu, "saveSession", ActionTexts::tr("&Save Session"), QKeySequence::Save,
-                                    ActionTexts::tr("Save what is open and its view, to continue later"));
+                                    ActionTexts::tr("Save the open model and its view, to continue later"));
     actions.saveSessionAs = addAction(*menu, "saveSessionAs", ActionTexts::tr("Save Session &As…"), {},
-                                      ActionTexts::tr("Save the session in another file"));
-    actions.applyLook =
-        addAction(*menu, "applyLook", ActionTexts::tr("Appl&y Look From…"), {},
-                  ActionTexts::tr("Show the open model as another session or picture shows its own: with its colours, "
-                                  "isovalues, camera and settings"));
+                                      ActionTexts::tr("Save the session under another name"));
+    actions.applyLook = addAction(
+        *menu, "applyLook", ActionTexts::tr("Appl&y Look From…"), {},
+        ActionTexts::tr(
+            "Apply the colours, isovalues, camera and settings of another session or picture to the open model"));
     menu->addSeparator();
     actions.savePicture = addAction(*menu, "savePicture", ActionTexts::tr("Save &Picture…"),
                                     QKeySequence("Ctrl+Shift+S"), ActionTexts::tr("Save the view as a PNG picture"));
@@ -73,22 +73,22 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.saveFilm = addAction(*menu, "saveFilm", ActionTexts::tr("Save &Film…"), QKeySequence("Ctrl+Alt+S"),
                                  ActionTexts::tr("Save the animation as pictures or a video"));
     actions.saveMesh = addAction(*menu, "saveMesh", ActionTexts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
-                                 ActionTexts::tr("Save the mesh shown, for VTK, ParaView and others"));
+                                 ActionTexts::tr("Save the displayed mesh for VTK, ParaView and other programs"));
     actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
-    actions.saveSurfaces =
-        addAction(*menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
-                  ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
+    actions.saveSurfaces = addAction(
+        *menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
+        ActionTexts::tr("Save the displayed isosurfaces for 3D printing, Blender, ParaView and other programs"));
     actions.saveSolids =
         addAction(*menu, "saveSolids", ActionTexts::tr("Save Soli&ds…"), {},
-                  ActionTexts::tr("Save the isosurfaces shown as closed surfaces of solids, for 3D printers"));
+                  ActionTexts::tr("Save the displayed isosurfaces as closed surfaces of solids, for 3D printing"));
     actions.saveStatistics = addAction(*menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
                                        ActionTexts::tr("Save the mesh size at each accuracy as a table"));
     actions.savePacked =
         addAction(*menu, "savePacked", ActionTexts::tr("Save Pac&ked Model…"), {},
-                  ActionTexts::tr("Save the model in a small part of the size, for archives and for servers"));
+                  ActionTexts::tr("Save the model at a fraction of its size, for archiving or for a server"));
     menu->addSeparator();
     actions.modelCache = addAction(*menu, "modelCache", ActionTexts::tr("Model Cac&he…"), {},
-                                   ActionTexts::tr("Where models go that are unpacked or fetched"));
+                                   ActionTexts::tr("Manage the cache of downloaded and unpacked models"));
     menu->addSeparator();
     actions.close = addAction(*menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close,
                               ActionTexts::tr("Close the model and its dataset"));
@@ -162,7 +162,7 @@ void addViewMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "view", ActionTexts::tr("&View"));
     actions.fit = addAction(*menu, "fit", ActionTexts::tr("&Fit"), QKeySequence(Qt::Key_Home),
-                            ActionTexts::tr("Frame what is shown, or the focus; once more: the whole domain"));
+                            ActionTexts::tr("Frame what is shown, or the focus; press again for the whole domain"));
     actions.fit->setIcon(glyphIcon(Glyph::Fit));
     actions.fitWhole = addAction(*menu, "fitWhole", ActionTexts::tr("Fit &Whole Domain"),
                                  QKeySequence(Qt::SHIFT | Qt::Key_Home), ActionTexts::tr("Frame the whole domain"));
@@ -176,7 +176,7 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     actions.perspective->setCheckable(true);
     actions.perspective->setChecked(true);
     actions.resetView = addAction(*menu, "resetView", ActionTexts::tr("Reset &View"), {},
-                                  ActionTexts::tr("Go back to the default accuracy, colours, isovalues and camera"));
+                                  ActionTexts::tr("Restore the default accuracy, colours, isovalues and camera"));
     menu->addSeparator();
     actions.modes = menu->addMenu(ActionTexts::tr("&Show"));
     actions.modes->setObjectName("menu.modes");
@@ -204,9 +204,9 @@ void addHelpMenu(QMainWindow& window, Actions& actions)
     actions.manual = addAction(*menu, "manual", ActionTexts::tr("&Manual"), QKeySequence("Ctrl+F1"),
                                ActionTexts::tr("Open the manual in the browser"));
     actions.help = addAction(*menu, "help", ActionTexts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
-                             ActionTexts::tr("Explain the focused control"));
+                             ActionTexts::tr("Explain the control that has the focus"));
     actions.whatsThis = addAction(*menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),
-                                  ActionTexts::tr("Click on a control to read what it does"));
+                                  ActionTexts::tr("Click a control to read what it does"));
     menu->addSeparator();
     actions.plugins =
         addAction(*menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("Installed plugins"));

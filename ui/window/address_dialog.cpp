@@ -33,7 +33,7 @@ QLineEdit* makeTokenField(const QString& name)
     auto* token = new QLineEdit;
     token->setObjectName(name);
     token->setEchoMode(QLineEdit::Password);
-    token->setToolTip(AddressDialog::tr("What whoever runs the server has set; it is kept until the program ends"));
+    token->setToolTip(AddressDialog::tr("Access token issued by the server's operator; forgotten when TAn quits"));
     return token;
 }
 
@@ -77,7 +77,7 @@ AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* pare
     address_->setObjectName(name + ".address");
     address_->setMinimumWidth(address_->fontMetrics().averageCharWidth() * letters);
     address_->setPlaceholderText("https://example.org/model.tan");
-    address_->setToolTip(tr("Where the model lies, packed or not: http:// or https://"));
+    address_->setToolTip(tr("Address of the model, packed or not: http:// or https://"));
     label->setBuddy(address_);
     tokenLabel_->setBuddy(token_);
     tokenLabel_->hide();
@@ -97,11 +97,10 @@ AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* pare
     layout->addWidget(token_);
     layout->addSpacing(gap);
     layout->addWidget(fetch_);
-    layout->addWidget(
-        makeExplanation(tr("It comes to this computer as far as it is needed, and is quick from then on."), *fetch_));
+    layout->addWidget(makeExplanation(tr("Downloads only what is needed; cached afterwards."), *fetch_));
     layout->addWidget(leave_);
-    layout->addWidget(makeExplanation(tr("The server finds each mesh and sends only that: for models that are too "
-                                         "large for this computer. Every change waits for the network."),
+    layout->addWidget(makeExplanation(tr("The server extracts each mesh and sends only that: for models too large for "
+                                         "this computer. Every change waits for the network."),
                                       *leave_));
     layout->addSpacing(gap);
     layout->addWidget(offer_);
@@ -145,11 +144,11 @@ void AddressDialog::askSoon()
     asking_.forget();
     if (serverIn(address()) != tokensServer_)
         showTokenField(false);
-    say(mayBeAddress(address()) ? QString() : tr("An address begins with http:// or https://."));
+    showState(mayBeAddress(address()) ? QString() : tr("An address begins with http:// or https://."));
     hasChosen_ = false;
     const bool isLeft = isLeftAtServer(place);
     leave_->setEnabled(isLeft);
-    leave_->setToolTip(tr("Where the server is one of TAn: 'tan serve'"));
+    leave_->setToolTip(tr("Requires a TAn server: 'tan serve'"));
     (isLeft ? leave_ : fetch_)->setChecked(true);
     if (isAddress(place) && QUrl(address()).path().endsWith(".tan"))
         soon_.start();
@@ -158,7 +157,7 @@ void AddressDialog::askSoon()
 }
 
 /// What the server says, and that all of it is seen: a dialog does not grow with its wrapped texts by itself.
-void AddressDialog::say(const QString& text)
+void AddressDialog::showState(const QString& text)
 {
     offer_->setText(text);
     layout()->activate();
@@ -179,7 +178,7 @@ void AddressDialog::showTokenField(bool shows)
 
 void AddressDialog::ask()
 {
-    say(tr("Asking the server…"));
+    showState(tr("Asking the server…"));
     const QString given = token();
     asking_.ask(
         *this,
@@ -191,17 +190,16 @@ void AddressDialog::ask()
 void AddressDialog::showOffer(const Result<ServerOffer>& offer)
 {
     if (!offer)
-        return say(translatedMessage(offer.error().message));
+        return showState(translatedMessage(offer.error().message));
     if (offer->wantsToken) {
         showTokenField(true);
-        say(token().isEmpty() ? tr("This server answers only those who have its token.")
-                              : tr("This is not the token of the server."));
+        showState(token().isEmpty() ? tr("This server requires a token.") : tr("Wrong token."));
         return;
     }
     leave_->setEnabled(offer->findsMeshes);
     if (!offer->findsMeshes) {
         fetch_->setChecked(true);
-        return say(tr("This server only gives files, so the model has to be fetched."));
+        return showState(tr("This server only delivers files, so the model must be downloaded."));
     }
     leave_->setToolTip({});
     const QString size =
@@ -211,8 +209,8 @@ void AddressDialog::showOffer(const Result<ServerOffer>& offer)
                      ? tr("%1 packed, %2 unpacked").arg(sizeText(offer->fileBytes), sizeText(offer->unpackedBytes))
                      : sizeText(offer->fileBytes));
     if (fitsHere(*offer))
-        return say(size);
-    say(tr("%1 That is more than this computer has room for: leave it at the server.").arg(size));
+        return showState(size);
+    showState(tr("%1 That is more than this computer has room for: leave it at the server.").arg(size));
     if (!hasChosen_)
         leave_->setChecked(true);
 }
@@ -224,8 +222,8 @@ void askForToken(QWidget* parent, const QString& name, const QString& place,
     dialog->setObjectName(name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(AddressDialog::tr("Token"));
-    auto* label = new QLabel(AddressDialog::tr("The server of %1 answers only those who have its &token:")
-                                 .arg(shownPlace(filePath(place)).replace('&', "&&")));
+    auto* label = new QLabel(
+        AddressDialog::tr("The server of %1 requires its &token:").arg(shownPlace(filePath(place)).replace('&', "&&")));
     label->setWordWrap(true);
     QLineEdit* token = makeTokenField(name + ".token");
     label->setBuddy(token);

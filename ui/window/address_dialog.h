@@ -40,7 +40,7 @@ private:
     void ask();
     void showOffer(const Result<ServerOffer>& offer);
     void showTokenField(bool shows);
-    void say(const QString& text);
+    void showState(const QString& text);
 
     const TokenOf tokenOf_;
     QLineEdit* address_;

@@ -26,14 +26,13 @@ CacheDialog::CacheDialog(QWidget* parent)
     setWindowTitle(tr("Model Cache"));
     const CacheChoice choice = cacheChoice(), usual = usualCache();
     auto* explanation =
-        new QLabel(tr("Models that are packed or lie on a server are unpacked or fetched into this folder, "
-                      "and opened from there the next time. What was unused for longest is removed when "
-                      "room is needed."));
+        new QLabel(tr("Packed models and models on servers are unpacked or downloaded into this folder, and opened "
+                      "from there the next time. When room is needed, those unused for longest are removed."));
     explanation->setWordWrap(true);
     folder_->setObjectName("cache.folder");
     folder_->setText(pathText(choice.folder));
     folder_->setPlaceholderText(pathText(usual.folder));
-    folder_->setToolTip(tr("The folder; empty for the usual one"));
+    folder_->setToolTip(tr("Cache folder (leave empty for the default)"));
     folder_->setMinimumWidth(folder_->fontMetrics().averageCharWidth() * 40);
     auto* choose = new QPushButton(tr("C&hoose…"));
     choose->setObjectName("cache.choose");
@@ -42,10 +41,10 @@ CacheDialog::CacheDialog(QWidget* parent)
     limit_->setRange(1, mostGigabytes);
     limit_->setValue(choice.gigabytes > 0 ? choice.gigabytes : usual.gigabytes);
     limit_->setSuffix(tr(" GB"));
-    limit_->setToolTip(tr("How much of the disk it may take"));
+    limit_->setToolTip(tr("Maximum size of the cache"));
     used_->setObjectName("cache.used");
     clear_->setObjectName("cache.clear");
-    clear_->setToolTip(tr("Remove all models of the folder that are not open"));
+    clear_->setToolTip(tr("Remove all models in the folder that are not open"));
     auto* place = new QHBoxLayout;
     place->addWidget(folder_, 1);
     place->addWidget(choose);

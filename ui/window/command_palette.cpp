@@ -35,7 +35,7 @@ CommandPalette::CommandPalette(QMainWindow& window, Workbench& workbench)
     search_->setPlaceholderText(tr("Type what you want to do"));
     search_->setAccessibleName(tr("Command"));
     search_->setToolTip(
-        tr("Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves."));
+        tr("Type the beginnings of words to find a command or a setting. Enter runs it, Esc closes the list."));
     search_->setClearButtonEnabled(true);
     search_->installEventFilter(this);
     list_->setObjectName("palette.list");

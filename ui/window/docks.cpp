@@ -121,32 +121,30 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.buildPanel = new BuildPanel(workbench);
     docks.focusPanel = new FocusPanel(session);
     docks.renderingPanel = new RenderingPanel(workbench, viewport);
-    docks.build =
-        add("build", DockTexts::tr("Build"),
-            DockTexts::tr("Build a model from a dataset once; its mesh is then available at any accuracy. Choose a "
-                          "builder and a file, and press Build."),
-            docks.buildPanel);
-    docks.accuracy =
-        add("accuracy", DockTexts::tr("Accuracy"),
-            DockTexts::tr("How far the mesh may deviate from the data, in percent of the range of values; or "
-                          "how many tetrahedra it may have. The curve shows what each error costs."),
-            new AccuracyPanel(session));
+    docks.build = add("build", DockTexts::tr("Build"),
+                      DockTexts::tr("Build a model from a dataset once; a mesh is then available at any accuracy. "
+                                    "Choose a builder and a file, and press Build."),
+                      docks.buildPanel);
+    docks.accuracy = add("accuracy", DockTexts::tr("Accuracy"),
+                         DockTexts::tr("How far the mesh may deviate from the data, in percent of the value range; or "
+                                       "how many tetrahedra it may have. The curve shows what each error costs."),
+                         new AccuracyPanel(session));
     docks.rendering =
         add("rendering", DockTexts::tr("Rendering"),
             DockTexts::tr("Rendering mode and its settings: surfaces, volume or both."), docks.renderingPanel);
-    docks.view = add("view", DockTexts::tr("View"),
-                     DockTexts::tr("The camera in numbers. In the picture: drag to turn, Shift and drag "
-                                   "to move, the wheel zooms."),
-                     new ViewPanel(workbench, viewport));
-    docks.statisticsPanel = new StatisticsPanel(workbench, viewport);
-    docks.statistics = add(
-        "statistics", DockTexts::tr("Statistics"),
+    docks.view = add(
+        "view", DockTexts::tr("View"),
         DockTexts::tr(
-            "What each accuracy costs in vertices, tetrahedra, time and memory, and the mesh shown now in numbers."),
-        docks.statisticsPanel);
-    docks.isovalues = add("isovalues", DockTexts::tr("Isovalues"),
-                          DockTexts::tr("Surfaces on which the field has one value each, in the units of the data."),
-                          new IsovaluePanel(session));
+            "The camera settings as numbers. In the picture: drag to turn, Shift+drag to move, use the wheel to zoom."),
+        new ViewPanel(workbench, viewport));
+    docks.statisticsPanel = new StatisticsPanel(workbench, viewport);
+    docks.statistics = add("statistics", DockTexts::tr("Statistics"),
+                           DockTexts::tr("What each accuracy costs in vertices, tetrahedra, time and memory, and the "
+                                         "figures of the displayed mesh."),
+                           docks.statisticsPanel);
+    docks.isovalues =
+        add("isovalues", DockTexts::tr("Isovalues"),
+            DockTexts::tr("Surfaces on which the field has a given value, in data units."), new IsovaluePanel(session));
     std::vector<std::pair<std::string, QDockWidget*>> usable; // with what they edit
     for (const EditorDock& editor : editorDocks(workbench.host())) {
         QDockWidget* dock =
@@ -161,11 +159,11 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
         add("focus", DockTexts::tr("Focus"),
             DockTexts::tr("A sphere or a box in which the mesh is more accurate than outside."), docks.focusPanel);
     docks.region = add("region", DockTexts::tr("Region"),
-                       DockTexts::tr("Which part of the domain is shown at all: a box, and a range of values."),
+                       DockTexts::tr("Which part of the domain is shown: a crop box, and a range of values."),
                        new RegionPanel(session));
     docks.animation =
         add("animation", DockTexts::tr("Animation"),
-            DockTexts::tr("Films of the model: a turntable, or a path through key frames that you choose."),
+            DockTexts::tr("Films of the model: a turntable, or a path through key frames of your choice."),
             docks.animationPanel);
     giveMnemonics(menu);
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>())

@@ -198,7 +198,7 @@ void EmptyPage::setDescriptionWidth(int width)
 
 void EmptyPage::describe(const QString& text)
 {
-    description_->setText(text.isEmpty() ? tr("Samples are computed when you choose one; nothing is downloaded.")
+    description_->setText(text.isEmpty() ? tr("Samples are computed when you choose them; nothing is downloaded.")
                                          : text);
 }
 

@@ -70,7 +70,7 @@ void FilmDialog::addTarget(QLayout& layout)
     for (const Format& format : formats)
         if (!format.video || !encoder_.isEmpty())
             format_->addItem(tr(format.text), format.suffix);
-    format_->setToolTip(encoder_.isEmpty() ? tr("Videos can be made where the program ffmpeg is installed")
+    format_->setToolTip(encoder_.isEmpty() ? tr("Videos require the program ffmpeg")
                                            : tr("Videos are made by %1").arg(encoder_));
     // What most programs show, where it can be made.
     format_->setCurrentIndex(std::max(0, format_->findData(QSettings().value(formatKey, QStringLiteral("mp4")))));
@@ -118,7 +118,7 @@ QWidget* FilmDialog::makeButtons()
     save_->setDefault(true);
     cancel_->setObjectName("film.cancel");
     close->setObjectName("film.close");
-    close->setToolTip(tr("A film that is being written goes on"));
+    close->setToolTip(tr("A film that is being written continues"));
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     return buttons;
 }
@@ -251,7 +251,7 @@ void FilmDialog::showTarget()
     QString hint = isVideoFile(target) ? QString() : tr("%1, …").arg(first);
     const bool replaces = inTheWay_ > 0 && !looking_.running();
     if (replaces)
-        hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(inTheWay_));
+        hint = tr("Files with this name already exist and will be replaced: %1.").arg(countText(inTheWay_));
     hint_->setText(hint);
     save_->setText(replaces ? tr("&Replace and Save") : tr("&Save"));
     save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.exporting().savingFilm().running() &&
@@ -268,7 +268,7 @@ void FilmDialog::showRunning()
     progress_->setValue(0);
     remaining_->setVisible(running);
     if (running)
-        remaining_->setText(tr("Beginning…"));
+        remaining_->setText(tr("Starting…"));
     showTarget();
 }
 

@@ -74,13 +74,11 @@ QString openManual(const QString& programFolder)
 {
     const QString page = manualPage(programFolder);
     if (page.isEmpty())
-        return ManualTexts::tr(
-            "The manual is not installed. Install the package tan again with its documentation, or build TAn where "
-            "Sphinx "
-            "is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its "
-            "sources.");
+        return ManualTexts::tr("The manual is not installed. Reinstall the package tan with its documentation, or "
+                               "build TAn on a system that has Sphinx (python3-sphinx, python3-myst-parser, furo); the "
+                               "same texts are in the folder docs of the source code.");
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
-        return ManualTexts::tr("No program opens web pages here. Install a web browser, or read %1.").arg(page);
+        return ManualTexts::tr("No web browser was found on this computer. Install one, or read %1.").arg(page);
     return {};
 }
 

@@ -85,7 +85,7 @@ void ImportDialog::fillFields()
     provenance_->setObjectName("import.provenance");
     provenance_->setWordWrap(true);
     provenance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    provenance_->setToolTip(tr("What would be taken of the file with these options, and what it says and is not used"));
+    provenance_->setToolTip(tr("What these options take from the file, and what else it states that is not used"));
     valueLayout->addWidget(provenance_);
     auto* part = new QGroupBox(tr("Subset"));
     auto* partLayout = new QVBoxLayout(part);
@@ -101,8 +101,8 @@ void ImportDialog::fillFields()
 void ImportDialog::fillLayoutHelp()
 {
     suggestions_->setObjectName("import.suggestions");
-    suggestions_->setAccessibleName(tr("Layouts that fit"));
-    suggestions_->setToolTip(tr("Sizes and types that would fill the file exactly, the likeliest first"));
+    suggestions_->setAccessibleName(tr("Matching layouts"));
+    suggestions_->setToolTip(tr("Sizes and types that fit the file exactly, the most likely first"));
     auto* row = new QFormLayout;
     row->addRow(tr("&Suggestion"), suggestions_);
     auto* layout = new QVBoxLayout(layoutHelp_);
@@ -260,7 +260,7 @@ void ImportDialog::showSuggestions()
         suggestions_->addItem(suggestionText(suggestion));
     suggestions_->setEnabled(suggestions_->count() > 0);
     if (suggestions_->count() == 0)
-        suggestions_->addItem(tr("None is known"));
+        suggestions_->addItem(tr("None found"));
 }
 
 void ImportDialog::takeSuggestion(int index)
@@ -311,7 +311,7 @@ void ImportDialog::showLayout()
     preview_->setSamples(question_.samples, samples);
     const ImportCheck check =
         samples ? checkRawSize(*samples, fileBytes_)
-                : ImportCheck{false, tr("Give the number of points along x, y and z, as in 64x64x32.")};
+                : ImportCheck{false, tr("Enter the number of points along x, y and z, as in 64x64x32.")};
     sizeCheck_->showCheck(check.fits, check.text);
     fits_ = check.fits;
     if (samples && check.fits) {

@@ -58,9 +58,8 @@ QString keptText(const LeavingFacts& facts)
     if (!facts.keepsBeside)
         return Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
             .arg(facts.target);
-    return Leaving::tr(
-               "If you stop now, you can keep what is finished as a model of its own, named after its error. The "
-               "finished model %1 stays as it is.")
+    return Leaving::tr("If you stop now, you can keep what is finished as a separate model, named after its error. The "
+                       "finished model %1 is not changed.")
         .arg(facts.target);
 }
 
@@ -78,7 +77,7 @@ QString buildDetails(const LeavingFacts& facts)
     if (facts.canKeep)
         more << keptText(facts);
     else if (!pauses)
-        more << Leaving::tr("Nothing of it can be kept yet.");
+        more << Leaving::tr("Nothing can be kept yet.");
     return more.join(' ');
 }
 
@@ -115,7 +114,7 @@ QMessageBox* askAboutFilm(const LeavingFacts& facts, QWidget* window)
     QStringList more{facts.progress};
     if (!quits)
         more << Leaving::tr("It can continue in the background.");
-    more << Leaving::tr("If you stop it, nothing of it is kept.");
+    more << Leaving::tr("If you stop it, nothing is kept.");
     Question question(window, "film", Leaving::tr("Film in Progress"),
                       Leaving::tr("The film %1 is still being written.").arg(facts.name), more.join(' '));
     question.add("goOn", Leaving::tr("&Continue Writing"), quits ? QMessageBox::RejectRole : QMessageBox::AcceptRole);
@@ -140,8 +139,8 @@ QMessageBox* askAboutSaving(LeavingWay way, QWidget* window)
 {
     const bool quits = way == LeavingWay::Quit;
     return Question(window, "saving", Leaving::tr("Saving"), Leaving::tr("A file is still being saved."),
-                    quits ? Leaving::tr("TAn will quit when it is done.")
-                          : Leaving::tr("TAn will continue when it is done."))
+                    quits ? Leaving::tr("TAn will quit when this is done.")
+                          : Leaving::tr("TAn will continue when this is done."))
         .add("cancel", quits ? Leaving::tr("&Do Not Quit") : Leaving::tr("Cancel"), QMessageBox::RejectRole)
         .add("discard", quits ? Leaving::tr("&Quit Without Saving") : Leaving::tr("&Continue Without Saving"),
              QMessageBox::DestructiveRole)

@@ -62,7 +62,7 @@ QWidget* LostOffers::makeRow(const LostOffer& offer, int index)
     text->setWordWrap(true);
     auto* restore = new QPushButton(tr("&Restore"));
     restore->setObjectName("lost.restore");
-    restore->setToolTip(tr("Open the model with its view restored. The saved view is kept until that has worked."));
+    restore->setToolTip(tr("Open the model with its view restored. The saved view is kept until that has succeeded."));
     restore->setAccessibleName(tr("Restore %1").arg(offer.model));
     restore->setAccessibleDescription(offer.detail);
     auto* discard = new QPushButton(tr("&Discard"));

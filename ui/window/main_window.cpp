@@ -262,7 +262,8 @@ void MainWindow::dropEvent(QDropEvent* event)
     event->acceptProposedAction();
     open(files.first());
     if (files.size() > 1)
-        messages_->add(tr("Only one file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
+        messages_->add(
+            tr("Only one file can be open at a time; of the files dropped, %1 was opened.").arg(files.first()));
 }
 
 void MainWindow::connectActions()
@@ -302,7 +303,7 @@ void MainWindow::connectActions()
     connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, [this] { keptSession_->saveAs(); });
     connect(actions_.applyLook, &QAction::triggered, this, [this] {
         askForTextFile(this, "lookDialog", tr("Apply Look From"),
-                       tr("Sessions and pictures with their sessions (*.tansession *.png)"),
+                       tr("Sessions, and pictures saved by TAn (*.tansession *.png)"),
                        [this](const QString& path) { workbench_.opening().sessions().applyLook(filePath(path)); });
     });
     connectPictures();
@@ -620,8 +621,8 @@ void MainWindow::offerBuilt(const QString& path, bool isShown, const QString& fi
     isBesideDataset_ = isBesideDataset_ && !workbench_.opening().datasets().isBuilt();
     showNotice();
     const QString name = shownName(filePath(path));
-    const QString text = finished.isEmpty() ? tr("The model %1 is built.").arg(name)
-                                            : tr("What was finished is kept as %1. The model %2 is as it was.")
+    const QString text = finished.isEmpty() ? tr("The model %1 has been built.").arg(name)
+                                            : tr("What was finished has been kept as %1. The model %2 is unchanged.")
                                                   .arg(name, shownName(filePath(finished)));
     if (!isShown)
         messages_->ask(
@@ -652,15 +653,15 @@ void MainWindow::showPart()
         return readingLine_->setActivity(tr("Reading"));
     const std::uint32_t all = workbench_.opening().models().sitesOfWhole();
     const double share = all > 0 ? 100.0 * model->siteCount() / all : 0;
-    readingLine_->setActivity(tr("%1 % shown, more is coming").arg(static_cast<int>(share)),
-                              tr("Showing %L1 of %L2 vertices, more is coming").arg(model->siteCount()).arg(all));
+    readingLine_->setActivity(tr("%1 % shown, more is on the way").arg(static_cast<int>(share)),
+                              tr("Showing %L1 of %L2 vertices, more are on the way").arg(model->siteCount()).arg(all));
 }
 
 /// Of a model on a server, of which so much was fetched that it takes no more than a moment.
 void MainWindow::offerRest(const OpenedModel& part)
 {
     messages_->ask(
-        tr("%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.")
+        tr("%1 is shown with %L2 of its %L3 vertices: %4 of %5 were downloaded.")
             .arg(shownName(part.model->path()))
             .arg(part.model->siteCount())
             .arg(part.sitesOfWhole)
@@ -731,7 +732,7 @@ void MainWindow::showNotice()
     const auto& model = workbench_.session().model();
     const auto& dataset = workbench_.opening().datasets().dataset();
     if (model && dataset && isBesideDataset_)
-        notice_->tell(tr("%1 is not built yet. The picture still shows %2.")
+        notice_->tell(tr("%1 has not been built yet. The picture still shows %2.")
                           .arg(shownText(dataset->source.name), shownName(model->path())));
     else
         notice_->tell(isOutdated_ ? tr("The picture does not show the current settings, which could not be drawn.")

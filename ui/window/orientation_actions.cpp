@@ -35,7 +35,7 @@ OrientationActions::OrientationActions(Session& session, QMenu& menu)
         addAction(menu, "level", tr("Level"), QKeySequence("Ctrl+L"), tr("Remove the roll: make the up axis vertical"));
     menu.addSeparator();
     trackball_ = addAction(menu, "trackball", tr("Trackball"), QKeySequence("Ctrl+T"),
-                           tr("Dragging turns the model freely, in any direction, instead of around the up axis"));
+                           tr("Dragging turns the model freely in any direction, instead of around the up axis"));
     trackball_->setCheckable(true);
     giveMnemonics(menu);
 

@@ -17,7 +17,7 @@ namespace tetra {
 PickActions::PickActions(Workbench& workbench, ValuePick& pick, QMenu& menu)
     : QObject(&menu), workbench_(workbench), pick_(pick),
       pickValue_(addAction(menu, "pickValue", tr("&Pick"), QKeySequence("P"),
-                           tr("Pick the value at the pointer, or in the middle of the picture"))),
+                           tr("Pick the value at the pointer, or in the centre of the picture"))),
       isovalue_(addAction(menu, "isovalueHere", tr("&Isosurface at This Value"), QKeySequence("I"),
                           tr("Add an isosurface of the picked value"))),
       point_(addAction(menu, "pointHere", tr("Add &Transfer-Function Point"), QKeySequence("T"),
@@ -26,7 +26,7 @@ PickActions::PickActions(Workbench& workbench, ValuePick& pick, QMenu& menu)
 {
     setNeed(*pickValue_, tr("Open a model first"));
     for (QAction* action : {isovalue_, point_, forget_})
-        setNeed(*action, tr("Click a place in the picture first, or pick one"));
+        setNeed(*action, tr("Click or pick a place in the picture first"));
     connect(pickValue_, &QAction::triggered, &pick, &ValuePick::pickAtPointer);
     connect(isovalue_, &QAction::triggered, this, [this] {
         if (pick_.picked())

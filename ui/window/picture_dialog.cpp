@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/picture_dialog.h"
 
+#include "core/picture/session_document.h"
 #include "ui/panels/picture_form.h"
 #include "ui/session/files.h"
-#include "ui/session/session_document.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/keep_session.h"
@@ -31,7 +31,7 @@ PictureDialog::PictureDialog(Workbench& workbench, Viewport& viewport, const Kee
     metadata_->setObjectName("picture.metadata");
     metadata_->setChecked(QSettings().value(metadataKey, true).toBool());
     metadata_->setToolTip(tr("Program, model, accuracy, camera, transfer function and isovalues, so that the picture "
-                             "can be made again: opening it offers its view"));
+                             "can be reproduced: opening it offers its view"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(form_);
     layout->addWidget(metadata_);
@@ -51,7 +51,7 @@ QWidget* PictureDialog::makeButtons()
     QPushButton* copy = add("copy", tr("&Copy"), QDialogButtonBox::ActionRole);
     QPushButton* close = add("close", tr("Cl&ose"), QDialogButtonBox::RejectRole);
     save->setDefault(true);
-    copy->setToolTip(tr("Put it on the clipboard"));
+    copy->setToolTip(tr("Copy it to the clipboard"));
     connect(save, &QPushButton::clicked, this, &PictureDialog::save);
     connect(copy, &QPushButton::clicked, this, &PictureDialog::copy);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -79,7 +79,7 @@ PictureOrder PictureDialog::order(const std::filesystem::path& target) const
     }
     if (metadata_->isChecked() && document && !target.empty()) {
         const auto& shown = workbench_.session().shown();
-        order.texts = pictureTexts(*document, shown ? errorText(*shown) : QString(),
+        order.texts = pictureTexts(*document, shown ? errorText(*shown).toStdString() : std::string(),
                                    std::filesystem::absolute(target).parent_path());
     }
     return order;

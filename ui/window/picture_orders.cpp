@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/picture_orders.h"
 
-#include "ui/annotations/annotation_painter.h"
-#include "ui/scenes/view_picture.h"
+#include "core/picture/annotations/annotation_painter.h"
+#include "core/picture/view_picture.h"
 #include "ui/viewport/viewport.h"
 
 namespace tetra {
@@ -13,8 +13,8 @@ ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, cons
 {
     const Camera& camera = viewport.previewing() ? viewport.shownCamera() : viewport.camera();
     ViewPicture picture{.annotations = workbench.scenes().annotations(camera, viewport.background()),
-                        .size = settings.size,
-                        .viewSize = viewport.size(),
+                        .size = {settings.size.width(), settings.size.height()},
+                        .viewSize = {viewport.width(), viewport.height()},
                         .transparent = settings.transparent,
                         .dotsPerInch = settings.dotsPerInch};
     picture.annotations.state = settings.annotations;
@@ -38,9 +38,10 @@ FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const 
     const ViewPicture picture = pictureOf(workbench, viewport, settings);
     FilmOrder order = workbench.exporting().filmOrder();
     order.picture = pictureOrder(picture);
-    order.finish = [content = picture.annotations, scale = annotationScale(picture.size, picture.viewSize)](
-                       QImage& image, const ViewValue& view, const ShownMesh& mesh) {
-        paintAnnotations(image, inView(content, view, mesh), scale);
+    const double scale = annotationScale(picture.size, picture.viewSize);
+    order.finish = [content = picture.annotations, scale](Picture& drawn, const ViewValue& view,
+                                                          const ShownMesh& mesh) {
+        return paintAnnotations(pixelsOf(drawn), inView(content, view, accuracyText(mesh, content.language)), scale);
     };
     return order;
 }

@@ -61,7 +61,7 @@ PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent)
     list_->setObjectName("plugins.list");
     list_->setAccessibleName(tr("Plugins"));
     list_->setTextElideMode(Qt::ElideMiddle); // paths differ at their ends
-    list_->setToolTip(tr("The plugins found, and why some are not used. Space switches a plugin on or off."));
+    list_->setToolTip(tr("The plugins found, and why some are not used. Space turns a plugin on or off."));
     list_->setRootIsDecorated(false);
     list_->setAlternatingRowColors(true);
     list_->setHeaderLabels({tr("Plugin"), tr("Kind"), tr("Version"), tr("State"), tr("Reason"), tr("File")});

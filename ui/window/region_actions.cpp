@@ -23,14 +23,14 @@ RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, 
 {
     menu.addSeparator();
     window_ =
-        addAction(menu, "window", tr("&Window"), QKeySequence("W"), tr("Show only the part of the domain in a box"));
+        addAction(menu, "window", tr("Crop Bo&x"), QKeySequence("W"), tr("Show only the part of the domain in a box"));
     lens_ = addAction(menu, "lens", tr("&Lens"), QKeySequence("L"),
                       tr("Enlarge a part of the picture, at its own accuracy"));
     lens_->setIcon(glyphIcon(Glyph::Lens));
     sphere_->setIcon(glyphIcon(Glyph::Sphere));
     box_->setIcon(glyphIcon(Glyph::Box));
     window_->setIcon(glyphIcon(Glyph::Window));
-    setNeed(*toView_, tr("Switch on a focus first"));
+    setNeed(*toView_, tr("Turn on a focus first"));
     for (QAction* action : {sphere_, box_, window_, lens_}) {
         setNeed(*action, tr("Open a model first"));
         action->setCheckable(true);

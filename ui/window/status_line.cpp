@@ -6,7 +6,7 @@
 #include "core/transfer/remark_texts.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/message_text.h"
-#include "ui/session/shown_mesh.h"
+#include "ui/session/shown_mesh_text.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -60,9 +60,8 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new Nam
     tetrahedra_ = add("status.tetrahedra", {});
     triangles_ = add("status.triangles", tr("Triangles of all surfaces shown"));
     extraction_ = add("status.extraction", tr("Time to extract the mesh from the model"));
-    frame_ = add("status.frame",
-                 tr("Time to draw the last picture; while moving, the frame rate, and the reduced size and number of "
-                    "tetrahedra"));
+    frame_ = add("status.frame", tr("Time to draw the last picture; during movement, the frame rate, and the reduced "
+                                    "size and number of tetrahedra"));
     memory_ = add("status.memory", tr("Memory used by the program, including mapped files"));
     backend_ = add("status.backend", {});
 
@@ -87,7 +86,7 @@ QLabel* StatusLine::add(const char* name, const QString& toolTip)
 
 void StatusLine::setFile(const QString& name, const QString& path, bool isAtServer)
 {
-    busy_->setToolTip(isAtServer ? tr("The server finds the mesh, or the picture is being drawn")
+    busy_->setToolTip(isAtServer ? tr("The server is extracting the mesh, or the picture is being drawn")
                                  : tr("Drawing the picture at the chosen accuracy"));
     file_->setText(name);
     file_->setToolTip(path);
@@ -158,7 +157,7 @@ QString StatusLine::movingText(const FrameReport& report)
 void StatusLine::setBackend(const QString& name)
 {
     backend_->setText(name);
-    backend_->setToolTip(tr("Rendering back end: OpenGL or the processor"));
+    backend_->setToolTip(tr("Rendering back end: OpenGL or the CPU"));
     backend_->show();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/building.h"
 
+#include "core/picture/view_picture.h"
 #include "plugins/host/interrupted_build.h"
 #include "plugins/host/model_building.h"
 #include "ui/opening/recent_files.h"
-#include "ui/scenes/view_picture.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 

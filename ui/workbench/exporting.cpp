@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/exporting.h"
 
+#include "core/picture/text_file.h"
 #include "core/view/accuracy_scale.h"
 #include "plugins/host/output_check.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 
@@ -35,12 +37,13 @@ void Exporting::savePicture(const PictureOrder& order)
             const Status done = !picture               ? Status(picture.error())
                                 : !right               ? right
                                 : order.target.empty() ? Status()
-                                                       : writePicture(*picture, order.target);
+                                                       : writePicture(*picture, order.target, pngFacts(order));
             return [this, order, done, picture] {
                 if (!tellSave(done))
                     return;
                 if (order.target.empty())
-                    emit pictureDrawn(*picture);
+                    emit pictureDrawn(order.transparent ? imageOf(*picture)
+                                                        : imageOf(*picture).convertToFormat(QImage::Format_RGB32));
                 else
                     emit pictureSaved(pathText(order.target));
             };
@@ -49,10 +52,12 @@ void Exporting::savePicture(const PictureOrder& order)
 
 FilmOrder Exporting::filmOrder() const
 {
-    return {.model = session_.model(),
-            .renderer = scenes_.renderer(),
-            .parameters = scenes_.renderingParameters(),
-            .view = session_.view()};
+    FilmOrder order;
+    order.model = session_.model();
+    order.renderer = scenes_.renderer();
+    order.parameters = scenes_.renderingParameters();
+    order.view = session_.view();
+    return order;
 }
 
 void Exporting::saveFilm(const FilmOrder& order)
@@ -192,7 +197,7 @@ bool Exporting::saving() const noexcept
 bool Exporting::tellModel()
 {
     if (!session_.model())
-        emit saveFailed(tr("Nothing was saved: the model was closed meanwhile."));
+        emit saveFailed(tr("Nothing was saved: the model was closed in the meantime."));
     return session_.model() != nullptr;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/picture/mesh_saving.h"
 #include "ui/scenes/scene_service.h"
 #include "ui/work/long_task.h"
 #include "ui/workbench/film_file.h"
-#include "ui/workbench/mesh_saving.h"
 
 namespace tetra {
 

@@ -6,7 +6,6 @@
 #include "core/base/folder.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"
-#include "ui/scenes/view_picture.h"
 #include "ui/session/files.h"
 
 #include <QFileInfo>
@@ -23,34 +22,6 @@ constexpr int leastDigits = 4;
 constexpr double drawingPart = 0.93; ///< of the time of a video
 constexpr const char* framePattern = "%06d.png";
 
-/// What one frame leaves to the next: the scene as far as it fits, the order of its cells; of a lens by itself.
-struct FramePipelines {
-    ScenePipeline picture;
-    ScenePipeline lens;
-};
-
-Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, FramePipelines& pipelines, const Progress& progress)
-{
-    view.query = corrected(view.query, order.view.query, *order.model); // key frames may be of another model
-    SceneRequest request = sceneOf(order.model, order.renderer, order.parameters, view);
-    request.width = order.picture.width;
-    request.height = order.picture.height;
-    const auto built = pipelines.picture.make(request, progress);
-    if (!built)
-        return built.error();
-    PictureOrder picture = order.picture;
-    picture.scene = built->scene;
-    picture.camera = view.camera;
-    if (order.finish)
-        picture.finish = [&](QImage& image) { order.finish(image, view, built->mesh); };
-    if (view.lens.isOn())
-        picture.lens = std::make_shared<const LensOrder>(LensOrder{view.lens, request});
-    const auto drawn = pipelines.picture.draw(picture, false, progress);
-    if (!drawn)
-        return drawn.error();
-    return pipelines.lens.finish(picture, *drawn, progress);
-}
-
 std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
 {
     return folder / QString::asprintf(framePattern, frame).toStdString();
@@ -58,16 +29,16 @@ std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
 
 Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
 {
-    FramePipelines pipelines;
+    FilmFrames frames;
     const int count = frameCount(order.view.animation);
     for (int i = 0; i < count; ++i) {
         progress.report(static_cast<double>(i) / count, {});
-        const auto image = drawFrame(order, viewAtFrame(order.view, i), pipelines, progress.withCallback({}));
-        if (!image)
-            return image.error();
+        const auto picture = frames.draw(order, i, progress.withCallback({}));
+        if (!picture)
+            return picture.error();
         if (progress.cancelled())
             return cancelledError(Message::marked("The film"));
-        if (const Status written = writePicture(*image, numbered(folder, i)); !written)
+        if (const Status written = writePicture(*picture, numbered(folder, i), pngFacts(order.picture)); !written)
             return written;
     }
     return {};

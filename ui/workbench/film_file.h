@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/scenes/picture_file.h"
-#include "ui/session/shown_mesh.h"
+#include "core/picture/film.h"
 
 #include <tan/base.h>
-#include <tan/view.h>
 
 #include <QStringList>
 
@@ -14,15 +12,8 @@
 
 namespace tetra {
 
-/// A film to write: that of a view.
-struct FilmOrder {
-    std::shared_ptr<const Model> model{};
-    const Renderer* renderer = nullptr;
-    std::vector<Parameter> parameters{}; ///< of the renderer
-    ViewValue view{};
-    PictureOrder picture{}; ///< size and background of each frame; the rest is the frame's
-    /// Paints over a frame; called in the worker.
-    std::function<void(QImage& picture, const ViewValue& view, const ShownMesh& mesh)> finish{};
+/// A film to write.
+struct FilmOrder : Film {
     std::filesystem::path target{}; ///< a video, or name.png for name_0001.png and so on
     QString encoder{};              ///< of videos
 };

@@ -21,7 +21,7 @@ MarkedText cellFaultText(CellFault fault) noexcept
     case CellFault::NotFinite: return Message::marked("it has a value that is not finite");
     case CellFault::NoVolume: return Message::marked("it has no volume");
     case CellFault::Warped: return Message::marked("it is too warped to be cut into tetrahedra");
-    case CellFault::Duplicate: return Message::marked("it is there twice");
+    case CellFault::Duplicate: return Message::marked("it appears twice");
     case CellFault::CrowdedFace: return Message::marked("more than two cells share one of its faces");
     case CellFault::Folded: return Message::marked("it is inverted and overlaps its neighbours");
     case CellFault::Overlap: break;
@@ -75,8 +75,8 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
         Message::say("%1 cells are blanked out in the file: holes.", repairs.blanked));
     add(repairs.notFinite, Message::say("1 cell has a value that is not finite and became a hole."),
         Message::say("%1 cells have a value that is not finite and became holes.", repairs.notFinite));
-    add(repairs.repeated, Message::say("1 cell names a corner twice, has no volume and was left out."),
-        Message::say("%1 cells name a corner twice, have no volume and were left out.", repairs.repeated));
+    add(repairs.repeated, Message::say("1 cell uses a corner twice, has no volume and was left out."),
+        Message::say("%1 cells use a corner twice, have no volume and were left out.", repairs.repeated));
     add(repairs.flat, Message::say("1 cell without volume was left out."),
         Message::say("%1 cells without volume were left out.", repairs.flat));
     const bool areAllTurned = repairs.turned > 0 && repairs.turned == repairs.cells;
@@ -85,15 +85,15 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
     else if (!areAllTurned)
         add(repairs.turned, Message::say("1 cell had inverted orientation and was corrected."),
             Message::say("%1 cells had inverted orientation and were corrected.", repairs.turned));
-    add(repairs.welded, Message::say("1 point on the place of another one was merged with it."),
-        Message::say("%1 points on the place of another one were merged with it.", repairs.welded));
-    add(repairs.conflicting, Message::say("1 place had different values and got their mean."),
-        Message::say("%1 places had different values and got their mean.", repairs.conflicting));
+    add(repairs.welded, Message::say("1 point at the same place as another was merged with it."),
+        Message::say("%1 points at the same place as another were merged with it.", repairs.welded));
+    add(repairs.conflicting, Message::say("1 place had several different values and got their mean."),
+        Message::say("%1 places had several different values and got their mean.", repairs.conflicting));
     add(repairs.middles,
-        Message::say("1 node in the middle of an edge or face was left out: not all cells there have it, or cells bend "
-                     "too much."),
-        Message::say("%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells "
-                     "bend too much.",
+        Message::say("1 node in the middle of an edge or face was left out: not all cells there have it, or the cells "
+                     "bend too much."),
+        Message::say("%1 nodes in the middle of edges and faces were left out: not all cells there have them, or the "
+                     "cells bend too much.",
                      repairs.middles));
     add(repairs.resplit, Message::say("1 cell was cut along other diagonals, because its faces are not flat."),
         Message::say("%1 cells were cut along other diagonals, because their faces are not flat.", repairs.resplit));
@@ -101,8 +101,8 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
         Message::say("%1 cells were left out: too warped to be cut into tetrahedra without a new point.",
                      repairs.warped));
     addPolyhedra(repairs, remarks);
-    add(repairs.duplicates, Message::say("1 tetrahedron was there twice."),
-        Message::say("%1 tetrahedra were there twice.", repairs.duplicates));
+    add(repairs.duplicates, Message::say("1 tetrahedron appeared twice."),
+        Message::say("%1 tetrahedra appeared twice.", repairs.duplicates));
     const auto countOf = [&repairs](CellFault fault) {
         return static_cast<std::uint64_t>(std::ranges::count(repairs.faulty, fault, &FaultyCell::fault));
     };
@@ -121,7 +121,7 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
 
 namespace {
 
-/// Of points, by their places.
+/// Hashes points by their positions.
 struct PlaceHash {
     std::span<const Eigen::Vector3d> positions;
     std::uint64_t operator()(std::uint32_t point) const
@@ -172,7 +172,7 @@ Status checkArrays(const CellComplex& complex, const ComplexValues& values)
         return badCells(Message::say("The mesh has no cells or no points."));
     if (!(complex.mostFaulty >= 0 && complex.mostFaulty <= 1))
         return Error{ErrorKind::WrongUsage,
-                     Message::say("The share of cells that may be faulty is %1; it has to be from 0 to 1.",
+                     Message::say("The share of cells that may be faulty is %1; it must be from 0 to 1.",
                                   formatNumber(complex.mostFaulty))};
     if (complex.positions.size() >= std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource,
@@ -180,11 +180,11 @@ Status checkArrays(const CellComplex& complex, const ComplexValues& values)
                                   complex.positions.size())};
     if (complex.offsets.size() != cells + 1 || complex.offsets.front() != 0 ||
         complex.offsets.back() != complex.corners.size() || !std::ranges::is_sorted(complex.offsets))
-        return badCells(Message::say("The cells' lists of corners do not fit together: their offsets do not rise from "
-                                     "0 to the number of corners."));
+        return badCells(Message::say("The cells' lists of corners are inconsistent: their offsets do not rise from 0 "
+                                     "to the number of corners."));
     if (!complex.blanked.empty() && complex.blanked.size() != cells)
-        return badCells(Message::say("The mesh has %1 cells, but says of %2 whether they are blanked out.", cells,
-                                     complex.blanked.size()));
+        return badCells(
+            Message::say("The mesh has %1 cells, but blanking flags for %2.", cells, complex.blanked.size()));
     const std::size_t wanted = values.perCell ? cells : complex.positions.size();
     if (values.values.size() != wanted)
         return badCells(values.perCell
@@ -269,20 +269,20 @@ private:
                 chosen_.push_back(cell);
         }
         if (range.count() > 0)
-            return badCells(Message::say("Cells name points that do not exist (%1 in all, the first is cell %2). The "
-                                         "mesh has %3 points: the file is damaged.",
+            return badCells(Message::say("Cells refer to points that do not exist (%1 in all, the first is cell %2). "
+                                         "The mesh has %3 points: the file is damaged.",
                                          range.count(), range.first(), complex_.positions.size()));
         if (counts.count() > 0)
-            return badCells(Message::say("Cells have another number of corners than their shape (%1 in all, the first "
+            return badCells(Message::say("Cells do not have the number of corners of their shape (%1 in all, the first "
                                          "is cell %2). The file is damaged.",
                                          counts.count(), counts.first()));
         if (faces.count() > 0)
-            return badCells(Message::say("Faces of polyhedra have more points than are named (%1 in all, the first is "
+            return badCells(Message::say("Faces of polyhedra have more points than are listed (%1 in all, the first is "
                                          "of cell %2). The file is damaged.",
                                          faces.count(), faces.first()));
         if (places.count() > 0)
-            return badCells(Message::say("Cells have a corner whose place is not finite (%1 in all, the first is cell "
-                                         "%2). Correct the points, or blank the cells.",
+            return badCells(Message::say("Cells have a corner whose position is not finite (%1 in all, the first is "
+                                         "cell %2). Correct the points, or blank the cells.",
                                          places.count(), places.first()));
         if (chosen_.empty())
             return badCells(Message::say("No cell of the mesh has a volume and finite values: nothing is left."));

@@ -55,7 +55,7 @@ public:
             if (result_.tetrahedra.size() + cells_.facesOf(cell).size() > largestAdjacentCellCount - mostPieces ||
                 positions_.size() + centres_.places.size() >= std::numeric_limits<std::uint32_t>::max() - 1)
                 return Error{ErrorKind::OutOfResource,
-                             Message::say("The cells make more than %1 tetrahedra. Take a part of the mesh.",
+                             Message::say("The cells yield more than %1 tetrahedra. Take a part of the mesh.",
                                           largestAdjacentCellCount - mostPieces)};
             if (cells_.shapes[cell] == CellShape::Polyhedron)
                 cutPolyhedron(cell);

@@ -209,8 +209,8 @@ private:
         const std::uint64_t faulty = std::max(gone_.cells, least_.cells);
         return {ErrorKind::BadInput,
                 Message::say("At least %1 of the mesh's %2 cells are faulty, more than %3. The first is cell %4 at "
-                             "(%5, %6, %7): %8. Repair the mesh in the program that made it, or let more cells be left "
-                             "out, as with '--faulty %9'.",
+                             "(%5, %6, %7): %8. Repair the mesh in the program that made it, or allow more cells to be "
+                             "left out, as with '--faulty %9'.",
                              faulty, cellCount_, shareText(mostFaulty_), first.cell, formatNumber(place[0]),
                              formatNumber(place[1]), formatNumber(place[2]), cellFaultText(first.fault),
                              largerShareText(mostFaulty_, faulty, cellCount_))};

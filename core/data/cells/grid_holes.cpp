@@ -28,9 +28,9 @@ struct Left {
 Error tooLarge(std::uint64_t tetrahedra, std::uint64_t bytes)
 {
     return {ErrorKind::OutOfResource,
-            Message::say("It has holes, points that are blanked out or without a finite value, so that it is an "
+            Message::say("It has holes, points that are blanked out or without a finite value, which make it an "
                          "irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every "
-                         "n-th point of it, or replace those values by numbers.",
+                         "n-th point of it, or replace those values with numbers.",
                          tetrahedra, neededBytesText(bytes), neededBytesText(usableBytes()))};
 }
 
@@ -117,7 +117,7 @@ Result<Dataset> makeHoles(const Dataset& grid, const Progress& progress)
 {
     if (grid.cells && grid.cells->size() != grid.lattice.cellCount())
         return Error{ErrorKind::BadInput,
-                     Message::say("It says of %1 cells whether they are blanked out, and has %2. It is damaged.",
+                     Message::say("It has blanking flags for %1 cells, but %2 cells. It is damaged.",
                                   grid.cells->size(), grid.lattice.cellCount())};
     constexpr double searched = 0.2;
     const auto left = findLeft(grid, progress.part(0, searched));

@@ -24,7 +24,7 @@ namespace {
 Error noMesh(const Dataset& grid, Message why)
 {
     return {ErrorKind::BadInput,
-            Message::say("The grid '%1' cannot be taken as a mesh: %2 Refine it instead.", grid.source.name, why)};
+            Message::say("The grid '%1' cannot be used as a mesh: %2 Refine it instead.", grid.source.name, why)};
 }
 
 Status checkMemory(const Dataset& grid)
@@ -48,7 +48,7 @@ Result<std::vector<std::uint32_t>> firstOnPlaces(const Dataset& grid)
     for (std::uint32_t point = 0; point < first.size(); ++point)
         conflicting += grid.values.at(point) != grid.values.at(first[point]) ? 1 : 0;
     if (conflicting > 0)
-        return noMesh(grid, Message::say("%1 of its points lie on the place of another one and have another value.",
+        return noMesh(grid, Message::say("%1 of its points lie at the same place as another and have another value.",
                                          conflicting));
     return first;
 }
@@ -105,7 +105,7 @@ Result<Dataset> meshOf(const Dataset& grid, const Progress& progress)
                                          mesh->faultyCells->size()));
     if (mesh->pointCount() != places)
         return noMesh(
-            grid, Message::say("%1 of its points belong to cells without volume alone.", places - mesh->pointCount()));
+            grid, Message::say("%1 of its points belong only to cells without volume.", places - mesh->pointCount()));
     mesh->source = grid.source;
     mesh->space = grid.space;
     mesh->lengthUnit = grid.lengthUnit;
@@ -161,7 +161,7 @@ Status checkAsMesh(const Dataset& grid)
 {
     constexpr std::uint64_t mostPoints = 5'000'000; // for which decimation takes some ten minutes and 8 GB
     if (grid.pointCount() > mostPoints)
-        return noMesh(grid, Message::say("it has %1 points, and %2 is the most.", grid.pointCount(), mostPoints));
+        return noMesh(grid, Message::say("it has %1 points, and the limit is %2.", grid.pointCount(), mostPoints));
     if (const Status fits = checkMemory(grid); !fits)
         return fits;
     const CellCornerSigns signs = cellCornerSigns(grid);

@@ -155,7 +155,7 @@ Status checkPoints(const Dataset& dataset)
 {
     const auto bad = [](Message text) { return Error{ErrorKind::BadInput, std::move(text)}; };
     if (!dataset.positions || !dataset.tetrahedra || dataset.tetrahedra->empty())
-        return bad(Message::say("The dataset is no irregular mesh: it has no positions or no tetrahedra."));
+        return bad(Message::say("The dataset is not an irregular mesh: it has no positions or no tetrahedra."));
     const auto& positions = *dataset.positions;
     if (positions.size() != dataset.values.count() || dataset.values.notFiniteCount() > 0 ||
         !std::ranges::all_of(positions, [](const auto& position) { return position.allFinite(); }))
@@ -164,7 +164,8 @@ Status checkPoints(const Dataset& dataset)
     for (const auto& tetrahedron : *dataset.tetrahedra)
         for (const std::uint32_t point : tetrahedron) {
             if (point >= positions.size())
-                return bad(Message::say("A tetrahedron of the mesh names point %1 of %2.", point, positions.size()));
+                return bad(
+                    Message::say("A tetrahedron of the mesh refers to point %1 of %2.", point, positions.size()));
             used[point] = true;
         }
     if (const auto unused = std::ranges::count(used, false); unused > 0)

@@ -224,8 +224,8 @@ Status checkWarped(const CellComplex& complex, const CleanCells& cells, const Cu
     const Eigen::Vector3d place = firstPlaceOf(complex, cells, warped.front());
     return Error{ErrorKind::BadInput,
                  Message::say("%1 cells are folded or so warped that no tetrahedra fill them, more than %2; the first "
-                              "is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or let more "
-                              "cells be left out, as with '--faulty %7'.",
+                              "is cell %3 at (%4, %5, %6). Repair the mesh in the program that made it, or allow more "
+                              "cells to be left out, as with '--faulty %7'.",
                               warped.size(), shareText(most), cells.origins[warped.front()], formatNumber(place[0]),
                               formatNumber(place[1]), formatNumber(place[2]),
                               largerShareText(most, warped.size(), count))};
@@ -241,8 +241,8 @@ Error tooManyUncut(const CellComplex& complex, const CleanCells& cells, std::uin
     if (complex.addsCentres)
         return {ErrorKind::BadInput,
                 Message::say("%1 of the mesh's %2 cells are polyhedra in which no point sees all of their faces, more "
-                             "than %3; the first is %4. Repair the mesh in the program that made it, or let more cells "
-                             "be left out, as with '--faulty %5'.",
+                             "than %3; the first is %4. Repair the mesh in the program that made it, or allow more "
+                             "cells to be left out, as with '--faulty %5'.",
                              faulty, count, shareText(complex.mostFaulty), where, share)};
     return {ErrorKind::BadInput,
             Message::say("%1 of the mesh's %2 cells are polyhedra that no tetrahedra between their own points fill, "
@@ -269,14 +269,13 @@ Status checkPolyhedra(const CellComplex& complex, const CleanCells& cells, const
     };
     if (tooMany(open.size())) {
         const Eigen::Vector3d place = firstPlaceOf(complex, cells, open.front());
-        return Error{
-            ErrorKind::BadInput,
-            Message::say("The faces of %1 of the mesh's %2 cells do not enclose a volume; the first is cell %3 "
-                         "at (%4, %5, %6). Repair the mesh in the program that made it, or let more cells be "
-                         "left out, as with '--faulty %7'.",
-                         open.size(), count, cells.origins[open.front()], formatNumber(place[0]),
-                         formatNumber(place[1]), formatNumber(place[2]),
-                         largerShareText(complex.mostFaulty, open.size(), count))};
+        return Error{ErrorKind::BadInput,
+                     Message::say("The faces of %1 of the mesh's %2 cells do not enclose a volume; the first is cell "
+                                  "%3 at (%4, %5, %6). Repair the mesh in the program that made it, or allow more "
+                                  "cells to be left out, as with '--faulty %7'.",
+                                  open.size(), count, cells.origins[open.front()], formatNumber(place[0]),
+                                  formatNumber(place[1]), formatNumber(place[2]),
+                                  largerShareText(complex.mostFaulty, open.size(), count))};
     }
     if (tooMany(uncut.size()))
         return tooManyUncut(complex, cells, uncut.front(), uncut.size(), count);

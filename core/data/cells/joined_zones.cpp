@@ -36,7 +36,7 @@ Result<std::vector<const Dataset*>> solidZones(std::span<const Dataset> zones)
             (zone.positions && zone.positions->size() != zone.values.count()) ||
             (zone.cells && hasCells(zone) && zone.cells->size() != zone.lattice.cellCount()))
             return Error{ErrorKind::BadInput,
-                         Message::say("The zone '%1' is no structured grid with a value for each point.",
+                         Message::say("The zone '%1' is not a structured grid with a value for each point.",
                                       printable(zone.source.name))};
         if (!hasCells(zone))
             continue;
@@ -283,8 +283,8 @@ std::vector<Message> remarksOn(std::size_t zones, std::size_t leftOut, const Mee
         remarks.push_back(
             Message::say("Its %1 zones were put into one mesh, in which no two of them share a face.", zones));
     if (meeting.mismatching > 0)
-        remarks.push_back(Message::say("Faces of zones that lie against another zone whose points there are others: "
-                                       "%1. The mesh has a seam there, across which it does not hang together.",
+        remarks.push_back(Message::say("Faces of zones that meet another zone with different points there: %1. The "
+                                       "mesh has a seam there, and is not connected across it.",
                                        meeting.mismatching));
     if (leftOut > 0)
         remarks.push_back(Message::say("Zones left out because they have no volume: %1.", leftOut));

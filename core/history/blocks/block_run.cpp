@@ -214,7 +214,7 @@ Status checkMeshSize(std::uint64_t tetrahedra, std::uint64_t expected)
         return {};
     return Error{ErrorKind::OutOfResource,
                  Message::say("The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. "
-                              "Ask for a larger error, or take a part of the dataset.",
+                              "Choose a larger error, or take a part of the dataset.",
                               std::max(tetrahedra, expected), most)};
 }
 
@@ -360,7 +360,7 @@ Error RunFiles::damaged(std::uint32_t block) const
 Error RunFiles::unreadable(std::uint32_t block, const Message& why) const
 {
     return {ErrorKind::OutOfResource,
-            Message::say("Cannot read '%1', which this build had written: %2", path(block).string(), why), path(block)};
+            Message::say("Cannot read '%1', which this build wrote: %2", path(block).string(), why), path(block)};
 }
 
 } // namespace tetra

@@ -95,8 +95,9 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
             break;
         const MergedBatch& batch = merge.batch();
         if (batch.points.size() >= Model::never - siteCount_)
-            return Error{ErrorKind::OutOfResource, Message::say("The model would have more than 4294967294 sites. Ask "
-                                                                "for a larger error, or take a part of the dataset.")};
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("The model would have more than 4294967294 sites. Choose a larger error, or take "
+                                      "a part of the dataset.")};
         for (const MergedBatch::Part& part : batch.parts) {
             const std::uint64_t first = firsts_[part.block] + part.firstSite;
             if (first + part.siteCount > firsts_[part.block + 1])
@@ -547,7 +548,7 @@ Status handAll(const RunFiles& runs, const std::filesystem::path& workFolder, co
 }
 
 constexpr MarkedText noMemoryToMerge =
-    Message::marked("Not enough memory to merge the blocks. Close other programs, or ask for a larger error.");
+    Message::marked("Not enough memory to merge the blocks. Close other programs, or choose a larger error.");
 
 } // namespace
 

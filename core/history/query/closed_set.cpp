@@ -29,9 +29,10 @@ template <class Link> Status visitLinks(const Model& model, std::uint32_t sites,
             lastParents[destroyer] = creator;
             link(destroyer, creator);
         });
-        return right ? Status() : inconsistentModel(model, Message::say("a tetrahedron dies before it is made"));
+        return right ? Status()
+                     : inconsistentModel(model, Message::say("a tetrahedron is destroyed before it is created"));
     };
-    return walkHistory(model, 0, sites, progress, Message::marked("Looking at the history"), visit);
+    return walkHistory(model, 0, sites, progress, Message::marked("Reading the history"), visit);
 }
 
 } // namespace
@@ -116,7 +117,7 @@ std::span<const std::uint64_t> coarseCandidates(const Model& model, const SiteSe
 constexpr std::size_t sitesAhead = 6;
 /// The least scale that says that something was not reached.
 constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
-constexpr MarkedText choosing = Message::marked("Choosing the sites");
+constexpr MarkedText choosing = Message::marked("Selecting the sites");
 
 /// A closed set while it grows: a tetrahedron that is too coarse must be destroyed, so its destroyer comes with its
 /// group and all that these need. Without a budget that is done at once. With one, what is farthest from what was asked
@@ -190,7 +191,7 @@ Result<ClosedSet> Growth::runWithin(const Progress& progress)
         return Error{
             ErrorKind::WrongUsage,
             Message::say(
-                "The coarsest mesh of '%1' has %2 tetrahedra, more than the budget of %3. Allow at least as many.",
+                "The coarsest mesh of '%1' has %2 tetrahedra, more than the budget of %3. Allow at least that many.",
                 model_.path().string(), set_.tetrahedra, budget_)};
     while (!queue_.empty()) {
         const double level = queue_.front().scale;
@@ -241,9 +242,10 @@ Status Growth::close(double level, const Progress& progress)
             queue_.pop_back();
             addGroup(destroyer);
         } else {
-            return linksReach_ ? Status()
-                               : inconsistentModel(
-                                     model_, Message::say("its running errors do not bound the tetrahedra's own ones"));
+            return linksReach_
+                       ? Status()
+                       : inconsistentModel(
+                             model_, Message::say("its running errors do not bound the errors of its tetrahedra"));
         }
     }
 }
@@ -425,7 +427,7 @@ Status SetScan::run(const Progress& progress)
         scanStar(out_.sites[vertex]);
     }
     if (!right_ || found_ != tetrahedra.size())
-        return inconsistentModel(model_, Message::say("its tetrahedra do not fit its mesh sizes"));
+        return inconsistentModel(model_, Message::say("its tetrahedra do not match its mesh sizes"));
     return {};
 }
 
@@ -485,7 +487,7 @@ Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& pl
                   ExtractedMesh& out)
 {
     if (set.tetrahedra > model.tetrahedronCount())
-        return inconsistentModel(model, Message::say("its mesh sizes make no sense"));
+        return inconsistentModel(model, Message::say("its mesh sizes are invalid"));
     SetScan scan(model, set, out);
     scan.numberVertices();
     if (const Status scanned = scan.run(progress); !scanned)

@@ -21,8 +21,8 @@ Error notLoaded(const Model& model, MeshLoading loading)
         return cancelledError(Message::marked("Extracting the mesh"));
     if (loading == MeshLoading::NoMesh)
         return inconsistentModel(model, Message::say("its coarse tetrahedra do not fit together"));
-    return {ErrorKind::WrongUsage, Message::say("'%1' was not made by inserting points into Delaunay meshes, so none "
-                                                "can be inserted now. Use a closed set, or the automatic choice.",
+    return {ErrorKind::WrongUsage, Message::say("'%1' was not made by inserting points into Delaunay meshes, so points "
+                                                "cannot be inserted now. Use a closed set, or the automatic choice.",
                                                 model.path().string())};
 }
 
@@ -50,7 +50,7 @@ Status loadCoarse(const Model& model, std::uint32_t sites, const Progress& progr
     coarse.points.resize(sites);
     std::ranges::transform(model.points().first(sites), coarse.points.begin(),
                            [&](std::uint32_t point) { return delaunay.lattice().pointAt(point); });
-    progress.report(extractionEnd, Message::marked("Looking at the mesh"));
+    progress.report(extractionEnd, Message::marked("Examining the mesh"));
     const MeshLoading loading = delaunay.load(coarse.mesh.tetrahedra, coarse.points, progress);
     return loading == MeshLoading::Done ? Status() : notLoaded(model, loading);
 }

@@ -143,12 +143,12 @@ Status CurvilinearFocus::Work::prepare()
     if (prepared_)
         return {};
     if (!std::ranges::all_of(positions_, [](const Eigen::Vector3d& position) { return position.allFinite(); }))
-        return inconsistentModel(model_, Message::say("a sample lies nowhere"));
+        return inconsistentModel(model_, Message::say("a sample lies in no tetrahedron"));
     siteOfPoint_.assign(positions_.size(), ExtractedMesh::noSite);
     for (std::uint32_t site = 0; site < model_.siteCount(); ++site) {
         const std::uint32_t point = model_.points()[site];
         if (point >= positions_.size())
-            return inconsistentModel(model_, Message::say("a site is no point of its grid"));
+            return inconsistentModel(model_, Message::say("a site is not a point of its grid"));
         siteOfPoint_[point] = site;
     }
     if (const Status prepared = mesh_.prepare(blocks_, {1, 1, 1}); !prepared)

@@ -170,7 +170,7 @@ private:
     ErrorField field()
     {
         if (++depth_ > deepestExpression || ++fields_ > mostFields)
-            fail(Message::say("fewer fields: at most %1, nested %2 deep", mostFields, deepestExpression));
+            fail(Message::say("fewer fields: at most %1, nested up to %2 levels deep", mostFields, deepestExpression));
         skipBlanks();
         const ErrorField found = error_ ? ErrorField() : startsName() ? call() : ErrorField(size());
         --depth_;
@@ -403,7 +403,7 @@ private:
         double found = 0;
         const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), found);
         if (problem == std::errc::result_out_of_range)
-            fail(Message::say("a number of less than 308 digits"));
+            fail(Message::say("a number of fewer than 308 digits"));
         else if (problem != std::errc())
             fail(what);
         else
@@ -443,7 +443,7 @@ private:
                   place_ == text_.size()
                       ? Message::say("The error field cannot be read at character %1: expected %2, but the text ends.",
                                      place_ + 1, expected)
-                      : Message::say("The error field cannot be read at character %1: expected %2, but there is '%3'.",
+                      : Message::say("The error field cannot be read at character %1: expected %2, but found '%3'.",
                                      place_ + 1, expected, printable(rest()))};
     }
 

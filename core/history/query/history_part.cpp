@@ -57,9 +57,8 @@ Status HistoryScan::run(const Progress& progress)
         return walked;
     if (inCoarse_ != part_.coarse.tetrahedra || inFine_ != part_.fine.tetrahedra)
         return inconsistentModel(
-            model_,
-            Message::say("the meshes of %1 and %2 sites do not have the %3 and %4 tetrahedra that they should have",
-                         part_.coarse.sites, part_.fine.sites, part_.coarse.tetrahedra, part_.fine.tetrahedra));
+            model_, Message::say("the meshes of %1 and %2 sites do not have the expected %3 and %4 tetrahedra",
+                                 part_.coarse.sites, part_.fine.sites, part_.coarse.tetrahedra, part_.fine.tetrahedra));
     return {};
 }
 
@@ -177,7 +176,7 @@ private:
 
 Result<ExtractedMesh> chooseLives(const HistoryPart& part, const MeshQuery& query, const Progress& progress)
 {
-    constexpr MarkedText choosingLives = Message::marked("Choosing tetrahedra by their lives");
+    constexpr MarkedText choosingLives = Message::marked("Selecting tetrahedra by when they appear and disappear");
     constexpr std::size_t chosenAtOnce = 1 << 16;
     const LifeRange range = query.range.value_or(LifeRange());
     const Choice choice(query.values, query.window, part.mesh);

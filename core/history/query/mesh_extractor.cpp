@@ -65,7 +65,7 @@ Result<double> scaleWithin(std::uint64_t budget, double first, double largest, c
                 return Error{
                     ErrorKind::WrongUsage,
                     Message::say(
-                        "The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.",
+                        "The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least that many.",
                         *found, budget)};
             tooFine = scale;
         } else {
@@ -91,10 +91,11 @@ Result<double> scaleWithin(std::uint64_t budget, double first, double largest, c
 Result<MeshSize> meshSizeWithin(const Model& model, const Accuracy& asked, std::uint64_t budget)
 {
     const auto tooMany = [&](std::uint64_t tetrahedra) {
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("The coarsest mesh of '%1' has %2 tetrahedra, more than the budget of %3. Allow at "
-                                  "least as many.",
-                                  model.path().string(), tetrahedra, budget)};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "The coarsest mesh of '%1' has %2 tetrahedra, more than the budget of %3. Allow at least that many.",
+                model.path().string(), tetrahedra, budget)};
     };
     const MeshSize finest = meshSizeAt(model, asked);
     if (model.elsewhere() != nullptr) {
@@ -325,8 +326,9 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
     return {};
 }
 
-/// Two limits of which a prefix keeps one better than asked (C1). Closed sets hold what was done before for the other
-/// one's sake: of BluntFin, for the warping alone, 2.8 times the sites of a build for that; insertion takes 1.01 times.
+/// Two limits, one of which a prefix of the history keeps better than requested (C1). A closed set also contains the
+/// sites that were inserted earlier for the other limit: for BluntFin, with a limit on the warping alone, 2.8 times the
+/// sites of a model built for that limit; insertion needs 1.01 times as many.
 Status MeshExtractor::Work::extractPair(const MeshQuery& query, const Accuracy& asked, const Progress& progress)
 {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -456,9 +458,9 @@ std::optional<Message> MeshExtractor::Work::obstacleToInsertion(const MeshQuery&
     if (model_->description().domain == DomainClass::Scattered)
         return Message::say("Insertion is for lattices and curvilinear grids, not for scattered points");
     if (!model_->description().delaunay)
-        return Message::say("Insertion needs a model made by refinement, whose meshes are Delaunay ones");
+        return Message::say("Insertion needs a model made by refinement, whose meshes are Delaunay meshes");
     if (model_->samples().empty())
-        return Message::say("Insertion needs all samples of the dataset, which this model's file does not hold");
+        return Message::say("Insertion needs all samples of the dataset, which the file of this model does not hold");
     if (CurvilinearFocus::fits(*model_))
         return std::nullopt;
     const SpaceRamp* const ramp = query.error.asSpaceRamp();
@@ -470,7 +472,7 @@ std::optional<Message> MeshExtractor::Work::obstacleToInsertion(const MeshQuery&
                             "0.001 %");
     if (RegionRefiner::fits(*model_))
         return std::nullopt;
-    return Message::say("Insertion does not know how this model was built, or its grid is too large");
+    return Message::say("Insertion cannot tell how this model was built, or its grid is too large");
 }
 
 /// Closed sets are small for graded fields, and quick for large foci. In computational space, where much of a grid
@@ -503,7 +505,8 @@ Status MeshExtractor::Work::extractWithinBudget(const MeshQuery& query, const Pr
         scaled.budget.reset();
         scaled.error = scaledField(query.error, scale);
         scaled.warping = scaledField(query.warping, scale);
-        progress.report(1 - 1 / (1 + 0.25 * ++meshes), Message::marked("Trying what the budget allows"));
+        progress.report(1 - 1 / (1 + 0.25 * ++meshes),
+                        Message::marked("Searching for the best mesh within the budget"));
         if (const Status found = extractByInsertion(scaled, progress.withCallback({})); !found)
             return found.error();
         return whole_->content.wholeTetrahedra;
@@ -580,7 +583,7 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::extract(const MeshQu
 {
     auto mesh =
         guarded(Message::marked(
-                    "There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget."),
+                    "There is not enough memory for this mesh. Choose a larger error, a smaller focus or a budget."),
                 [&] { return work_->extract(query, progress); });
     if (!mesh && mesh.error().kind == ErrorKind::OutOfResource)
         work_ = std::make_unique<Work>(work_->model()); // without what it kept for the next query

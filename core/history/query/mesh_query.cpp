@@ -65,15 +65,15 @@ Status checkRange(const MeshQuery& query)
             return wrong(Message::say("An end of the range of accuracies is not a number. Give both in percent."));
     for (const ValueRange& lives : {range.births, range.deaths})
         if (!(lives.minimum <= lives.maximum))
-            return wrong(Message::say("A range of births or deaths goes from a smaller error to a larger one: %1 and "
-                                      "%2 do not.",
+            return wrong(Message::say("A range of errors at which tetrahedra appear or disappear goes from a smaller "
+                                      "error to a larger one: %1 and %2 do not.",
                                       formatNumber(lives.minimum), formatNumber(lives.maximum)));
     if (query.budget)
         return wrong(Message::say("A budget is for one mesh, and a range of accuracies has many. Leave one of the two "
                                   "out."));
     if (query.window && query.window->border == WindowBorder::Clipped)
-        return wrong(Message::say("Meshes of several accuracies cannot be cut at a window: what is cut has no life of "
-                                  "its own. Ask for the tetrahedra that intersect the window, or that it contains."));
+        return wrong(Message::say("Clip exactly is not available for meshes of several accuracies. Choose the "
+                                  "tetrahedra that intersect the crop box, or those it contains."));
     return {};
 }
 
@@ -90,15 +90,16 @@ Status checkField(const ErrorField& field, const Message& refusal)
 Status checkQuery(const Model& model, const MeshQuery& query)
 {
     const Status error = checkField(
-        query.error, Message::say("The largest error is not a number somewhere. Give it in percent everywhere."));
+        query.error, Message::say("The largest error is not a number everywhere. Give it in percent at every place."));
     if (!error)
         return error;
-    const Status warping = checkField(
-        query.warping, Message::say("The largest warping is not a number somewhere. Give it in percent everywhere."));
+    const Status warping =
+        checkField(query.warping,
+                   Message::say("The largest warping is not a number everywhere. Give it in percent at every place."));
     if (!warping)
         return warping;
     if (query.budget == 0)
-        return wrong(Message::say("A budget of no tetrahedra allows no mesh of '%1'.", model.path().string()));
+        return wrong(Message::say("A budget of zero tetrahedra allows no mesh of '%1'.", model.path().string()));
     for (const ValueRange& range : query.values)
         if (!(range.minimum <= range.maximum))
             return wrong(Message::say("A range of values goes from a smaller number to a larger one: %1 and %2 do not.",

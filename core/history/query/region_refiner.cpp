@@ -129,8 +129,8 @@ public:
             return fieldAt(point);
         return inside_[0][point[0]] && inside_[1][point[1]] && inside_[2][point[2]] ? least : most;
     }
-    /// Whether a site should be a vertex before anything is looked at: the mesh before it was not good enough here or,
-    /// of a box, one step away. Without what lies next to a border more would have to be repaired, which takes longer.
+    /// Whether a site should be a vertex before any sample is examined: the mesh before it was not accurate enough here
+    /// or, for a box, one step away. Leaving out the sites next to a border would mean more repairs, which take longer.
     bool askFor(const std::array<std::uint32_t, 3>& point, double runningError) const
     {
         if (!quick_) {
@@ -426,7 +426,7 @@ Result<TetrahedronSet> TetrahedronSet::make(const Model& model, std::uint32_t fi
         return {};
     };
     if (const Status walked =
-            walkHistory(model, firstCreator, sites, progress, Message::marked("Looking at the history"), visit);
+            walkHistory(model, firstCreator, sites, progress, Message::marked("Reading the history"), visit);
         !walked)
         return walked.error();
     stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
@@ -563,7 +563,7 @@ Status RegionRefiner::Work::makeIndex()
         return model_.checkIntact();
     sites_ = SiteGrid::make(lattice_, model_.points());
     if (!sites_)
-        return inconsistentModel(model_, Message::say("a site is no point of its lattice"));
+        return inconsistentModel(model_, Message::say("a site is not a point of its lattice"));
     return model_.checkIntact();
 }
 
@@ -795,7 +795,7 @@ Status RegionRefiner::Work::readBounds(std::uint32_t sites)
         });
         return {};
     };
-    return walkHistory(model_, 0, sites, {}, Message::marked("Looking at the history"), visit);
+    return walkHistory(model_, 0, sites, {}, Message::marked("Reading the history"), visit);
 }
 
 Status RegionRefiner::Work::knowStars(const Range& range, const Progress& progress)

@@ -128,7 +128,7 @@ void orderBySigns(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>&
 
 using CutPlace = BoxSides::Place;
 
-constexpr MarkedText cuttingAtWindow = Message::marked("Cutting at the window");
+constexpr MarkedText cuttingAtWindow = Message::marked("Cutting at the crop box");
 /// Tetrahedra between two looks at whether the work was cancelled, and at how many vertices there are.
 constexpr std::size_t cutAtOnce = 1 << 16;
 constexpr std::size_t mostVertices = 0xfffffffe;
@@ -260,9 +260,10 @@ Status cutAt(const Plane& plane, TetrahedralMesh& mesh, Pieces& pieces, const Pr
         if (progress.cancelled())
             return cancelledError(cuttingAtWindow);
         if (mesh.positions.size() + 4 * (end - first) > mostVertices)
-            return Error{ErrorKind::OutOfResource,
-                         Message::say("The mesh that is cut at the window has more vertices than fit: choose a larger "
-                                      "error or a smaller window.")};
+            return Error{
+                ErrorKind::OutOfResource,
+                Message::say(
+                    "The mesh cut at the crop box has too many vertices: choose a larger error or a smaller box.")};
         progress.report(static_cast<double>(first) / static_cast<double>(tetrahedra.size()), cuttingAtWindow);
         for (std::size_t t = first; t < end; ++t) {
             cutter.cut(tetrahedra[t], kept.tetrahedra);
@@ -320,7 +321,7 @@ Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& window, cons
 
 /// Tetrahedra between two looks at whether the work was cancelled.
 constexpr std::size_t filteredAtOnce = 1 << 16;
-constexpr MarkedText choosingCells = Message::marked("Choosing from the mesh");
+constexpr MarkedText choosingCells = Message::marked("Selecting tetrahedra from the mesh");
 
 /// Keeps those that the test is true of, in order.
 template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progress& progress, const Test& test)
@@ -371,8 +372,7 @@ Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, co
 {
     return guarded(
         Message::marked(
-            "Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller "
-            "window."),
+            "Not enough memory to cut a mesh of %1 tetrahedra at a crop box. Choose a larger error or a smaller box."),
         [&] { return keepWindowUnguarded(mesh, window, progress); }, mesh.tetrahedra.size());
 }
 

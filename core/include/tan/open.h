@@ -86,22 +86,23 @@ struct FoundModel {
 };
 
 struct OpenOptions {
-    /// If given, no more than keeps it, of what is not an explicit file of this disk.
+    /// If given, reads only as much as this accuracy needs from a packed model or one on a server; an ordinary model
+    /// file on this disk is always opened whole.
     std::optional<Accuracy> accuracy{};
-    /// Nor more of a file on a server than so many bytes, or its coarsest mesh if that takes more.
+    /// The most bytes to read from a file on a server; its coarsest mesh is read even if that takes more.
     std::uint64_t mostBytes = std::numeric_limits<std::uint64_t>::max();
-    /// The cache: a folder of its own, made if it is not there; by default $XDG_CACHE_HOME/tan. With `cacheBytes` files
-    /// in it take no more than that, by default $TAN_CACHE_MB megabytes or else 8 GiB.
+    /// The cache: a folder of its own, created if it does not exist; by default $XDG_CACHE_HOME/tan. `cacheBytes`
+    /// limits the size of its files; by default $TAN_CACHE_MB megabytes, or else 8 GiB.
     std::filesystem::path cacheFolder{};
     std::uint64_t cacheBytes = 0;
-    /// Reads the file that is named, and nothing that the cache has of it; nor is anything left there. For whoever is
-    /// to say something of the file itself: a proof, a copy.
+    /// Reads the named file itself, neither from the cache nor into it: for statements about the file, such as a proof,
+    /// or for a copy.
     bool afresh = false;
-    /// For a server that answers only those who have it: sent to the server of the address, and to no other. It is
-    /// written nowhere; a model that is left at its server keeps it in memory.
+    /// For a server that requires a token: sent to the server of the address, and to no other. It is written nowhere; a
+    /// model that is left at its server keeps it in memory.
     std::string token{};
-    /// Told of each coarser mesh on the way, the first one as soon as can be, each several times as large as the one
-    /// before. From the thread that opens; what it does the work waits for.
+    /// Called with each coarser mesh on the way, the first one as soon as possible, each several times as large as the
+    /// one before. Called by the thread that opens the model, which waits until it returns.
     std::function<void(const FoundModel&)> grown{};
 };
 

@@ -23,6 +23,7 @@
 #include <tan/open.h>
 #include <tan/packed.h>
 #include <tan/parameter.h>
+#include <tan/picture.h>
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/transfer.h>

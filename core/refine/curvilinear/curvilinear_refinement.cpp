@@ -98,8 +98,9 @@ private:
 Status checkSize(const std::array<std::uint32_t, 3>& size)
 {
     if (!PackedLattice::fits(size))
-        return Error{ErrorKind::OutOfResource, Message::say("The grid has too many points to be refined: coordinates "
-                                                            "take more than 32 bits. Crop or subsample it.")};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("The grid has too many points to be refined: its coordinates need more than 32 bits. "
+                                  "Crop or subsample it.")};
     if (const auto metric = latticeMetric(size, {1, 1, 1}); !metric)
         return metric.error();
     return PointPool::checkSize(std::uint64_t(size[0]) * size[1] * size[2]);

@@ -63,7 +63,7 @@ struct ScatteredDelaunay::Mesh {
         const auto different = [&](const Point& p) { return p != points[0]; };
         const auto second = std::ranges::find_if(points, different);
         if (second == points.end())
-            return notEnough(Message::say("All points lie on one place."));
+            return notEnough(Message::say("All points lie at one place."));
         const auto offLine = [&](const Point& p) { return !CGAL::collinear(points[0], *second, p); };
         const auto third = std::find_if(second, points.end(), offLine);
         if (third == points.end())

@@ -106,7 +106,7 @@ Status checkDistinct(std::span<const Eigen::Vector3d> positions)
     if (same == order.end())
         return {};
     return Error{ErrorKind::BadInput,
-                 Message::say("Points %1 and %2 (counted from 0) lie on the same place. Merge such points first.",
+                 Message::say("Points %1 and %2 (counted from 0) lie at the same place. Merge such points first.",
                               std::min(same[0], same[1]), std::max(same[0], same[1]))};
 }
 
@@ -175,8 +175,8 @@ Status ScatteredSpace::distribute(const Progress& progress)
         const std::uint32_t found = delaunay_.locate(point, slot);
         if (found == noCell)
             return Error{ErrorKind::BadInput,
-                         Message::say("Point %1 lies outside the convex hull that was computed. Coordinates of so "
-                                      "different magnitudes cannot be used; scale them.",
+                         Message::say("Point %1 lies outside the computed convex hull. Coordinates of such different "
+                                      "magnitudes cannot be used; scale them.",
                                       point)};
         slot = found;
         addInside(slot, point);
@@ -238,7 +238,7 @@ Status ScatteredSpace::insert(const Next& next)
 {
     if (tetrahedronCount_ > std::numeric_limits<std::uint32_t>::max() - (1u << 20))
         return Error{ErrorKind::OutOfResource,
-                     Message::say("The history has more than 4 billion tetrahedra. Ask for a larger error.")};
+                     Message::say("The history has more than 4 billion tetrahedra. Choose a larger error.")};
     const Candidate candidate = next.candidate;
     queue_.pop();
     delaunay_.insert(candidate.point, candidate.slot);

@@ -53,8 +53,8 @@ inline bool isWorse(const WorstSample& one, const WorstSample& other)
     return one.point < other.point;
 }
 
-/// Whether the tetrahedron that the sample was found in is still there, and the sample no vertex: the cure of a flipped
-/// one may be inserted for another's sake, and several blocks have a sample on their borders.
+/// Whether the tetrahedron in which the sample was found still exists, and the sample is not a vertex yet: it may have
+/// been inserted to repair a flipped tetrahedron elsewhere, and several blocks share the samples on their borders.
 inline bool stands(const LocalDelaunay& mesh, const WorstSample& sample)
 {
     const DelaunayTetrahedron& now = mesh.mesh()[sample.slot];

@@ -22,8 +22,9 @@ Status checkBox(const LatticeBoxOptions& options)
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (options.box.size[axis] < 2 || options.box.size[axis] > options.latticeSize[axis] ||
             options.box.origin[axis] > options.latticeSize[axis] - options.box.size[axis])
-            return Error{ErrorKind::WrongUsage, Message::say("A block of the lattice needs two points along each axis "
-                                                             "and must not stick out. Choose another block size.")};
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("A block of the lattice needs at least two points along each axis and must lie "
+                                      "within it. Choose another block size.")};
     if (!exactWithMetric(options.box.size, options.metric))
         return Error{ErrorKind::OutOfResource, Message::say("A block of the lattice is too large to be refined with "
                                                             "exact arithmetic. Choose a smaller block size.")};

@@ -305,7 +305,7 @@ Status Builder::addSurface(const Surface& surface, bool overlay)
     if (Status status = checkMesh(mesh); !status)
         return status;
     if (mesh.positions.size() + list_.vertices.size() >= DrawnPiece::own)
-        return Error{ErrorKind::OutOfResource, Message::say("The scene has more than two thousand million vertices.")};
+        return Error{ErrorKind::OutOfResource, Message::say("The scene has more than two billion vertices.")};
     const bool coloured = !mesh.colours.empty();
     const float opacity = overlay ? 1 : std::min(surface.opacity, 1.0f);
     const std::uint32_t material = addMaterial(

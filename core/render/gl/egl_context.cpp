@@ -175,8 +175,8 @@ Result<std::unique_ptr<EglContext>> EglContext::make(const char* library)
                        context->tryDisplay(context->egl_->getDisplay(EGL_DEFAULT_DISPLAY));
     if (!found)
         return Error{ErrorKind::OutOfResource,
-                     Message::say("EGL gives no OpenGL 3.3 without a window on this machine. Install the card's driver "
-                                  "or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.")};
+                     Message::say("EGL provides no OpenGL 3.3 without a window on this machine. Install the driver of "
+                                  "the graphics card or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.")};
     return context;
 }
 

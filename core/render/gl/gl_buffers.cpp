@@ -106,8 +106,8 @@ Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh, const Eige
     gl_.bindVertexArray(0);
     if (gl_.getError() == gl::outOfMemory)
         return Error{ErrorKind::OutOfResource,
-                     Message::say("The graphics card has not enough memory for this surface. Lower the accuracy of the "
-                                  "mesh, or use the CPU back end.")};
+                     Message::say("The graphics card does not have enough memory for this surface. Lower the accuracy "
+                                  "of the mesh, or use the CPU back end.")};
     return buffers;
 }
 
@@ -143,8 +143,8 @@ static_assert(sizeof(CellClass) == 4, "two numbers of 16 bits, a texel");
 
 Error outOfMemory()
 {
-    return {ErrorKind::OutOfResource, Message::say("The graphics card has not enough memory for this volume. Lower the "
-                                                   "accuracy of the mesh, or use the CPU back end.")};
+    return {ErrorKind::OutOfResource, Message::say("The graphics card does not have enough memory for this volume. "
+                                                   "Lower the accuracy of the mesh, or use the CPU back end.")};
 }
 
 template <class Element> std::span<const std::byte> byteCount(const Element& elements)

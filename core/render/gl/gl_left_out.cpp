@@ -7,7 +7,7 @@ namespace tetra {
 Result<std::unique_ptr<RenderBackend>> makeGlBackend()
 {
     return Error{ErrorKind::OutOfResource,
-                 Message::say("This TAn was built without OpenGL (TAN_GL). Draw with the processor.")};
+                 Message::say("This TAn was built without OpenGL (TAN_GL). Use the CPU back end.")};
 }
 
 } // namespace tetra

@@ -29,8 +29,8 @@ std::string logOf(unsigned name, GlFunctions::Function<GlFunctions::GetInteger> 
 
 Error driverError(const std::string& log)
 {
-    return {ErrorKind::OutOfResource, Message::say("This machine's OpenGL driver refuses a shader of TAn. Use the CPU "
-                                                   "back end, or another driver. It says: %1",
+    return {ErrorKind::OutOfResource, Message::say("The OpenGL driver of this machine rejects a shader of TAn. Use the "
+                                                   "CPU back end, or another driver. It reports: %1",
                                                    log)};
 }
 
@@ -136,7 +136,7 @@ Status checkClipPlanes(std::span<const ClipPlane> planes)
 {
     if (planes.size() > largestClipPlaneCount)
         return Error{ErrorKind::OutOfResource,
-                     Message::say("OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.",
+                     Message::say("OpenGL supports at most %1 clip planes. Use fewer, or use the CPU back end.",
                                   largestClipPlaneCount)};
     return {};
 }
@@ -183,7 +183,7 @@ GlProgram::Refusal refusalOf(const std::string& maker)
                      maker.empty()
                          ? Message::say("The shader of an optical model cannot be used. The compiler says: %1", log)
                          : Message::say("The plugin '%1' has an optical model whose shader cannot be used. This is a "
-                                        "mistake in the plugin; tell its author. The compiler says: %2",
+                                        "fault of the plugin; tell its author. The compiler says: %2",
                                         maker, log)};
     };
 }

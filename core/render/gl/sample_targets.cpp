@@ -63,12 +63,13 @@ Status checkFramebuffer(const GlFunctions& gl)
 {
     const bool complete = gl.checkFramebufferStatus(gl::framebuffer) == gl::framebufferComplete;
     if (gl.getError() == gl::outOfMemory)
-        return Error{ErrorKind::OutOfResource, Message::say("The graphics card has not enough memory for a picture of "
-                                                            "this size. Make it smaller, or use the CPU back end.")};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("The graphics card does not have enough memory for a picture of this size. Make it "
+                                  "smaller, or use the CPU back end.")};
     if (!complete)
         return Error{ErrorKind::OutOfResource,
                      Message::say("The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 "
-                                  "demands. Use the CPU back end.")};
+                                  "requires. Use the CPU back end.")};
     return {};
 }
 
@@ -86,7 +87,7 @@ Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTar
     const int limit = largestTargetSide(gl);
     if (std::max(width, height) > limit)
         return Error{ErrorKind::OutOfResource,
-                     Message::say("This OpenGL driver draws at most %1 samples a side. Make the picture smaller, take "
+                     Message::say("This OpenGL driver draws at most %1 samples per side. Make the picture smaller, use "
                                   "fewer samples, or use the CPU back end.",
                                   limit)};
     targets.width = width;

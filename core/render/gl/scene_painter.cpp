@@ -343,10 +343,8 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     leaveDrawingState(gl_); // also if something went wrong
     gl_.bindFramebuffer(gl::framebuffer, framebuffer);
     if (status && gl_.getError() == gl::outOfMemory)
-        status = Error{
-            ErrorKind::OutOfResource,
-            Message::say(
-                "The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.")};
+        status = Error{ErrorKind::OutOfResource, Message::say("The graphics card does not have enough memory for this "
+                                                              "picture. Make it smaller, or use the CPU back end.")};
     statistics_.fillSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress.report(1, drawingScene);
     return status;

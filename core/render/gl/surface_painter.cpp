@@ -71,8 +71,7 @@ Status SurfacePainter::collectSurfaces(const Camera& camera)
         triangles += surface->mesh->triangles.size();
     }
     if (triangles >= std::numeric_limits<std::uint32_t>::max())
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("The scene has more than four thousand million triangles.")};
+        return Error{ErrorKind::OutOfResource, Message::say("The scene has more than four billion triangles.")};
     return {};
 }
 

@@ -21,9 +21,9 @@ namespace tetra {
 
 namespace {
 
-/// Layers of the fine volume in the border on either side. Blending cannot mix the two volumes, so they are drawn in
-/// turn. As layers of one begin in the middle of those of the other, what comes too early makes up for what comes too
-/// late.
+/// Layers of the fine volume in the border on either side. Blending cannot mix the two volumes, so their layers
+/// alternate. The layers of one begin in the middle of those of the other, so that parts drawn too early and too late
+/// balance out.
 constexpr int fineLayers = 2;
 
 RegionsInView regionsInView(std::span<const FocusRegion> regions, const VolumeView& view)

@@ -125,8 +125,7 @@ Result<Contour> extractContour(const TetrahedralMesh& mesh, std::span<const floa
     if (edges > largestRunEdgeCount)
         return Error{
             ErrorKind::OutOfResource,
-            Message::say(
-                "The isosurface has more than four thousand million vertices. Lower the accuracy of the mesh.")};
+            Message::say("The isosurface has more than four billion vertices. Lower the accuracy of the mesh.")};
 
     progress.report(0.6, extractingIsosurface);
     SurfaceVertices vertices = numberVertices(runs, index, mesh.positions.size());

@@ -44,7 +44,7 @@ PickingInterval partBeyond(const PickingRay& line, const Eigen::Vector3d& normal
     return part;
 }
 
-/// What both have.
+/// The intersection of two intervals.
 PickingInterval commonPart(const PickingInterval& one, const PickingInterval& other)
 {
     return {std::max(one.from, other.from), std::min(one.to, other.to)};

@@ -154,8 +154,10 @@ Status checkCells(const TetrahedralMesh& mesh)
     if (mesh.values.size() != mesh.positions.size())
         return Error{ErrorKind::WrongUsage, Message::say("The mesh and its values do not belong together.")};
     if (mesh.tetrahedra.size() >= largestAdjacentCellCount)
-        return Error{ErrorKind::OutOfResource, Message::say("The mesh has more than a thousand million tetrahedra, too "
-                                                            "many to be drawn at once. Lower its accuracy.")};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "The mesh has more than a billion tetrahedra, too many to be drawn at once. Lower its accuracy.")};
     const std::size_t vertices = mesh.positions.size();
     const auto exists = [&](std::uint32_t vertex) { return vertex < vertices; };
     if (!std::ranges::all_of(mesh.tetrahedra, [&](const auto& cell) { return std::ranges::all_of(cell, exists); }))
@@ -217,8 +219,8 @@ Status checkVolume(const Volume& volume)
                      Message::say("A volume of the scene and its transfer function do not belong together.")};
     if (volume.model && (!volume.model->evaluate || volume.model->shader.empty()))
         return Error{ErrorKind::WrongUsage,
-                     Message::say("An optical model of the scene lacks its function or its shader. This is a mistake "
-                                  "in the plugin that made it; tell its author.")};
+                     Message::say("An optical model of the scene lacks its function or its shader. This is a fault of "
+                                  "the plugin that made it; tell its author.")};
     return {};
 }
 
@@ -259,15 +261,15 @@ Status checkVolumes(const Scene& scene)
                 return status;
             if (volume->model)
                 return Error{ErrorKind::WrongUsage,
-                             Message::say("A blend of two volumes is seen by emission and absorption alone. Take the "
-                                          "optical model away, or show one of the two.")};
+                             Message::say("A blend of two volumes supports only emission and absorption. Remove the "
+                                          "optical model, or show one of the two.")};
         }
     }
     if (count > 1)
-        return Error{ErrorKind::WrongUsage, Message::say("A scene can have one volume, or one blend of two, and this "
-                                                         "one has %1. Show the others as surfaces, or in a picture of "
-                                                         "their own.",
-                                                         count)};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A scene can have one volume, or one blend of two, and this one has %1. Show the "
+                                  "others as surfaces, or in separate pictures.",
+                                  count)};
     return {};
 }
 

@@ -32,7 +32,7 @@ Status checkSize(const VolumeOptions& options)
     if (options.width < 1 || options.height < 1 || options.width > largestPictureSide ||
         options.height > largestPictureSide)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("A picture must have 1 to %1 samples a side. Draw a larger one in parts.",
+                     Message::say("A picture must have 1 to %1 samples per side. Draw a larger one in parts.",
                                   largestPictureSide)};
     return {};
 }

@@ -347,7 +347,7 @@ template <class Node> Status checkValues(const CurvePreset& preset, std::span<co
             return wrongCurve(preset, Message::say("a value is not a finite number"));
         if (node > 0 && nodes[node].value < nodes[node - 1].value)
             return wrongCurve(preset,
-                              Message::say("its values do not ascend: %1 comes after %2",
+                              Message::say("its values are not in ascending order: %1 comes after %2",
                                            formatNumber(nodes[node].value), formatNumber(nodes[node - 1].value)));
     }
     return {};
@@ -364,7 +364,8 @@ Status checkCurves(const CurvePreset& preset)
     if (preset.colours.nodes.empty() && preset.opacities.empty())
         return wrongCurve(preset, Message::say("it has neither colours nor opacities"));
     if (preset.colours.logarithmic && !preset.colours.nodes.empty() && !(preset.colours.nodes.front().value > 0))
-        return wrongCurve(preset, Message::say("its colours go by the logarithm, and its values are not all positive"));
+        return wrongCurve(preset,
+                          Message::say("its colours follow the logarithm, and its values are not all positive"));
     for (const ColourNode& node : preset.colours.nodes)
         if (!std::ranges::all_of(node.colour, isShare))
             return wrongCurve(preset, Message::say("a channel of a colour lies outside 0 to 1"));

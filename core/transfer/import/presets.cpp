@@ -34,7 +34,7 @@ Result<std::vector<double>> numbersOf(const JsonValue* value, std::string_view n
     for (const JsonValue& element : *array) {
         const auto number = element.number() != nullptr ? parseNumber<double>(element.number()->text) : std::nullopt;
         if (!number)
-            return wrongJson(element, Message::say("\"%1\" holds something that is no number", name));
+            return wrongJson(element, Message::say("\"%1\" holds something that is not a number", name));
         numbers.push_back(*number);
     }
     return numbers;
@@ -161,7 +161,8 @@ Result<double> numberOf(const pugi::xml_node& point, const char* name, std::opti
         return *absent;
     const auto number = parseNumber<double>(attribute.value());
     if (!number)
-        return wrongXml(Message::say("a point's attribute '%1' is '%2' and no number", name, attribute.value()));
+        return wrongXml(
+            Message::say("a point's attribute '%1' is '%2', which is not a number", name, attribute.value()));
     return *number;
 }
 

@@ -20,9 +20,9 @@ Parameter orderParameter()
     order.id = "order";
     order.label = Message::marked("Order");
     order.explanation = Message::marked(
-        "Which point goes next: 'exact' takes the one whose loss does the least harm, for the fewest points; 'paper' "
-        "estimates that by gradients and planes, as the paper did; 'rounds' takes many points at a time that do not "
-        "touch, so that a focus region needs the least besides.");
+        "Which point is removed next: 'exact' takes the one whose loss does the least harm, for the fewest points; "
+        "'paper' estimates that by gradients and planes, as the paper did; 'rounds' takes many points that are not "
+        "neighbours at a time, so that a focus region needs the fewest additional points.");
     order.defaultValue = std::string(exact);
     order.choices = {std::string(exact), std::string(paper), std::string(rounds)};
     return order;
@@ -46,10 +46,10 @@ Parameter distanceParameter()
     Parameter distance;
     distance.id = "distance";
     distance.label = Message::marked("Distance");
-    distance.explanation = Message::marked(
-        "What the warping of irregular data measures: 'one-sided', as the paper did, how far the points of the data's "
-        "boundary are from that of a mesh; 'two-sided' also how far any place of a mesh's boundary is from that of the "
-        "data.");
+    distance.explanation =
+        Message::marked("What the warping of irregular data measures: 'one-sided', as the paper did, how far the "
+                        "points of the data's boundary are from that of a mesh; 'two-sided' also how far any place on "
+                        "a mesh's boundary is from that of the data.");
     distance.defaultValue = std::string(oneSided);
     distance.choices = {std::string(oneSided), std::string(twoSided)};
     distance.onlyWith = {domainId, {std::string(domainClassName(DomainClass::Irregular))}};
@@ -68,16 +68,15 @@ Message reasonFor(const Dataset& dataset)
     switch (dataset.domain) {
     case DomainClass::Irregular: return Message::say("An irregular mesh: decimation keeps its shape and its cavities.");
     case DomainClass::Curvilinear:
-        return Message::say("A curvilinear grid: decimation takes the mesh of its cells, and needs the fewest "
+        return Message::say("A curvilinear grid: decimation uses the mesh of its cells, and needs the fewest "
                             "tetrahedra for an error in space, where the points lie.");
     case DomainClass::RegularLattice:
         return Message::say(
             "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.");
     case DomainClass::Scattered: break;
     }
-    return Message::say("Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of "
-                        "them for the same "
-                        "accuracy, but more time and memory.");
+    return Message::say("Scattered points: decimation begins with the Delaunay mesh of all of them, and needs fewer of "
+                        "them for the same accuracy, but more time and memory.");
 }
 
 bool isComputational(const std::vector<Parameter>& known, const ParameterValues& values, DomainClass domain)
@@ -134,17 +133,19 @@ Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> DecimationBuilder::parameters() const
 {
-    return {errorThresholdParameter(Message::marked("Decimation stops at this error; 0 goes on to the coarsest mesh.")),
-            warpingThresholdParameter(domainsThatWarp()),
-            orderedByParameter(domainsThatWarp()),
-            thresholdParameter("finest", Message::marked("Finest error"),
-                               Message::marked("Leaves meshes of smaller errors out of the model, so that it is "
-                                               "smaller; 0 keeps everything."),
-                               Message::marked("% of the value range")),
-            orderParameter(),
-            spaceParameter(domainsOfGrids()),
-            distanceParameter(),
-            weightsParameter()};
+    return {
+        errorThresholdParameter(Message::marked("Decimation stops at this error; 0 continues to the coarsest mesh.")),
+        warpingThresholdParameter(domainsThatWarp()),
+        orderedByParameter(domainsThatWarp()),
+        thresholdParameter(
+            "finest", Message::marked("Finest error"),
+            Message::marked(
+                "Leaves meshes of smaller errors out of the model, to make it smaller; 0 keeps everything."),
+            Message::marked("% of the value range")),
+        orderParameter(),
+        spaceParameter(domainsOfGrids()),
+        distanceParameter(),
+        weightsParameter()};
 }
 
 ParameterValues DecimationBuilder::detail(double percent, DomainClass /*domain*/) const

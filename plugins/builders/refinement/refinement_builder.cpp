@@ -38,9 +38,9 @@ Parameter selectionParameter()
     selection.id = "selection";
     selection.label = Message::marked("Selection");
     selection.explanation =
-        Message::marked("For curvilinear data: 'normalised' takes the point that is farthest off in error or "
-                        "warping; 'paper' compares the two in the units of the data, as the paper did, to "
-                        "compare with it. Both keep cells from turning over.");
+        Message::marked("For curvilinear data: 'normalised' takes the point that is farthest off in error or warping; "
+                        "'paper' compares the two in the units of the data, as the paper did, for comparison with it. "
+                        "Both keep cells from turning inside out.");
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
     return inComputationalSpace(std::move(selection));
@@ -51,11 +51,11 @@ Parameter errorInParameter()
     Parameter errorIn;
     errorIn.id = "error-in";
     errorIn.label = Message::marked("Error in");
-    errorIn.explanation = Message::marked(
-        "For curvilinear data: 'grid' keeps the error in the grid, at the points' indices, as the paper did; 'space' "
-        "also the error in space, where the points lie, which is what you see. That takes more vertices and "
-        "time, and the whole grid in memory. 'automatic' keeps both of grids of up to a million points that are "
-        "refined as a whole, by both thresholds.");
+    errorIn.explanation =
+        Message::marked("For curvilinear data: 'grid' keeps the error in the grid, at the points' indices, as the "
+                        "paper did; 'space' also the error in space, where the points lie, which is what you see. That "
+                        "takes more vertices and time, and the whole grid in memory. 'automatic' keeps both for grids "
+                        "of up to a million points that are refined as a whole, using both thresholds.");
     errorIn.defaultValue = std::string(automatic);
     errorIn.choices = {std::string(automatic), std::string(inGrid), std::string(inSpace)};
     return inComputationalSpace(std::move(errorIn));
@@ -67,8 +67,8 @@ Parameter blockParameter()
     block.id = "block";
     block.label = Message::marked("Block");
     block.explanation = Message::marked(
-        "The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
-        "refines the dataset as a whole; 'automatic' takes blocks where a lattice or grid is large.");
+        "The edge length, in cells, of the blocks that are refined independently, a few of them in memory at a time; "
+        "'none' refines the dataset as a whole; 'automatic' uses blocks where a lattice or grid is large.");
     block.unit = Message::marked("cells");
     block.defaultValue = std::string("automatic");
     block.words = {Message::marked("automatic"), Message::marked("none")};
@@ -89,9 +89,8 @@ Result<std::optional<std::uint32_t>> blockOf(const std::string& text)
     if (!cells || *cells == 0)
         return Error{
             ErrorKind::WrongUsage,
-            Message::say(
-                "The block size '%1' is neither \"automatic\" nor \"none\" nor a number of cells of at least 1.",
-                text)};
+            Message::say("The block size '%1' is not \"automatic\", \"none\" or a number of cells of at least 1.",
+                         text)};
     return cells;
 }
 
@@ -110,13 +109,12 @@ Message reasonFor(const Dataset& dataset)
 {
     switch (dataset.domain) {
     case DomainClass::RegularLattice:
-        return Message::say("A regular lattice: refinement keeps the exact domain and needs the least time.");
+        return Message::say("A regular lattice: refinement keeps the exact domain and is the fastest method.");
     case DomainClass::Curvilinear:
         if (dataset.convex)
             return Message::say("A rectilinear grid: refinement in physical space keeps the exact domain.");
-        return Message::say(
-            "A curvilinear grid: refinement in computational space bounds the error in the grid and the "
-            "warping, also where cells of the grid are folded, and can bound the error in space.");
+        return Message::say("A curvilinear grid: refinement in computational space bounds the error in the grid and "
+                            "the warping, even where cells of the grid are folded, and can bound the error in space.");
     case DomainClass::Scattered: return Message::say("Scattered points: refinement fills their convex hull.");
     case DomainClass::Irregular: break;
     }

@@ -33,10 +33,10 @@ QString fileOf(const QString& name)
 
 Error failed(const QString& path, const QString& why)
 {
-    return {
-        ErrorKind::BadInput,
-        Message::say("The preset '%1' cannot be changed: %2. Check the rights of its folder, and that there is space.",
-                     path.toStdString(), why.toStdString())};
+    return {ErrorKind::BadInput,
+            Message::say(
+                "The preset '%1' cannot be changed: %2. Check the permissions of its folder, and that there is space.",
+                path.toStdString(), why.toStdString())};
 }
 
 TransferFunction spread(TransferFunction function, const TransferLimits& range, double unitDistance)

@@ -82,10 +82,10 @@ void TransferPanel::addValueAxes(QMenu& menu)
 void TransferPanel::setValueAxis(ValueAxis axis)
 {
     if (!hasPlaces(state_.limits(), axis))
-        host_.tell(Message::say("The axis of values stays linear: a logarithmic one has no place for zero and less, "
-                                "and the data or the points begin at %1. Move the points above zero, or choose data "
-                                "of positive values.",
-                                QLocale().toString(state_.limits().least, 'g', 6).toStdString()));
+        host_.tell(Message::say(
+            "The axis of values stays linear: a logarithmic one has no place for zero and negative values, and the "
+            "data or the points begin at %1. Move the points above zero, or choose data with positive values.",
+            QLocale().toString(state_.limits().least, 'g', 6).toStdString()));
     EditorView view = state_.view();
     view.valueAxis = hasPlaces(state_.limits(), axis) ? axis : ValueAxis::Linear;
     state_.setView(view);
@@ -118,7 +118,7 @@ void TransferPanel::take(const ImportedTransfer& imported)
     state_.setFunction(imported.function);
     const auto [least, largest] = state_.range();
     if (imported.spread)
-        host_.tell(Message::say("The preset goes from 0 to 1, and is stretched over the values of the data, %1 to %2.",
+        host_.tell(Message::say("The preset covers 0 to 1, and is stretched over the values of the data, %1 to %2.",
                                 formatNumber(least), formatNumber(largest)));
 }
 

@@ -44,7 +44,7 @@ void PointNumbers::nameControls()
     value_->setToolTip(tr("Value of the selection, in data units; selected points move together"));
     opacity_->setObjectName("transfer.opacity");
     opacity_->setAccessibleName(tr("Opacity"));
-    opacity_->setToolTip(tr("Opacity of the selected points: percent of the light absorbed per unit distance"));
+    opacity_->setToolTip(tr("Opacity of the selected points: percentage of light absorbed per unit distance"));
     opacity_->setValueRange(0, 100);
     opacity_->setDecimals(2);
     opacity_->setSuffix(tr(" %"));
@@ -52,8 +52,8 @@ void PointNumbers::nameControls()
     colour_->setToolTip(tr("Colour of the selection"));
     unitDistance_->setObjectName("transfer.unitDistance");
     unitDistance_->setAccessibleName(tr("Unit distance"));
-    unitDistance_->setToolTip(tr("The thickness, in the units of the data, that a layer must have for the opacities to "
-                                 "hold: less makes everything denser"));
+    unitDistance_->setToolTip(tr(
+        "The thickness of a layer to which the opacities apply, in data units: a smaller one makes everything denser"));
     for (ValueBox* box : {value_, opacity_, unitDistance_})
         new GestureWatcher(box, state_.host());
 }

@@ -98,7 +98,7 @@ QVariant PointTableModel::headerData(int section, Qt::Orientation orientation, i
         return names.at(static_cast<std::size_t>(section));
     }
     if (role == Qt::ToolTipRole) {
-        const std::array tips{tr("In the units of the data"), tr("Fraction absorbed per unit distance"),
+        const std::array tips{tr("In data units"), tr("Fraction absorbed per unit distance"),
                               tr("As a name or as #rrggbb"), tr("0 to 9, or empty")};
         return tips.at(static_cast<std::size_t>(section));
     }

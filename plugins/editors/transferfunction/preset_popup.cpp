@@ -48,9 +48,9 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     list_->setIconSize(previewSize);
     list_->setUniformItemSizes(true);
     save_->setObjectName("transfer.presetPopup.save");
-    save_->setToolTip(tr("Keep the transfer function as it is now, for this and for other models"));
+    save_->setToolTip(tr("Keep the current transfer function for this and other models"));
     delete_->setObjectName("transfer.presetPopup.delete");
-    delete_->setToolTip(tr("Delete the chosen preset, if it is one of your own"));
+    delete_->setToolTip(tr("Delete the selected preset, if it is one of your own"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(save_);
     buttons->addStretch();
@@ -121,7 +121,7 @@ void PresetPopup::fill()
     for (const Preset& preset : presets_) {
         auto* item = new QListWidgetItem(presetIcon(preset, previewSize), preset.name, list_);
         item->setData(Qt::UserRole, preset.id);
-        item->setToolTip(preset.isOwn ? tr("One of your own") : preset.source);
+        item->setToolTip(preset.isOwn ? tr("Your own preset") : preset.source);
     }
     const int widest = list_->sizeHintForColumn(0) + list_->verticalScrollBar()->sizeHint().width();
     list_->setMinimumWidth(std::min(widest, widestList));

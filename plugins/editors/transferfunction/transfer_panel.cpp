@@ -72,22 +72,22 @@ void TransferPanel::nameControls()
         control->setToolTip(tip);
     };
     chooser_->setObjectName("transfer.function");
-    chooser_->setToolTip(tr("Which of the rendering mode's transfer functions is edited"));
+    chooser_->setToolTip(tr("Transfer function to edit"));
     chooser_->setAccessibleName(tr("Transfer function to edit"));
-    name(readOut_, "readOut", {}, tr("Value, opacity, colour and how often it occurs, at the pointer"));
+    name(readOut_, "readOut", {}, tr("Value, opacity, colour and frequency of occurrence, at the pointer"));
     name(step_, "step", {},
-         tr("Give the point two sides: what lies below its value ends there, and what lies above begins"));
-    name(add_, "add", {}, tr("Add a point after the selected one, or click on the curve, or double click in the plot"));
+         tr("Give the point two sides: one colour and opacity for the values below it, another for those above"));
+    name(add_, "add", {}, tr("Add a point after the selected one; or click the curve, or double-click the plot"));
     name(remove_, "remove", {}, tr("Remove the selection (Del)"));
     name(logarithmic_, "logarithmic", {},
-         tr("Show how often values occur on a logarithmic scale, so that rare ones are seen"));
+         tr("Show how often values occur on a logarithmic scale, so that rare ones are visible"));
     name(presets_, "presets", tr("Presets"), tr("Transfer-function presets"));
     name(edits_, "edits", tr("Change"), tr("Change the selected points, or all"));
     name(view_, "view", tr("View"), tr("How the plot is shown"));
     name(mask_, "mask", tr("Mask"), tr("Show only the values between two draggable lines"));
     name(showTable_, "table.show", tr("Table"), tr("Edit all points in a table"));
-    name(load_, "load", tr("Load…"), tr("Load a transfer function: one of TAn or presets of ParaView (JSON or XML)"));
-    name(save_, "save", tr("Save…"), tr("Save the transfer function as a JSON file, which “tan render” takes, too"));
+    name(load_, "load", tr("Load…"), tr("Load a transfer function: TAn's own, or ParaView presets (JSON or XML)"));
+    name(save_, "save", tr("Save…"), tr("Save the transfer function as a JSON file, which “tan render” also accepts"));
     add_->setAccessibleName(tr("Add a point"));
     remove_->setAccessibleName(tr("Remove the selection"));
     readOut_->setTextFormat(Qt::RichText);

@@ -14,7 +14,7 @@ Result<int> componentOf(const CellsRequest& request, int components)
         return *number;
     return Error{
         ErrorKind::WrongUsage,
-        Message::say("'%1' is no component of an array that has %2: say 'magnitude', or a number from 0 to %3.",
+        Message::say("'%1' is not a component of an array that has %2: give 'magnitude', or a number from 0 to %3.",
                      request.component, components, components - 1)};
 }
 
@@ -46,7 +46,7 @@ Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays
         names += (names.empty() ? "" : ", ") + printable(array.name);
     if (names.empty())
         return {ErrorKind::BadInput, Message::say("it has no values, of points or of cells. Write it with some.")};
-    return {ErrorKind::WrongUsage, Message::say("it has no array '%1'. There are: %2.", printable(name), names)};
+    return {ErrorKind::WrongUsage, Message::say("it has no array '%1'. Available: %2.", printable(name), names)};
 }
 
 } // namespace tetra

@@ -47,7 +47,7 @@ Result<Dataset> pointsOf(CellsFile file, const Source& source)
                          printable(file.arrayName))};
     if (file.joinsPoints)
         file.remarks.push_back(
-            Message::say("What joins its points (lines, polygons) was left out: they are scattered points."));
+            Message::say("The lines and polygons that join its points were left out: they are scattered points."));
     auto dataset = scatteredDataset(std::move(file.complex.positions), std::move(file.values.values), source.name);
     if (!dataset)
         return dataset.error();
@@ -136,15 +136,14 @@ std::vector<Parameter> CellsReader::parameters() const
     Parameter array;
     array.id = "array";
     array.label = Message::marked("Array");
-    array.explanation =
-        Message::marked("The array whose values to take, of points or of cells; nothing takes the one the file calls "
-                        "active, else the first.");
+    array.explanation = Message::marked("The array whose values to take, of points or of cells; by default the one the "
+                                        "file calls active, else the first.");
     array.defaultValue = std::string();
     Parameter component;
     component.id = "component";
     component.label = Message::marked("Component");
     component.explanation =
-        Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'.");
+        Message::marked("Arrays with several components: the number of one, from 0, or 'magnitude'.");
     component.defaultValue = std::string("magnitude");
     std::vector<Parameter> all = {array, component};
     std::ranges::copy(cellsParameters(), std::back_inserter(all));

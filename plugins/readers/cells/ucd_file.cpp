@@ -85,8 +85,8 @@ public:
     {
         std::string_view line;
         if (!lines_.next(line) || !parseCounts(line, counts_))
-            return wrong(Message::say(
-                "the first line is not five numbers: of points, cells, values a point, a cell and the model"));
+            return wrong(Message::say("the first line is not five numbers: of points, of cells, of values per point, "
+                                      "per cell and of the model"));
         // A line of a point has at least nine characters, one of a cell eight.
         if (counts_.points > lines_.bytesLeft() / 8 || counts_.cells > lines_.bytesLeft() / 7)
             return wrong(Message::say("it is too short for %1 points and %2 cells", counts_.points, counts_.cells));
@@ -114,7 +114,7 @@ public:
             if (!complete)
                 return wrong(Message::say("a point is not its number and three coordinates"));
             if (!numbers_.emplace(*number, point).second)
-                return wrong(Message::say("the number of a point is there twice"));
+                return wrong(Message::say("the number of a point appears twice"));
             positions.push_back(position);
         }
         return {};
@@ -153,20 +153,20 @@ public:
         const auto count = parseNumber<std::uint64_t>(nextWord(line));
         if (!count || *count == 0 || *count > perItem || *count > line.size())
             return wrong(
-                Message::say("the line before the values is not their number and how many components each has"));
+                Message::say("the line before the values does not hold their number and how many components each has"));
         std::uint64_t sum = 0;
         std::vector<FileArray> arrays(*count);
         for (FileArray& array : arrays) {
             const auto components = parseNumber<std::uint32_t>(nextWord(line));
             if (!components || *components == 0 || *components > perItem)
-                return wrong(
-                    Message::say("the line before the values is not their number and how many components each has"));
+                return wrong(Message::say(
+                    "the line before the values does not hold their number and how many components each has"));
             array.components = static_cast<int>(*components);
             array.perCell = perCell;
             sum += *components;
         }
         if (sum != perItem)
-            return wrong(Message::say("the components of the values do not add up to what the first line says"));
+            return wrong(Message::say("the components of the values do not add up to what the first line states"));
         for (FileArray& array : arrays) {
             if (!lines_.next(line))
                 return wrong(Message::say("the name of a value is missing"));
@@ -199,7 +199,7 @@ public:
             for (int i = 0; i < components; ++i) {
                 const auto value = parseNumber<double>(nextWord(line));
                 if (!value)
-                    return wrong(Message::say("a value is missing or no number"));
+                    return wrong(Message::say("a value is missing or not a number"));
                 squares += *value * *value;
                 if (i == component)
                     values[place->second] = *value;

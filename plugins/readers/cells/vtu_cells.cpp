@@ -232,10 +232,10 @@ private:
     {
         for (const VtuArray* array : {&piece_.facePoints, &piece_.faceEnds, &piece_.cellFaces, &piece_.cellFaceEnds})
             if (array->type.empty())
-                return bad(Message::say("it has polyhedra, but not their faces: these stand in the arrays 'faces' and "
-                                        "'faceoffsets' or, since VTK 9.4, 'face_connectivity', 'face_offsets', "
-                                        "'polyhedron_to_faces' and 'polyhedron_offsets'. Save it anew, or divide its "
-                                        "cells into tetrahedra."));
+                return bad(Message::say(
+                    "it has polyhedra, but not their faces: these are in the arrays 'faces' and 'faceoffsets' or, "
+                    "since VTK 9.4, 'face_connectivity', 'face_offsets', 'polyhedron_to_faces' and "
+                    "'polyhedron_offsets'. Save it again, or divide its cells into tetrahedra."));
         const auto points = readAllIntegers(head_, piece_.facePoints), ends = readAllIntegers(head_, piece_.faceEnds);
         if (!points || !ends)
             return points ? ends.error() : points.error();
@@ -247,7 +247,7 @@ private:
             return cellFaces.error();
         if (!std::ranges::is_sorted(*ends) || (!ends->empty() && ends->back() > points->size()) ||
             !std::ranges::is_sorted(*cellEnds))
-            return bad(Message::say("the offsets of its faces do not rise, or lead beyond their points."));
+            return bad(Message::say("the offsets of its faces do not rise, or point beyond their points."));
         // A face lies in two cells at most; cells that are there twice are borne.
         constexpr std::uint64_t mostUses = 8;
         const std::uint64_t most = mostUses * (points->size() + ends->size()) + piece_.cells;
@@ -304,9 +304,8 @@ private:
             return addWithoutFaceNodes({CellShape::QuadraticPyramid, 13}, 19, nodes);
         const auto shape = plainShape(type);
         if (!shape)
-            return bad(Message::say("it has cells of a shape that TAn does not know: %1. Divide them into simpler "
-                                    "ones.",
-                                    nameOf(type)));
+            return bad(Message::say(
+                "it has cells of a shape that TAn does not support: %1. Divide them into simpler ones.", nameOf(type)));
         const auto quadratic = quadraticShape(*shape, nodes.size());
         notes_.wronglyLinear += quadratic ? 1 : 0;
         notes_.joinsPoints = notes_.joinsPoints || type > PolyVertex;
@@ -436,21 +435,22 @@ std::vector<Message> remarksOn(const VtuCellNotes& notes)
     std::vector<Message> remarks;
     if (notes.wronglyLinear == 1)
         remarks.push_back(
-            Message::say("1 cell is called linear and has the corners of a quadratic one: it was taken as such."));
+            Message::say("1 cell is declared linear and has the corners of a quadratic one: it was read as such."));
     else if (notes.wronglyLinear > 1)
         remarks.push_back(
-            Message::say("%1 cells are called linear and have the corners of quadratic ones: they were taken as such.",
+            Message::say("%1 cells are declared linear and have the corners of quadratic ones: they were read as such.",
                          notes.wronglyLinear));
     if (notes.withoutFaceNodes > 0)
-        remarks.push_back(Message::say("Nodes in the faces of quadratic cells were not used: those of %1 cells.",
-                                       notes.withoutFaceNodes));
+        remarks.push_back(
+            Message::say("Nodes in the faces of quadratic cells were not used: in %1 cells.", notes.withoutFaceNodes));
     for (const auto& [order, count] : notes.byCorners)
-        remarks.push_back(order > 0 ? Message::say("Of the Lagrange cells of order %1 (%2) only the corners were used, "
-                                                   "with straight edges.",
-                                                   order, count)
-                                    : Message::say("Of the Lagrange cells that are not of one order in all directions "
-                                                   "(%1) only the corners were used, with straight edges.",
-                                                   count));
+        remarks.push_back(
+            order > 0 ? Message::say(
+                            "For the Lagrange cells of order %1 (%2) only the corners were used, with straight edges.",
+                            order, count)
+                      : Message::say("For the Lagrange cells whose order differs by direction (%1) only the corners "
+                                     "were used, with straight edges.",
+                                     count));
     return remarks;
 }
 

@@ -195,7 +195,7 @@ template <class Number>
 Result<std::vector<Number>> readNumbers(const VtuHead& head, const VtuArray& array, std::uint64_t count)
 {
     if (bytesOf(array) == 0)
-        return wrong(array, Message::say("is of type '%1', which is no number", printable(array.type)));
+        return wrong(array, Message::say("is of type '%1', which is not a number", printable(array.type)));
     if (array.format == "ascii")
         return readText<Number>(array, count);
     if (array.format != "binary" && array.format != "appended")

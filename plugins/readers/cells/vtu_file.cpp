@@ -70,7 +70,7 @@ Result<std::vector<double>> valuesOf(const VtuHead& head, const VtuPiece& piece,
     const std::uint64_t count = wanted.perCell ? piece.cells : piece.points;
     const auto components = static_cast<std::uint64_t>(wanted.components);
     if (count > std::numeric_limits<std::uint64_t>::max() / components)
-        return Error{ErrorKind::BadInput, Message::say("a piece says that it has more values than there can be.")};
+        return Error{ErrorKind::BadInput, Message::say("a piece claims to have more values than possible.")};
     auto numbers = readDoubles(head, *array, count * components);
     if (!numbers || components == 1)
         return numbers;
@@ -191,7 +191,7 @@ private:
             return {};
         const std::size_t firstPoint = file_.complex.positions.size();
         if (piece.points > std::numeric_limits<std::uint64_t>::max() / 3)
-            return Error{ErrorKind::BadInput, Message::say("a piece says that it has more points than there can be.")};
+            return Error{ErrorKind::BadInput, Message::say("a piece claims to have more points than possible.")};
         if (piece.positions.components != 3)
             return Error{ErrorKind::BadInput, Message::say("its points do not have three coordinates each.")};
         const auto positions = readDoubles(head_, piece.positions, 3 * piece.points);
@@ -261,7 +261,8 @@ private:
         if (std::ranges::all_of(file_.values.values, [](double value) { return value >= least && value <= most; }))
             file_.values.type = SampleType::Int32;
         else
-            file_.remarks.push_back(Message::say("Its 64-bit integers became floating-point numbers of 53 bits."));
+            file_.remarks.push_back(Message::say(
+                "Its 64-bit integers were converted to floating-point numbers, which are exact to 53 bits."));
     }
 
     const VtuHead& head_;
@@ -283,7 +284,7 @@ std::vector<Message> leftOutOf(const VtuHead& head)
     const auto time = head.time.type.empty() ? std::nullopt : std::optional(readDoubles(head, head.time, 1));
     if (!time || !*time)
         return {};
-    return {Message::say("It says that it is of the time %1.", formatNumber((**time)[0]))};
+    return {Message::say("It states the time %1.", formatNumber((**time)[0]))};
 }
 
 } // namespace

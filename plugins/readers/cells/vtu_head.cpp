@@ -41,7 +41,7 @@ public:
     {
         const auto first = tags_.next();
         if (!first || first->name != "VTKFile")
-            return bad(Message::say("it does not begin with <VTKFile>, so it is no VTK XML file."));
+            return bad(Message::say("it does not begin with <VTKFile>, so it is not a VTK XML file."));
         if (const Status status = fileTag(*first); !status)
             return status.error();
         while (const auto tag = tags_.next()) {
@@ -73,8 +73,8 @@ private:
         const std::string compressor = tag.attribute("compressor");
         head_.packed = compressor == "vtkZLibDataCompressor";
         if (!compressor.empty() && !head_.packed)
-            return bad(Message::say("it is packed by %1, and only zlib is read. Save it with zlib, or as .vtk, for "
-                                    "instance with ParaView.",
+            return bad(Message::say("it is compressed with %1, and only zlib is supported. Save it with zlib, or as "
+                                    ".vtk, for instance with ParaView.",
                                     printable(compressor)));
         return {};
     }

@@ -55,23 +55,22 @@ std::vector<Parameter> hdf5Parameters()
         std::string("automatic"));
     Parameter component =
         parameterOf("component", Message::marked("Component"),
-                    Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'."),
+                    Message::marked("Arrays with several components: the number of one, from 0, or 'magnitude'."),
                     std::string("magnitude"));
     component.mistake = componentMistake;
     Parameter time =
         parameterOf("time", Message::marked("Time step"),
-                    Message::marked("Of arrays with several time steps: which one, from 1."), std::int64_t(1));
+                    Message::marked("Arrays with several time steps: which one, from 1."), std::int64_t(1));
     time.minimum = 1;
     time.maximum = 1e9;
     Parameter channel =
         parameterOf("channel", Message::marked("Channel"),
-                    Message::marked("Of arrays with several channels: the number of one, from 1; without it the "
-                                    "first."),
+                    Message::marked("Arrays with several channels: the number of one, from 1; by default the first."),
                     std::string());
     channel.mistake = channelMistake;
     Parameter index = parameterOf("index", Message::marked("Further dimensions"),
-                                  Message::marked("Of arrays with more dimensions than space, time and channels: the "
-                                                  "number along each, from 1, as in d2=3; else the first is taken."),
+                                  Message::marked("Arrays with more dimensions than space, time and channels: the "
+                                                  "number along each, from 1, as in d2=3; by default the first."),
                                   std::string());
     index.mistake = indexMistake;
     std::vector<Parameter> all{array, component, time, channel, index};

@@ -68,12 +68,12 @@ ReadingProgram hdf5ReadingProgram(fs::path helper)
     return {
         .path = std::move(helper),
         .library = "HDF5",
-        .notInstalled =
-            Message::say("Install the package tan-vtk-readers, which comes with TAn: 'apt install "
-                         "./tan-vtk-readers_*.deb' where the file lies (of a build of your own: build it anew after "
-                         "'apt install libhdf5-dev'), or save the array as .npy, for instance with h5py and NumPy."),
+        .notInstalled = Message::say(
+            "Install the package tan-vtk-readers, which comes with TAn: 'apt install ./tan-vtk-readers_*.deb' in the "
+            "folder of that file (if you built TAn yourself: rebuild it after 'apt install libhdf5-dev'), or save the "
+            "array as .npy, for instance with h5py and NumPy."),
         .install = Message::say("Install the HDF5 library with 'apt install libhdf5-103-1' (other systems: hdf5)."),
-        .otherwise = Message::say("Copy or export it again; 'h5dump -H' tells what is in it."),
+        .otherwise = Message::say("Copy or export it again; 'h5dump -H' shows its content."),
     };
 }
 

@@ -33,21 +33,22 @@ std::vector<Parameter> imagesParameters()
 {
     const Parameter series = textParameter(
         "series", Message::marked("Series"),
-        Message::marked("Of a folder with several DICOM series, or an OME file with several images: which one, by "
-                        "number from 1, by its description or name, or by its SeriesInstanceUID; without it that of "
-                        "the file, or the first."));
+        Message::marked(
+            "A folder with several DICOM series, or an OME file with several images: which one, by number from 1, by "
+            "its description or name, or by its SeriesInstanceUID; by default that of the file, or the first."));
     const Parameter channel = textParameter(
         "channel", Message::marked("Channel"),
-        Message::marked("Of pictures with several channels: one, by name or number from 1; without it the first."));
+        Message::marked(
+            "Pictures with several channels: one of them, by name or number from 1; by default the first."));
     Parameter component =
         textParameter("component", Message::marked("Component"),
-                      Message::marked("Of pictures in colour: the number of one colour, from 0, or 'magnitude'."));
+                      Message::marked("Colour pictures: the number of one colour, from 0, or 'magnitude'."));
     component.mistake = componentMistake;
     Parameter time;
     time.id = "time";
     time.label = Message::marked("Time step");
-    time.explanation = Message::marked("Of pictures at several times, or of several volumes on one place: which one, "
-                                       "from 1; 0 takes the first, of DICOM files that of the file.");
+    time.explanation = Message::marked("Pictures at several times, or several volumes at one place: which one, from 1; "
+                                       "0 takes the first, or for DICOM files the one of the file.");
     time.defaultValue = std::int64_t(0);
     time.minimum = 0;
     time.maximum = 1e9;

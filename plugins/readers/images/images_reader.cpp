@@ -67,8 +67,8 @@ ReadingProgram imagesReadingProgram(fs::path program, ImagesFormat format)
         .library = format == ImagesFormat::Dicom ? "GDCM" : "libtiff",
         .notInstalled =
             Message::say("Install the package tan-vtk-readers, which comes with TAn: 'apt install "
-                         "./tan-vtk-readers_*.deb' where the file lies (of a build of your own: build it anew after "
-                         "'apt install libgdcm-dev libtiff-dev'), or convert the file to NRRD."),
+                         "./tan-vtk-readers_*.deb' in the folder of that file (if you built TAn yourself: rebuild it "
+                         "after 'apt install libgdcm-dev libtiff-dev'), or convert the file to NRRD."),
         .install = Message::say("Install GDCM and libtiff with 'apt install libgdcm3.0 libtiff6'."),
         .otherwise = Message::say("Export it again, or in another format (NRRD, NIfTI)."),
     };

@@ -70,13 +70,13 @@ Status checkChoices(const fs::path& path, const FormatRequest& file)
             continue;
         return Error{ErrorKind::WrongUsage,
                      id == npyAxesId
-                         ? Message::say("'--%1' says how a NumPy array is indexed, and '%2' is none. Leave it out.", id,
-                                        path.string())
+                         ? Message::say("'--%1' says how a NumPy array is indexed, and '%2' is not one. Leave it out.",
+                                        id, path.string())
                      : hasParameter(volumeChoices(), id)
-                         ? Message::say("'--%1' chooses among several volumes or components, and '%2' has one number "
+                         ? Message::say("'--%1' selects among several volumes or components, and '%2' has one number "
                                         "for each point. Leave it out.",
                                         id, path.string())
-                         : Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.",
+                         : Message::say("'--%1' describes raw files, but the header of '%2' states it. Leave it out.",
                                         id, path.string()),
                      path};
     }

@@ -68,9 +68,9 @@ ReadingProgram programOf(const fs::path& script)
     return {
         .path = "/usr/bin/python3",
         .library = "meshio",
-        .notInstalled = Message::say("Install Python and meshio by 'apt install python3-meshio', or write the mesh as "
-                                     ".vtu."),
-        .install = Message::say("Install Python and meshio by 'apt install python3-meshio'."),
+        .notInstalled =
+            Message::say("Install Python and meshio with 'apt install python3-meshio', or write the mesh as .vtu."),
+        .install = Message::say("Install Python and meshio with 'apt install python3-meshio'."),
         .otherwise = Message::say("Export it again, as .vtu if the program can."),
         .environment = {"OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1"}, // each thread of numpy takes memory
         .arguments = {"-I", script.string()},
@@ -93,7 +93,7 @@ Result<MeshioRequest> requestFor(const fs::path& path, const std::vector<Paramet
     request.format = meshioFormat(path, {reinterpret_cast<const char*>(first.data()), first.size()});
     if (request.format.empty())
         return Error{ErrorKind::BadInput,
-                     Message::say("it is of no format that TAn leaves to meshio. Let TAn choose the reader.")};
+                     Message::say("its format is not one that TAn leaves to meshio. Let TAn choose the reader.")};
     request.array = parameterValue<std::string>(parameters, values, "array");
     if (values.contains("component"))
         request.component = parameterValue<std::string>(parameters, values, "component");
@@ -172,18 +172,16 @@ std::vector<Parameter> MeshioReader::parameters() const
     Parameter time;
     time.id = "time";
     time.label = Message::marked("Time step");
-    time.explanation = Message::marked("Of files with several time steps: which one, from 1.");
+    time.explanation = Message::marked("Files with several time steps: which one, from 1.");
     time.defaultValue = std::int64_t(1);
     time.minimum = 1;
     time.maximum = 1e9;
     std::vector<Parameter> all = {
         textParameter("array", Message::marked("Values"),
-                      Message::marked("The values to take, by name or number; 'automatic' takes the first there "
-                                      "are."),
+                      Message::marked("The values to take, by name or number; 'automatic' takes the first."),
                       "automatic"),
         textParameter("component", Message::marked("Component"),
-                      Message::marked("Of arrays with several components: the number of one, from 0, or "
-                                      "'magnitude'."),
+                      Message::marked("Arrays with several components: the number of one, from 0, or 'magnitude'."),
                       "magnitude"),
         time, unitParameter()};
     std::ranges::move(cellsParameters(), std::back_inserter(all));

@@ -118,7 +118,7 @@ private:
                    ? Error{ErrorKind::BadInput,
                            Message::say("it ends within its header. It is cut short: copy the file again.")}
                    : wrongHeader(Message::say(
-                         "its NetCDF header has lists that are longer than the file, or none where some belong."));
+                         "its NetCDF header has lists that are longer than the file, or lacks required ones."));
     }
 
     Status dimensions()
@@ -152,7 +152,7 @@ private:
             if (ended_)
                 return noHeader();
             if (netCdfTypeSize(type) == 0)
-                return wrongHeader(Message::say("an attribute in its NetCDF header is of no type that there is."));
+                return wrongHeader(Message::say("its NetCDF header has an attribute of unknown type."));
         }
         return {};
     }
@@ -181,7 +181,7 @@ private:
                 return noHeader();
             if (dimension >= lengths_.size())
                 return wrongHeader(
-                    Message::say("its variable '%1' has dimensions that are not there.", printable(variable.name)));
+                    Message::say("its variable '%1' has dimensions that do not exist.", printable(variable.name)));
             const bool unlimited = lengths_[dimension] == 0;
             variable.hasRecords |= unlimited && i == 0;
             if (!unlimited || i > 0)
@@ -195,8 +195,7 @@ private:
         if (ended_)
             return noHeader();
         if (variable.typeSize == 0)
-            return wrongHeader(
-                Message::say("its variable '%1' is of no type that there is.", printable(variable.name)));
+            return wrongHeader(Message::say("its variable '%1' is of unknown type.", printable(variable.name)));
         variable.bytes = boundedProduct(values, variable.typeSize);
         variables_.push_back(std::move(variable));
         return {};
@@ -231,16 +230,15 @@ private:
                 bytes = boundedSum(bytes, variable.bytes);
             const std::uint64_t end = boundedSum(bytes, variable.begin);
             if (end > bytes_.size())
-                return Error{ErrorKind::BadInput,
-                             end == noNumber
-                                 ? Message::say("it has %1 bytes, and its variable '%2' is larger than any file. It is "
-                                                "cut short, or was not written to its end: copy the file again, or "
-                                                "export it again.",
-                                                bytes_.size(), printable(variable.name))
-                                 : Message::say("it has %1 bytes, and its variable '%2' reaches to byte %3. It is cut "
-                                                "short, or was not written to its end: copy the file again, or export "
-                                                "it again.",
-                                                bytes_.size(), printable(variable.name), end)};
+                return Error{
+                    ErrorKind::BadInput,
+                    end == noNumber
+                        ? Message::say("it has %1 bytes, and its variable '%2' is larger than any file. It is cut "
+                                       "short, or was not written completely: copy the file again, or export it again.",
+                                       bytes_.size(), printable(variable.name))
+                        : Message::say("it has %1 bytes, and its variable '%2' extends to byte %3. It is cut short, or "
+                                       "was not written completely: copy the file again, or export it again.",
+                                       bytes_.size(), printable(variable.name), end)};
             if (bytes > 0 && variable.begin < at_)
                 return wrongHeader(
                     Message::say("its variable '%1' begins within the header.", printable(variable.name)));

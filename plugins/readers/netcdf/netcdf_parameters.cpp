@@ -40,33 +40,31 @@ Message indexMistake(const std::string& text)
 
 std::vector<Parameter> netCdfParameters()
 {
-    Parameter array = parameterOf(
-        "array", Message::marked("Values"),
-        Message::marked("Of NetCDF and Exodus files: the variable, by name or number; 'automatic' takes the first that "
-                        "is not constant."),
-        std::string("automatic"));
-    Parameter component = parameterOf("component", Message::marked("Component"),
-                                      Message::marked("Of Exodus variables with several components: the number of one, "
-                                                      "from 0, or 'magnitude'."),
-                                      std::string("magnitude"));
+    Parameter array = parameterOf("array", Message::marked("Values"),
+                                  Message::marked("NetCDF and Exodus files: the variable, by name or number; "
+                                                  "'automatic' takes the first that is not constant."),
+                                  std::string("automatic"));
+    Parameter component = parameterOf(
+        "component", Message::marked("Component"),
+        Message::marked("Exodus variables with several components: the number of one, from 0, or 'magnitude'."),
+        std::string("magnitude"));
     component.mistake = componentMistake;
-    Parameter time =
-        parameterOf("time", Message::marked("Time step"),
-                    Message::marked("Of files with several time steps: which one, from 1."), std::int64_t(1));
+    Parameter time = parameterOf("time", Message::marked("Time step"),
+                                 Message::marked("Files with several time steps: which one, from 1."), std::int64_t(1));
     time.minimum = 1;
     time.maximum = 1e9;
     Parameter index = parameterOf("index", Message::marked("Further dimensions"),
-                                  Message::marked("Of variables with more dimensions than space and time: the number "
-                                                  "along each, from 1, as in member=3; else the first is taken."),
+                                  Message::marked("Variables with more dimensions than space and time: the number "
+                                                  "along each, from 1, as in member=3; by default the first."),
                                   std::string());
     index.mistake = indexMistake;
     Parameter part = parameterOf("part", Message::marked("Part"),
-                                 Message::marked("Of Exodus files: one element block, by its name, its number from 1 "
-                                                 "or its id; without it all that have the values."),
+                                 Message::marked("Exodus files: one element block, by its name, its number from 1 or "
+                                                 "its id; by default all that have the values."),
                                  std::string());
     Parameter displace =
         parameterOf("displace", Message::marked("Displace"),
-                    Message::marked("Of Exodus files with displacements: moves the nodes by them."), false);
+                    Message::marked("Exodus files with displacements: moves the nodes by them."), false);
     std::vector<Parameter> all{array, component, time, index, part, displace};
     std::ranges::move(cellsParameters(), std::back_inserter(all));
     std::ranges::move(placementParameters(), std::back_inserter(all));

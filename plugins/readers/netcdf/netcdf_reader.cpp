@@ -64,10 +64,10 @@ ReadingProgram netCdfReadingProgram(fs::path helper)
         .library = "NetCDF",
         .notInstalled =
             Message::say("Install the package tan-vtk-readers, which comes with TAn: 'apt install "
-                         "./tan-vtk-readers_*.deb' where the file lies (of a build of your own: build it anew after "
-                         "'apt install libnetcdf-dev'), or convert the file to NRRD or VTU."),
+                         "./tan-vtk-readers_*.deb' in the folder of that file (if you built TAn yourself: rebuild it "
+                         "after 'apt install libnetcdf-dev'), or convert the file to NRRD or VTU."),
         .install = Message::say("Install the NetCDF library with 'apt install libnetcdf19' (other systems: netcdf-c)."),
-        .otherwise = Message::say("Copy or export it again; 'ncdump -h' tells what is in it."),
+        .otherwise = Message::say("Copy or export it again; 'ncdump -h' shows its content."),
     };
 }
 

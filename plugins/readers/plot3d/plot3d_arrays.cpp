@@ -166,7 +166,7 @@ Message usableNames(const Plot3dFile& solution, std::span<const Plot3dGrid> grid
         if (const auto usable = varies(name, solution, grids, {}); usable.ok() && *usable)
             list += (list.empty() ? "" : ", ") + std::string(name);
     return list.empty() ? Message::say("No array of this solution varies.")
-                        : Message::say("These can be taken: %1.", list);
+                        : Message::say("Available arrays: %1.", list);
 }
 
 /// The values as T; none if one does not fit.
@@ -234,10 +234,11 @@ Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::span<const 
             return inPlot3dFile(
                 solution.path(),
                 hasNumbers(candidate, solution, grids)
-                    ? Message::say("the array '%1' has one value everywhere. %2", name, usableNames(solution, grids))
-                    : Message::say("the array '%1' has no number anywhere: it cannot be computed from this solution. "
-                                   "%2",
-                                   name, usableNames(solution, grids)),
+                    ? Message::say("the array '%1' has the same value everywhere. %2", name,
+                                   usableNames(solution, grids))
+                    : Message::say(
+                          "the array '%1' is not a number anywhere: it cannot be computed from this solution. %2", name,
+                          usableNames(solution, grids)),
                 ErrorKind::WrongUsage);
     }
     return inPlot3dFile(solution.path(), Message::say("none of its arrays varies, so there is nothing to see."));

@@ -99,9 +99,8 @@ Result<Plot3dFile> openPlot3d(const Plot3dSource& source, Plot3dKind kind)
             path,
             Message::say("the lengths of its Fortran records do not fit the sizes of its grids. Copy the file again."));
     if (!endsInZeros(file))
-        return inPlot3dFile(path,
-                            Message::say("%1 bytes too many stand behind its data. Check that it is a PLOT3D file.",
-                                         file.layout.padding));
+        return inPlot3dFile(path, Message::say("%1 bytes too many follow its data. Check that it is a PLOT3D file.",
+                                               file.layout.padding));
     return file;
 }
 

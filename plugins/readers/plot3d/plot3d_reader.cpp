@@ -54,7 +54,7 @@ Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven, co
     if (isSolution(*source)) {
         const fs::path grid = firstExisting(gridNames(path));
         if (grid.empty())
-            return inPlot3dFile(path, Message::say("it is a PLOT3D solution, and its grid is not beside it (%1). Open "
+            return inPlot3dFile(path, Message::say("it is a PLOT3D solution, and its grid is not next to it (%1). Open "
                                                    "the grid, and give it the solution.",
                                                    namesText(gridNames(path))));
         return Pair{grid, path, *source};
@@ -65,8 +65,8 @@ Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven, co
             return inPlot3dFile(path, grid.error().message);
     if (solution.empty())
         return inPlot3dFile(path,
-                            Message::say("it is a grid without values, and no solution is beside it (%1). Say where it "
-                                         "is with 'solution', or give it one of these names.",
+                            Message::say("it is a grid without values, and no solution is next to it (%1). Say where "
+                                         "it is with 'solution', or give it one of these names.",
                                          namesText(solutionNames(path))),
                             ErrorKind::WrongUsage);
     return Pair{path, solution, *source};
@@ -98,8 +98,8 @@ Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted, const Progress&
     if (!solution)
         return solution.error();
     if (solution->layout.sizes != grid->layout.sizes)
-        return inPlot3dFile(pair.solution, Message::say("it is the solution of another grid: its sizes are not those "
-                                                        "of '%1'. Choose another one with 'solution'.",
+        return inPlot3dFile(pair.solution, Message::say("it is the solution of another grid: its sizes differ from "
+                                                        "those of '%1'. Choose another one with 'solution'.",
                                                         pair.grid.string()));
     return OpenPair{*grid, *solution, *numbers};
 }
@@ -147,10 +147,9 @@ void tellState(const OpenPair& pair, std::vector<Message>& leftOut)
 {
     const std::array<double, 4> state = flowState(pair.solution, pair.numbers.front());
     if (std::ranges::any_of(state, [](double number) { return std::isfinite(number) && std::abs(number) > 0; }))
-        leftOut.push_back(Message::say("The solution says: Mach number %1, angle of attack %2, Reynolds number %3, "
-                                       "time %4. They are not used.",
-                                       formatNumber(state[0]), formatNumber(state[1]), formatNumber(state[2]),
-                                       formatNumber(state[3])));
+        leftOut.push_back(Message::say(
+            "The solution states: Mach number %1, angle of attack %2, Reynolds number %3, time %4. They are not used.",
+            formatNumber(state[0]), formatNumber(state[1]), formatNumber(state[2]), formatNumber(state[3])));
 }
 
 /// What was taken of what the two files offer.
@@ -203,10 +202,11 @@ Result<Dataset> meshOf(const OpenPair& pair, const std::vector<Dataset>& zones, 
     const auto refused = [&](const Error& error) {
         if (error.kind != ErrorKind::BadInput)
             return error;
-        return inPlot3dFile(pair.grid.path(),
-                            Message::say("its %1 grids make no mesh together. %2 Or choose one of them: 'grid' from 1 "
-                                         "to %3.",
-                                         zones.size(), error.message, zones.size()));
+        return inPlot3dFile(
+            pair.grid.path(),
+            Message::say(
+                "its %1 grids do not make a mesh together. %2 Alternatively choose one of them: 'grid' from 1 to %3.",
+                zones.size(), error.message, zones.size()));
     };
     auto together = joinZones(zones, progress.part(0, joined));
     if (!together)
@@ -351,9 +351,8 @@ std::vector<Parameter> Plot3dReader::parameters() const
     Parameter array;
     array.id = "array";
     array.label = Message::marked("Values");
-    array.explanation =
-        Message::marked("Which scalar of the solution: automatic takes the density, or if that is the same everywhere "
-                        "the first that varies.");
+    array.explanation = Message::marked("Which scalar of the solution: automatic takes the density, or, if that is the "
+                                        "same everywhere, the first that varies.");
     array.defaultValue = std::string("automatic");
     array.choices = {Message::marked("automatic")};
     for (const std::string_view name : plot3dArrayNames())
@@ -362,13 +361,12 @@ std::vector<Parameter> Plot3dReader::parameters() const
     solution.id = "solution";
     solution.label = Message::marked("Solution file");
     solution.explanation =
-        Message::marked("The PLOT3D solution of the grid; without it the one beside it with a matching name.");
+        Message::marked("The PLOT3D solution of the grid; by default the one next to it with a matching name.");
     solution.defaultValue = std::string();
     Parameter grid;
     grid.id = "grid";
     grid.label = Message::marked("Grid");
-    grid.explanation =
-        Message::marked("Which grid of a PLOT3D file that holds several, from 1; 0 joins all into one mesh.");
+    grid.explanation = Message::marked("Which grid of a PLOT3D file with several, from 1; 0 joins all into one mesh.");
     grid.defaultValue = std::int64_t(0);
     grid.minimum = 0;
     grid.maximum = 10000;

@@ -129,9 +129,9 @@ std::optional<Repeated> repeatedWord(std::string_view word)
 Error notANumber(std::string_view text, std::string_view word)
 {
     const auto line = 1 + std::count(text.data(), word.data(), '\n');
-    return {ErrorKind::BadInput, Message::say("'%1' in line %2 is no number, or one too large. The file is damaged, or "
-                                              "of another format.",
-                                              printable(word), line)};
+    return {ErrorKind::BadInput,
+            Message::say("'%1' in line %2 is not a number, or is too large. The file is damaged, or of another format.",
+                         printable(word), line)};
 }
 
 } // namespace
@@ -167,8 +167,8 @@ Result<Plot3dText> readPlot3dText(std::span<const std::byte> bytes, const Progre
     const std::string_view text = asText(bytes);
     if (mayEndWithinNumber(text))
         return Error{ErrorKind::BadInput,
-                     Message::say("it ends right behind its last number, or within it. If the file is whole, put an "
-                                  "end of line behind it; else copy the file again.")};
+                     Message::say("it ends directly after its last number, or within it. If the file is complete, add "
+                                  "an end of line; otherwise copy the file again.")};
     Plot3dText result;
     const std::uint64_t most = mostPerByte * text.size();
     std::string_view rest = text;
@@ -185,8 +185,8 @@ Result<Plot3dText> readPlot3dText(std::span<const std::byte> bytes, const Progre
         if (!number)
             return notANumber(text, word);
         if (repeated->times > most - std::min<std::uint64_t>(most, result.numbers.size()))
-            return Error{ErrorKind::BadInput, Message::say("with '%1' it repeats numbers more often than TAn believes "
-                                                           "a file of its size. Write them one by one.",
+            return Error{ErrorKind::BadInput, Message::say("with '%1' it repeats numbers more often than is plausible "
+                                                           "for a file of its size. Write them one by one.",
                                                            printable(word))};
         result.numbers.insert(result.numbers.end(), repeated->times, *number);
         result.singlePrecision = result.singlePrecision && fitsSinglePrecision(repeated->word, *number);

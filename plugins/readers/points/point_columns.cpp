@@ -108,8 +108,8 @@ Result<PointColumns> automaticPositions(Columns columns, bool namesMayBeNone)
             Message::say("it has numbers in %1 of its columns, and points need at least four: x, y, z and a value.",
                          filled)};
     return Error{ErrorKind::WrongUsage,
-                 Message::say("which of its columns are x, y and z? It has %1. Name three of them by '--positions', or "
-                              "in Import Options, as in --positions %2.",
+                 Message::say("which of its columns are x, y and z? It has %1. Name three of them with '--positions', "
+                              "or in Import Options, as in --positions %2.",
                               listOf(columns), "1,2,3")};
 }
 

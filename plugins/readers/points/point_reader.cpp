@@ -90,7 +90,7 @@ std::vector<Parameter> PointReader::parameters() const
     positions.label = Message::marked("Positions");
     positions.explanation =
         Message::marked("Tables of points: the columns of x, y and z, by name or number, as in a,b,c or 1,2,3; "
-                        "'automatic' finds them by their names; if there are no names, it takes the first three.");
+                        "'automatic' finds them by their names, or takes the first three if there are no names.");
     positions.defaultValue = std::string(automaticColumns);
     Parameter array;
     array.id = "array";
@@ -103,7 +103,7 @@ std::vector<Parameter> PointReader::parameters() const
     skip.id = "skip-incomplete";
     skip.label = Message::marked("Skip incomplete rows");
     skip.explanation =
-        Message::marked("Tables of points: leave out rows that lack a number, instead of refusing the file.");
+        Message::marked("Tables of points: leave out rows with a missing number, instead of refusing the file.");
     skip.defaultValue = false;
     return {positions, array, skip, unitParameter()};
 }

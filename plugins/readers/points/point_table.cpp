@@ -77,16 +77,16 @@ void noteUnits(const TableFront& front, PointTableHead& head)
         head.lengthUnit = isLengthUnit(units[0]) ? units[0] : units[0].empty() ? front.lengthUnit : std::string();
     else if (std::ranges::none_of(units, [](const std::string& unit) { return unit.empty(); }))
         head.leftOut.push_back(
-            Message::say("Its coordinates are in different units (%1, %2, %3) and are taken as they stand.",
+            Message::say("Its coordinates are in different units (%1, %2, %3) and are used as they are.",
                          printable(units[0]), printable(units[1]), printable(units[2])));
     if (front.unusedUnits > 0)
         head.leftOut.push_back(Message::say("The line of units below its names has %1 of them for %2 columns.",
                                             front.unusedUnits, front.columns));
     const ColumnName& height = head.columns[head.chosen.position[2]].name;
     if (isDepth(height))
-        head.leftOut.push_back(Message::say("Its depths ('%1') are taken for z as they stand: if they are positive, "
-                                            "the data stand on their head.",
-                                            printable(height.whole)));
+        head.leftOut.push_back(Message::say(
+            "Its depths ('%1') are used for z as they are: if they are positive, the data are upside down.",
+            printable(height.whole)));
 }
 
 Result<PointTableHead> headOf(const TableFront& front, const PointTableRequest& request)
@@ -146,7 +146,7 @@ Result<double> TableReading::number(std::size_t column) const
     const std::string name = nameOf(column);
     if (field.empty())
         return Error{ErrorKind::BadInput,
-                     Message::say("%1, %2: there is no number. Add it, or have incomplete rows skipped.", line, name)};
+                     Message::say("%1, %2: a number is missing. Add it, or have incomplete rows skipped.", line, name)};
     if (field.find(',') != std::string_view::npos)
         return Error{ErrorKind::BadInput, Message::say("%1, %2: %3 is not a number. Numbers need a decimal point.",
                                                        line, name, shown(field))};
@@ -163,7 +163,7 @@ Status TableReading::addRow()
 {
     if (fields_.size() != table_.head.columns.size())
         return Error{ErrorKind::BadInput,
-                     Message::say("%1 has %2 columns, and those before have %3.", lineText(rows_.number()),
+                     Message::say("%1 has %2 columns, and the lines before have %3.", lineText(rows_.number()),
                                   fields_.size(), table_.head.columns.size())};
     Eigen::Vector3d position;
     for (int axis = 0; axis < 3; ++axis) {
@@ -221,11 +221,11 @@ Status checkTable(std::string_view text)
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         return Error{ErrorKind::BadInput, Message::say("it is in UTF-16. Save it as UTF-8.")};
     if (text.find('\0') != std::string_view::npos)
-        return Error{ErrorKind::BadInput, Message::say("it is not a text.")};
+        return Error{ErrorKind::BadInput, Message::say("it is not text.")};
     if (isChemicalStructure(text))
         return Error{ErrorKind::BadInput,
-                     Message::say("it is a chemical structure: elements and where their atoms are. A table of points "
-                                  "is wanted, with a value for each x, y and z.")};
+                     Message::say("it is a chemical structure: elements and the positions of their atoms. A table of "
+                                  "points is needed, with a value for each x, y and z.")};
     return {};
 }
 

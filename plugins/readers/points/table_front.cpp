@@ -164,13 +164,14 @@ Result<void> checkWidth(TextLines lines)
     for (int count = 0; count < 3 && lines.next(line); ++count) {
         const Message where = Message::say("line %1", lines.number());
         if (std::max(line.size(), lines.comment().size()) > longestLine)
-            return Error{ErrorKind::BadInput, Message::say("%1 or a comment before it is longer than %2 bytes, and so "
-                                                           "not one of a table of points.",
-                                                           where, longestLine)};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("%1 or a comment before it is longer than %2 bytes, so this is not a table of points.",
+                             where, longestLine)};
         if (splitFields(line, separatorOf(line), fields) && fields.size() > mostColumns)
             return Error{ErrorKind::BadInput,
-                         Message::say("%1 has %2 columns, and at most %3 are read. Write a file of the columns of "
-                                      "places and values that you need.",
+                         Message::say("%1 has %2 columns, and at most %3 are read. Write a file with only the columns "
+                                      "of positions and values that you need.",
                                       where, fields.size(), mostColumns)};
     }
     return {};
@@ -383,7 +384,7 @@ Result<bool> TableRows::findData(std::string_view line)
         return false;
     if (!splitFields(line, separator_, names) || names.size() != columns_)
         return Error{ErrorKind::BadInput,
-                     Message::say("%1 has %2 columns, and those before have %3.",
+                     Message::say("%1 has %2 columns, and the lines before have %3.",
                                   Message::say("line %1", lines_.number()), names.size(), columns_)};
     ++parts_;
     return true;
@@ -391,13 +392,11 @@ Result<bool> TableRows::findData(std::string_view line)
 
 Error TableRows::wrongCount() const
 {
-    return rows_ > count_
-               ? Error{ErrorKind::BadInput,
-                       Message::say("line %1 says that %2 points follow, and there are more.", countLine_, count_)}
-               : Error{ErrorKind::BadInput,
-                       Message::say("line %1 says that %2 points follow, and there are %3. The copy may be incomplete: "
-                                    "copy the file again.",
-                                    countLine_, count_, rows_)};
+    return rows_ > count_ ? Error{ErrorKind::BadInput,
+                                  Message::say("line %1 announces %2 points, and there are more.", countLine_, count_)}
+                          : Error{ErrorKind::BadInput, Message::say("line %1 announces %2 points, and there are %3. "
+                                                                    "The copy may be incomplete: copy the file again.",
+                                                                    countLine_, count_, rows_)};
 }
 
 } // namespace tetra

@@ -157,7 +157,7 @@ public:
             if (const Status read = record(*token); !read)
                 return read.error();
         if (file_.zones.empty())
-            return Error{ErrorKind::BadInput, Message::say("it has no zone. It is cut short, or no Tecplot text.")};
+            return Error{ErrorKind::BadInput, Message::say("it has no zone. It is cut short, or not Tecplot text.")};
         return std::move(file_);
     }
 
@@ -193,12 +193,12 @@ private:
         }
         if (token.isNumber())
             return bad(
-                Message::say("it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.",
+                Message::say("it has more numbers than its %1 zones require. Its sizes are wrong, or it is damaged.",
                              file_.zones.size()));
         if (!isRecord(token))
-            return bad(
-                Message::say("it has '%1' where a record such as ZONE should begin. It is damaged, or no Tecplot text.",
-                             printable(token.text)));
+            return bad(Message::say(
+                "it has '%1' where a record such as ZONE should begin. It is damaged, or not Tecplot text.",
+                printable(token.text)));
         for (auto next = tokens_.next(); next; next = tokens_.next()) // what is drawn beside the data
             if (isRecord(*next) && tecplotUpper(next->text) != "TEXT") {
                 tokens_.back(*next);
@@ -227,7 +227,7 @@ private:
                 axes[*axis] = i;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (!axes[axis])
-                return bad(Message::say("none of its variables is called %1, so that it has no place in space. Name "
+                return bad(Message::say("none of its variables is called %1, so that it has no position in space. Name "
                                         "the coordinates X, Y and Z.",
                                         std::string(1, static_cast<char>('X' + axis))));
             file_.axes[axis] = *axes[axis];
@@ -289,7 +289,7 @@ private:
                     header.passive[variable] = true;
             } else if (key == "D") { // variables of the zone before, in the old form
                 tokens_.bracketed();
-                return bad(Message::say("%1 repeats variables by 'D', which is not read. Write it with VARSHARELIST, "
+                return bad(Message::say("%1 repeats variables with 'D', which is not read. Write it with VARSHARELIST, "
                                         "or all of its variables.",
                                         zoneName(header.zone)));
             } else if (key == "AUXDATA") {
@@ -455,9 +455,9 @@ private:
         if (!nodes || !elements)
             return nodes ? elements.error() : nodes.error();
         if (*nodes == 0 || *elements == 0)
-            return bad(
-                Message::say("%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.",
-                             zoneName(header.zone)));
+            return bad(Message::say(
+                "%1 does not state how many nodes (N) and elements (E) it has. It is damaged or cut short.",
+                zoneName(header.zone)));
         header.zone.nodes = *nodes;
         header.zone.elements = *elements;
         return {};
@@ -475,8 +475,9 @@ private:
             if (!size)
                 return size.error();
             if (*size < 1 || *size >= most || nodes > (std::uint64_t(1) << 62U) / *size)
-                return bad(Message::say("%1 does not say how many points it has (I, J, K). It is damaged or cut short.",
-                                        zoneName(header.zone)));
+                return bad(
+                    Message::say("%1 does not state how many points it has (I, J, K). It is damaged or cut short.",
+                                 zoneName(header.zone)));
             header.zone.size[axis] = static_cast<std::uint32_t>(*size);
             nodes *= *size;
             cells *= std::max<std::uint64_t>(1, *size - 1);
@@ -541,12 +542,13 @@ private:
     /// `what` is how many there should be: "8 points".
     Error missing(const ZoneHeader& header, const Message& what) const
     {
-        return bad(tokens_.atEnd()
-                       ? Message::say("%1 ends before the last of its %2. It is cut short: copy the file again.",
-                                      zoneName(header.zone), what)
-                       : Message::say("%1 has no number in place of one of its %2. Its sizes are wrong, or it is "
-                                      "damaged.",
-                                      zoneName(header.zone), what));
+        return bad(
+            tokens_.atEnd()
+                ? Message::say("%1 ends before the last of its %2. It is cut short: copy the file again.",
+                               zoneName(header.zone), what)
+                : Message::say(
+                      "%1 has something other than a number among its %2. Its sizes are wrong, or it is damaged.",
+                      zoneName(header.zone), what));
     }
 
     Status whole(const ZoneHeader& header) const
@@ -554,8 +556,8 @@ private:
         constexpr std::size_t formatted = 8; // as by "%12.5e"; short ones are alike by chance
         if (!tokens_.atEnd() || (shortest_ == longest_ && longest_ >= formatted))
             return {};
-        return bad(Message::say("%1 ends right behind its last number, or within it. If the file is whole, put an end "
-                                "of line behind it; else copy the file again.",
+        return bad(Message::say("%1 ends directly after its last number, or within it. If the file is complete, add an "
+                                "end of line; otherwise copy the file again.",
                                 zoneName(header.zone)));
     }
 
@@ -585,7 +587,7 @@ private:
             header.words.contains("DATAPACKING") ? header.words.find("DATAPACKING") : header.words.find("F");
         const std::string packing = format == header.words.end() ? "POINT" : format->second;
         if (packing != "POINT" && packing != "FEPOINT" && packing != "BLOCK" && packing != "FEBLOCK")
-            return bad(Message::say("%1 is packed as '%2', which is not known.", zoneName(zone), printable(packing)));
+            return bad(Message::say("%1 has the unknown packing '%2'.", zoneName(zone), printable(packing)));
         shortest_ = ~std::size_t(0);
         longest_ = 0;
         repeated_ = 0;
@@ -658,9 +660,10 @@ private:
             const std::string_view word = tokens_.nextNumber();
             const auto node = parseNumber<std::uint64_t>(word);
             if (!node || *node < 1 || *node > zone.nodes)
-                return word.empty() ? missing(header, Message::say("%1 elements", zone.elements))
-                                    : bad(Message::say("%1 has an element at node '%2', and it has %3. It is damaged.",
-                                                       zoneName(zone), printable(word), zone.nodes));
+                return word.empty()
+                           ? missing(header, Message::say("%1 elements", zone.elements))
+                           : bad(Message::say("%1 has an element with node '%2', and it has %3. It is damaged.",
+                                              zoneName(zone), printable(word), zone.nodes));
             keepLength(word);
             nodes->push_back(static_cast<std::int64_t>(*node - 1));
         }

@@ -125,9 +125,9 @@ Result<VtkFindings> readTwice(const std::function<Result<VtkFindings>()>& read)
     auto found = read();
     if (found && sumOf(*found) != first)
         return Error{ErrorKind::BadInput,
-                     Message::say("VTK reads it twice and finds other values: where the file has none, it gives what "
-                                  "was in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export "
-                                  "it again, or in another format (.vtu, .vti).")};
+                     Message::say("VTK reads different values each time: where the file has none, it returns what was "
+                                  "in memory. The file is incomplete, or of a kind that VTK reads wrongly. Export it "
+                                  "again, or in another format (.vtu, .vti).")};
     return found;
 }
 

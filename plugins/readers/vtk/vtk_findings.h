@@ -30,7 +30,7 @@ struct VtkRequest {
 /// Source::leftOut of grids that were not joined, with the reason, a sentence.
 inline Message notJoinedText(const Message& reason)
 {
-    return Message::say("Its grids make no mesh together, and only the first one is read. %1", reason);
+    return Message::say("Its grids do not make a mesh together, and only the first one is read. %1", reason);
 }
 
 template <class Archive> void exchange(Archive& archive, VtkRequest& request)

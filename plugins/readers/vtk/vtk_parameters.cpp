@@ -35,23 +35,22 @@ std::vector<Parameter> vtkParameters()
 {
     Parameter array = textParameter(
         "array", Message::marked("Values"),
-        Message::marked("The values to take, by name or number; 'automatic' takes the first there are."), "automatic");
+        Message::marked("The values to take, by name or number; 'automatic' takes the first."), "automatic");
     Parameter component = textParameter(
         "component", Message::marked("Component"),
-        Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'."), "magnitude");
+        Message::marked("Arrays with several components: the number of one, from 0, or 'magnitude'."), "magnitude");
     component.mistake = componentMistake;
     Parameter time;
     time.id = "time";
     time.label = Message::marked("Time step");
-    time.explanation = Message::marked("Of files with several time steps: which one, from 1.");
+    time.explanation = Message::marked("Files with several time steps: which one, from 1.");
     time.defaultValue = std::int64_t(1);
     time.minimum = 1;
     time.maximum = 1e9;
-    Parameter part = textParameter(
-        "part", Message::marked("Part"),
-        Message::marked("Of files with several blocks or parts: one, by name or number from 1; without it all "
-                        "volumes that have the values, as one mesh."),
-        "");
+    Parameter part = textParameter("part", Message::marked("Part"),
+                                   Message::marked("Files with several blocks or parts: one, by name or number from 1; "
+                                                   "by default all volumes that have the values, as one mesh."),
+                                   "");
     std::vector<Parameter> all{array, component, time, part};
     std::ranges::move(cellsParameters(), std::back_inserter(all));
     std::ranges::move(placementParameters(), std::back_inserter(all));

@@ -31,7 +31,7 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     request.path = fs::absolute(path).string();
     if (request.format == VtkFormat::None)
         return Error{ErrorKind::BadInput,
-                     Message::say("it is of no format that TAn leaves to VTK. Let TAn choose the reader.")};
+                     Message::say("its format is not one that TAn leaves to VTK. Let TAn choose the reader.")};
     Lattice lattice;
     std::string lengthUnit;
     request.given = givenPlacement(values);
@@ -78,8 +78,8 @@ ReadingProgram vtkReadingProgram(fs::path helper)
         .library = "VTK",
         .notInstalled =
             Message::say("Install the package tan-vtk-readers, which comes with TAn: 'apt install "
-                         "./tan-vtk-readers_*.deb' where the file lies (of a build of your own: build it anew after "
-                         "'apt install libvtk9-dev'), or convert the file to NRRD or CSV."),
+                         "./tan-vtk-readers_*.deb' in the folder of that file (if you built TAn yourself: rebuild it "
+                         "after 'apt install libvtk9-dev'), or convert the file to NRRD or CSV."),
         .install = Message::say("Install VTK with 'apt install libvtk9.1' (other systems: VTK 9)."),
         .otherwise = Message::say("Export it again, or in another format (.vtu, .vti)."),
     };

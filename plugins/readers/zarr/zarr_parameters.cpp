@@ -53,30 +53,32 @@ std::vector<Parameter> zarrParameters()
 {
     Parameter array = textParameter(
         "array", Message::marked("Values"),
-        Message::marked("Of Zarr groups: the array to take, or the image, by its path in the folder; 'automatic' takes "
-                        "the first."));
+        Message::marked(
+            "Zarr groups: the array to take, or the image, by its path in the folder; 'automatic' takes the first."));
     array.defaultValue = std::string("automatic");
     const Parameter series = textParameter(
         "series", Message::marked("Series"),
-        Message::marked("Of OME-Zarr with several images: one, by its path or number from 1; without it the first."));
-    const Parameter part =
-        textParameter("part", Message::marked("Level"),
-                      Message::marked("Of OME-Zarr: the level of detail, by its path or by its number, 0 being the "
-                                      "finest; without it that one."));
+        Message::marked("OME-Zarr with several images: one, by its path or number from 1; by default the first."));
+    const Parameter part = textParameter(
+        "part", Message::marked("Level"),
+        Message::marked(
+            "OME-Zarr: the level of detail, by its path or by its number, 0 being the finest, which is the default."));
     const Parameter channel = textParameter(
         "channel", Message::marked("Channel"),
-        Message::marked("Of pictures with several channels: one, by name or number from 1; without it the first."));
+        Message::marked(
+            "Pictures with several channels: one of them, by name or number from 1; by default the first."));
     Parameter time;
     time.id = "time";
     time.label = Message::marked("Time step");
-    time.explanation = Message::marked("Of pictures at several times: which one, from 1; 0 takes the first.");
+    time.explanation = Message::marked("Pictures at several times: which one, from 1; 0 takes the first.");
     time.defaultValue = std::int64_t(0);
     time.minimum = 0;
     time.maximum = 1e9;
     Parameter index = textParameter(
         "index", Message::marked("Further axes"),
-        Message::marked("Of arrays with more axes than space, time and channels: the number along each, from 1, as in "
-                        "angle=3; an axis without a name is called by its number from 1. Else the first is taken."));
+        Message::marked(
+            "Arrays with more axes than space, time and channels: the number along each, from 1, as in angle=3; an "
+            "axis without a name is called by its number from 1. By default the first is taken."));
     index.mistake = [](const std::string& text) {
         const auto parsed = parseAxisNumbers(text);
         return parsed ? Message() : parsed.error().message;

@@ -21,7 +21,7 @@ Result<ZarrRequest> requestFor(const fs::path& path, const ParameterValues& valu
     request.folder = zarrRootOf(path).string();
     if (request.folder.empty())
         return Error{ErrorKind::BadInput,
-                     Message::say("it is no folder of Zarr, nor a file that describes one (zarr.json, .zarray, "
+                     Message::say("it is neither a Zarr folder nor a file that describes one (zarr.json, .zarray, "
                                   ".zattrs, .zgroup). Let TAn choose the reader.")};
     Lattice lattice;
     std::string lengthUnit;
@@ -50,8 +50,8 @@ ReadingProgram zarrReadingProgram(fs::path helper)
         .library = "Zarr",
         .notInstalled =
             Message::say("Install the package tan-vtk-readers, which comes with TAn: 'apt install "
-                         "./tan-vtk-readers_*.deb' where the file lies (of a build of your own: build it anew after "
-                         "'apt install libblosc-dev libzstd-dev'), or save the array as NumPy's (.npy)."),
+                         "./tan-vtk-readers_*.deb' in the folder of that file (if you built TAn yourself: rebuild it "
+                         "after 'apt install libblosc-dev libzstd-dev'), or save the array as NumPy's (.npy)."),
         .install = Message::say("Install Blosc and Zstandard with 'apt install libblosc1 libzstd1'."),
         .otherwise = Message::say("Copy or export it again, or save the array as NumPy's (.npy)."),
     };

@@ -26,7 +26,7 @@ Parameter showsParameter()
     parameter.id = showsId;
     parameter.label = Message::marked("Shows");
     parameter.explanation =
-        Message::marked("What is shown, inside and outside of the focus: the volume, isosurfaces, or both.");
+        Message::marked("What is shown, inside and outside the focus: the volume, isosurfaces, or both.");
     parameter.defaultValue = std::string(volumeOnly);
     parameter.choices = {volumeOnly, surfacesOnly, bothOfThem};
     return parameter;

@@ -19,7 +19,7 @@ Parameter orderParameter()
     parameter.id = orderId;
     parameter.label = Message::marked("Order");
     parameter.explanation =
-        Message::marked("How surfaces and volume are put in order: 'exact', or as the paper did 'with-cell', where "
+        Message::marked("How surfaces and volume are put in order: 'exact', or, as the paper did, 'with-cell', where "
                         "the part of a surface in a cell is drawn before the cell.");
     parameter.defaultValue = std::string(exact);
     parameter.choices = {exact, withCell};

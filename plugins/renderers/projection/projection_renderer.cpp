@@ -27,7 +27,7 @@ Parameter projectionParameter()
     parameter.id = projectionId;
     parameter.label = Message::marked("Projection");
     parameter.explanation = Message::marked(
-        "Which value along each line of sight is shown: the largest ('maximum'), or the smallest ('minimum').");
+        "Which value along each line of sight is shown: the largest ('maximum') or the smallest ('minimum').");
     parameter.defaultValue = std::string(maximum);
     parameter.choices = {maximum, minimum};
     return parameter;

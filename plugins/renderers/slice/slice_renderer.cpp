@@ -38,7 +38,7 @@ Parameter axisParameter()
     parameter.id = axisId;
     parameter.label = Message::marked("Axis");
     parameter.explanation =
-        Message::marked("The axis that the plane lies across; 'all' shows three planes, one across each.");
+        Message::marked("The axis perpendicular to the plane; 'all' shows three planes, one for each axis.");
     parameter.defaultValue = std::string(allAxes);
     parameter.choices = {allAxes, axes[0], axes[1], axes[2]};
     parameter.onlyWith = {slicesId, {std::string()}};
@@ -51,7 +51,7 @@ Parameter placeParameter()
     parameter.id = placeId;
     parameter.label = Message::marked("Place");
     parameter.explanation =
-        Message::marked("Where the plane lies along its axis: at 0 where the data begin, at 100 where they end.");
+        Message::marked("Where the plane lies along its axis: 0 where the data begin, 100 where they end.");
     parameter.unit = Message::marked("%");
     parameter.defaultValue = 50.0;
     parameter.maximum = 100;
@@ -64,9 +64,10 @@ Parameter slicesParameter(const FieldExtent& field)
     Parameter parameter;
     parameter.id = slicesId;
     parameter.label = Message::marked("Planes");
-    parameter.explanation = Message::marked(
-        "Planes in place of those across the axes: each by its axis and its place in the coordinates of the data, "
-        "as in z=12.5, or of any direction: nx,ny,nz,offset, for the points with nx x + ny y + nz z = offset.");
+    parameter.explanation =
+        Message::marked("Planes instead of those perpendicular to the axes: each by its axis and its position in the "
+                        "coordinates of the data, as in z=12.5, or in any direction: nx,ny,nz,offset, for the points "
+                        "with nx x + ny y + nz z = offset.");
     parameter.defaultValue = std::string();
     parameter.separator = ';';
     parameter.mistake = [bounds = field.bounds](const std::string& text) {
@@ -82,8 +83,8 @@ Parameter opacityParameter()
     parameter.id = opacityId;
     parameter.label = Message::marked("Opacity");
     parameter.explanation =
-        Message::marked("Whether slices hide what lies behind ('opaque'), or each value is as opaque as the transfer "
-                        "'function' makes a layer of its unit of thickness.");
+        Message::marked("Whether slices hide what is behind them ('opaque'), or each value is as opaque as the "
+                        "transfer 'function' makes a layer of its unit of thickness.");
     parameter.defaultValue = std::string(opaqueSlices);
     parameter.choices = {opaqueSlices, opacityOfFunction};
     return parameter;

@@ -293,8 +293,8 @@ public:
         }
         if (!shift.isZero(0))
             file.remark(Message::say(
-                "In '%1' x, y and z are less than in the data by %2, %3 and %4, as single precision is "
-                "too coarse so far from the origin; the first node of the file adds these numbers.",
+                "In '%1' x, y and z are smaller than in the data by %2, %3 and %4, because single precision is too "
+                "coarse so far from the origin; the first node of the file adds these numbers.",
                 file.target().string(), formatNumber(shift[0]), formatNumber(shift[1]), formatNumber(shift[2])));
         if (leftOut > 0)
             file.remark(leftOutInFloats(leftOut, file.target().string()));

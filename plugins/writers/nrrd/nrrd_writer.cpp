@@ -120,7 +120,7 @@ public:
     {
         return {{"encoding",
                  Message::marked("Encoding"),
-                 Message::marked("raw is quick to write and to read, gzip is smaller."),
+                 Message::marked("raw is quick to write and read, gzip is smaller."),
                  "",
                  std::string("raw"),
                  0,

@@ -121,8 +121,8 @@ Message lackOf(const std::vector<NamedArray>& arrays, const std::string& file)
     std::string names;
     for (const NamedArray& array : arrays)
         names += (names.empty() ? "" : ", ") + array.name;
-    return Message::say("'%1' does not have the triangles' values (%2), as many programs cannot read a PLY file with "
-                        "such values. To keep them, write a .vtp file.",
+    return Message::say("'%1' does not contain the triangles' values (%2), because many programs cannot read a PLY "
+                        "file with such values. To keep them, write a .vtp file.",
                         file, names);
 }
 

@@ -135,8 +135,8 @@ public:
                 return written;
         if (!shift.isZero(0))
             file.remark(Message::say(
-                "In '%1' x, y and z are less than in the data by %2, %3 and %4, as single precision is "
-                "too coarse so far from the origin: add these numbers to get places of the data.",
+                "In '%1' x, y and z are smaller than in the data by %2, %3 and %4, because single precision is too "
+                "coarse so far from the origin: add these numbers to get places of the data.",
                 file.target().string(), formatNumber(shift[0]), formatNumber(shift[1]), formatNumber(shift[2])));
         if (const std::uint64_t leftOut = content.triangleCount() - triangles; leftOut > 0)
             file.remark(leftOutInFloats(leftOut, file.target().string()));

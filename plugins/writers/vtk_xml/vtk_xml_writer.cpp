@@ -375,7 +375,7 @@ public:
     {
         if (!dataset.tetrahedra || !dataset.positions)
             return Error{ErrorKind::WrongUsage,
-                         Message::say("A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write "
+                         Message::say("A .vtu file holds a mesh of tetrahedra, and this dataset is not one. Write "
                                       "lattices as .nrrd, curvilinear grids as .xyz, points as .csv.")};
         return write(file, gridOf(dataset));
     }

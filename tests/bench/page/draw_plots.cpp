@@ -14,13 +14,12 @@ namespace {
 
 ChartTexts textsOf(const QJsonObject& chart)
 {
-    return {.title = chart["title"].toString(),
-            .note = chart["note"].toString(),
-            .unit = chart["unit"].toString(),
-            .description = chart["description"].toString()};
+    const auto textOf = [&chart](const char* name) { return chart[name].toString().toStdString(); };
+    return {
+        .title = textOf("title"), .note = textOf("note"), .unit = textOf("unit"), .description = textOf("description")};
 }
 
-Ink inkOf(const QJsonValue& value)
+ChartInk chartInk(const QJsonValue& value)
 {
     return seriesInk(std::size_t(value["ink"].toInt()));
 }
@@ -30,15 +29,16 @@ Drawing barsOf(const QJsonObject& described)
     BarChart chart{
         .texts = textsOf(described), .legend = {}, .rows = {}, .isLogarithmic = described["logarithmic"].toBool()};
     for (const QJsonValue name : described["legend"].toArray())
-        chart.legend.emplace_back(name["name"].toString(), inkOf(name));
+        chart.legend.emplace_back(name["name"].toString().toStdString(), chartInk(name));
     for (const QJsonValue value : described["rows"].toArray()) {
-        BarRow row{.label = value["label"].toString(), .bars = {}, .limit = {}};
+        BarRow row{.label = value["label"].toString().toStdString(), .bars = {}, .limit = {}};
         for (const QJsonValue bar : value["bars"].toArray())
-            row.bars.push_back(bar.isNull()
-                                   ? std::nullopt
-                                   : std::optional(Bar{bar["value"].toDouble(), bar["text"].toString(), inkOf(bar)}));
+            row.bars.push_back(bar.isNull() ? std::nullopt
+                                            : std::optional(Bar{bar["value"].toDouble(),
+                                                                bar["text"].toString().toStdString(), chartInk(bar)}));
         if (const QJsonValue limit = value["limit"]; limit.isObject())
-            row.limit = BarLimit{limit["value"].toDouble(), limit["text"].toString(), limit["missed"].toBool()};
+            row.limit =
+                BarLimit{limit["value"].toDouble(), limit["text"].toString().toStdString(), limit["missed"].toBool()};
         chart.rows.push_back(std::move(row));
     }
     return drawChart(chart);
@@ -46,14 +46,14 @@ Drawing barsOf(const QJsonObject& described)
 
 Drawing linesOf(const QJsonObject& described)
 {
-    LineChart chart{.texts = textsOf(described), .across = described["across"].toString(), .series = {}};
+    LineChart chart{.texts = textsOf(described), .across = described["across"].toString().toStdString(), .series = {}};
     for (const QJsonValue value : described["series"].toArray()) {
-        LineSeries series{.name = value["name"].toString(),
-                          .ink = inkOf(value),
+        LineSeries series{.name = value["name"].toString().toStdString(),
+                          .ink = chartInk(value),
                           .points = {},
                           .style = LineSeries::Style::MarkedLine};
         for (const QJsonValue point : value["points"].toArray())
-            series.points << QPointF(point[0].toDouble(), point[1].toDouble());
+            series.points.emplace_back(point[0].toDouble(), point[1].toDouble());
         chart.series.push_back(std::move(series));
     }
     return drawChart(chart);
@@ -63,9 +63,10 @@ bool drawAll(const QJsonObject& charts, const QString& folder)
 {
     for (auto chart = charts.begin(); chart != charts.end(); ++chart) {
         const QJsonObject described = chart.value().toObject();
-        const QByteArray svg = (described.contains("rows") ? barsOf(described) : linesOf(described)).svg();
+        const std::string svg = (described.contains("rows") ? barsOf(described) : linesOf(described)).svg();
         QFile file(folder + '/' + chart.key() + ".svg");
-        if (!file.open(QIODevice::WriteOnly) || file.write(svg) != svg.size()) {
+        if (!file.open(QIODevice::WriteOnly) ||
+            file.write(svg.data(), qsizetype(svg.size())) != qsizetype(svg.size())) {
             QTextStream(stderr) << "cannot write " << file.fileName() << ": " << file.errorString() << Qt::endl;
             return false;
         }

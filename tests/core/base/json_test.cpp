@@ -86,7 +86,7 @@ private slots:
         for (const int again : {0, members - 1}) {
             const auto parsed = parseJson(text + ",\"a" + std::to_string(again) + "\":2}]");
             QVERIFY(!parsed.ok());
-            const std::string says = "the member \"a" + std::to_string(again) + "\" is there twice (line 1, column " +
+            const std::string says = "the member \"a" + std::to_string(again) + "\" appears twice (line 1, column " +
                                      std::to_string(text.size() + 4 + std::to_string(again).size() + 1) + ")";
             QVERIFY2(parsed.error().text().find(says) != std::string::npos, parsed.error().text().c_str());
         }
@@ -154,7 +154,7 @@ private slots:
         QVERIFY(!parsed.ok());
         QCOMPARE(parsed.error().kind, ErrorKind::BadInput);
         QCOMPARE(parsed.error().text(),
-                 std::string("Not valid JSON: a byte that is not of UTF-8 text (line 2, column 5)."));
+                 std::string("Not valid JSON: a byte that is not valid UTF-8 (line 2, column 5)."));
     }
 };
 

@@ -52,7 +52,7 @@ private slots:
         std::ofstream(path / "letter.txt") << "Dear Sir";
         const auto folder = WorkFolder::open(path, WorkFolder::Leftovers::Remove);
         QVERIFY(!folder.ok());
-        QVERIFY(QString::fromStdString(folder.error().text()).contains("it holds something else"));
+        QVERIFY(QString::fromStdString(folder.error().text()).contains("it is used for something else"));
         QVERIFY(std::filesystem::exists(path / "letter.txt"));
         QVERIFY(!std::filesystem::exists(path / ".tan-work"));
     }

@@ -224,9 +224,9 @@ private slots:
         QTest::newRow("coordinates") << "0,0,300,7,7,1000"
                                      << ""
                                      << "not coordinates: along z whole numbers from 0 to 7";
-        QTest::newRow("no whole number") << "0,0.5,0,7,7,7"
-                                         << ""
-                                         << "along y";
+        QTest::newRow("not a whole number") << "0,0.5,0,7,7,7"
+                                            << ""
+                                            << "along y";
         QTest::newRow("one layer") << "0,0,3,7,7,3"
                                    << ""
                                    << "1 points along z";

@@ -301,19 +301,19 @@ void ExtractionTest::aDamagedFileIsAnError_data()
         "own creator", [](FileParts& f) { elements(f).back()[2] = f.header().siteCount - 1; },
         "comes after its creator");
     row(
-        "first offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[0] = 1; }, "do not fit");
+        "first offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[0] = 1; }, "do not match");
     row(
         "offset beyond", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[30] = ~0ull; },
-        "the star offsets of site 29 make no sense");
+        "the star offsets of site 29 are invalid");
     row(
         "offset back", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[30] = 0; },
-        "the star offsets of site 29 make no sense");
+        "the star offsets of site 29 are invalid");
     row(
         "last offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets).back() += 1; },
-        "do not fit its tetrahedra");
+        "do not match its tetrahedra");
     row(
         "mesh size huge", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::MeshSizes).back() = ~0u; },
-        "do not fit its mesh sizes");
+        "do not match its mesh sizes");
     row(
         "mesh size too large", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::MeshSizes).back() += 1; },
         "tetrahedra instead of");
@@ -328,7 +328,7 @@ void ExtractionTest::aDamagedFileIsAnError_data()
         "has more than the");
     row(
         "point", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::SitePoints)[12] = 120; },
-        "no point of its lattice");
+        "not a point of its lattice");
 }
 
 void ExtractionTest::aDamagedFileIsAnError()

@@ -293,11 +293,11 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "origin", [](FileParts& f) { f.header().origin[1] = NAN; }, "the spacing or the origin");
     row(
-        "box of another origin", [](FileParts& f) { f.header().origin[0] -= 1; }, "its bounding box makes no sense");
+        "box of another origin", [](FileParts& f) { f.header().origin[0] -= 1; }, "its bounding box is invalid");
     row(
-        "box of another spacing", [](FileParts& f) { f.header().spacing[2] *= 2; }, "its bounding box makes no sense");
+        "box of another spacing", [](FileParts& f) { f.header().spacing[2] *= 2; }, "its bounding box is invalid");
     row(
-        "box of other points", [](FileParts& f) { f.header().boundingBox[4] += 1; }, "its bounding box makes no sense");
+        "box of other points", [](FileParts& f) { f.header().boundingBox[4] += 1; }, "its bounding box is invalid");
     row(
         "range",
         [](FileParts& f) {
@@ -319,7 +319,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "longer", [](FileParts& f) { f.content.push_back({}); }, "bytes and should have");
     row(
-        "sections", [](FileParts& f) { f.header().sectionCount = 5000; }, "its header makes no sense");
+        "sections", [](FileParts& f) { f.header().sectionCount = 5000; }, "its header is invalid");
     row(
         "frame", [](FileParts& f) { f.addSection(9, format::required); }, "section 'frame'");
     row(
@@ -327,7 +327,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "required", [](FileParts& f) { f.addSection(1000, format::required); }, "needs section 1000, which this");
     row(
-        "twice", [](FileParts& f) { f.addSection(32, 0); }, "section 'other sites' is there twice");
+        "twice", [](FileParts& f) { f.addSection(32, 0); }, "section 'other sites' appears twice");
     row(
         "missing", [](FileParts& f) { f.section(SectionId::Destroyers).id = 999, f.section(SectionId(999)).flags = 0; },
         "section 'destroyers' is missing");
@@ -396,7 +396,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
         "site twice", [](RecordedHistory& h) { h.steps[9].star[0].sites[1] = h.steps[9].star[0].sites[0]; },
         "wrong at site 9: a tetrahedron of its star has a site twice");
     row(
-        "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the sites of a first mesh");
+        "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the sites of its first mesh");
     row(
         "final", [](RecordedHistory& h) { h.finalKey = INFINITY; }, "the final error is not a number");
     row(

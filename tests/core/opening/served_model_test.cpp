@@ -149,7 +149,8 @@ private slots:
         const float none = std::numeric_limits<float>::quiet_NaN(), always = std::numeric_limits<float>::infinity();
         QVERIFY(meshThatSays(factsOf(sound), {always}, {0}).ok());
         const auto lives = meshThatSays(factsOf(sound), {always}, {none});
-        QVERIFY(!lives.ok() && isRefused(lives.error(), "a tetrahedron lives at errors that are not numbers from 0"));
+        QVERIFY(!lives.ok() &&
+                isRefused(lives.error(), "a tetrahedron exists at errors that are not numbers of at least 0"));
     }
 };
 

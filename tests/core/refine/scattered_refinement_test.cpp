@@ -233,7 +233,7 @@ private slots:
         QTest::newRow("plane") << plane << "in one plane";
         Cloud twice = ball(50, 6);
         twice.positions[40] = twice.positions[7];
-        QTest::newRow("two on one place") << twice << "Points 7 and 40";
+        QTest::newRow("two points at one place") << twice << "Points 7 and 40";
     }
     void refusesWhatHasNoVolume()
     {

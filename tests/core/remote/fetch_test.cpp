@@ -126,8 +126,9 @@ private slots:
                     dripping);
             });
         }
-        QVERIFY2(silent.find("does not answer: nothing came for 0.1 seconds") != std::string::npos, silent.c_str());
-        QVERIFY2(dripped.find("does not answer: nothing came for 0.1 seconds") != std::string::npos, dripped.c_str());
+        QVERIFY2(silent.find("does not answer: nothing arrived for 0.1 seconds") != std::string::npos, silent.c_str());
+        QVERIFY2(dripped.find("does not answer: nothing arrived for 0.1 seconds") != std::string::npos,
+                 dripped.c_str());
     }
 
     void whoThinksForLongIsWaitedFor()

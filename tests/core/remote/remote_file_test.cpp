@@ -115,27 +115,27 @@ const std::vector<Fault>& allFaults()
              if (random() % 2 == 0)
                  reply.cutAt = random() % (reply.body.size() + 200);
          },
-         {"cut again and again"},
+         {"lost again and again"},
          true},
         {"always cut",
          [](const Request&, std::size_t number, Random& random, Reply& reply) {
              if (number > 0)
                  reply.cutAt = random() % 300;
          },
-         {"cut again and again"}},
+         {"lost again and again"}},
         {"a length that is too large",
          [](const Request&, std::size_t, Random& random, Reply& reply) {
              reply.set("Content-Length", std::to_string(reply.body.size() + 1 + random() % 1000));
              reply.isLast = true;
          },
-         {"another part of the file"}},
+         {"a different part of the file"}},
         {"fewer bytes than its head says",
          [](const Request&, std::size_t, Random& random, Reply& reply) {
              reply.set("Content-Length", std::to_string(reply.body.size()));
              reply.body.resize(random() % std::min<std::size_t>(reply.body.size(), 10'000));
              reply.isLast = true;
          },
-         {"cut again and again"}},
+         {"lost again and again"}},
         {"a proxy that cuts, with a head that fits",
          [](const Request&, std::size_t number, Random& random, Reply& reply) {
              if (number == 0)
@@ -148,14 +148,14 @@ const std::vector<Fault>& allFaults()
                                             std::to_string(first + reply.body.size() - 1) + '/' +
                                             std::to_string(content().size()));
          },
-         {"cut again and again"}},
+         {"lost again and again"}},
         {"more bytes than the range has",
          [](const Request&, std::size_t, Random& random, Reply& reply) {
              reply.body += std::string(random() % 5000 + 1, 'x');
              reply.set("Transfer-Encoding", "identity");
              reply.set("Content-Length", std::to_string(reply.body.size()));
          },
-         {"another part of the file"}},
+         {"a different part of the file"}},
         {"another file, noticed by If-Range",
          [](const Request&, std::size_t number, Random&, Reply& reply) {
              if (number == 0)
@@ -196,7 +196,7 @@ const std::vector<Fault>& allFaults()
              reply.remove("Content-Range");
              reply.body = content();
          },
-         {"as a whole only"}},
+         {"as a whole"}},
         {"200 for 206 after the first request",
          [](const Request&, std::size_t number, Random&, Reply& reply) {
              if (number == 0)
@@ -205,16 +205,16 @@ const std::vector<Fault>& allFaults()
              reply.remove("Content-Range");
              reply.body = content();
          },
-         {"as a whole only"}},
+         {"as a whole"}},
         {"a drip",
          [](const Request&, std::size_t number, Random&, Reply& reply) {
              if (number > 0)
                  reply.perByte = 10ms;
          },
-         {"nothing came from the server for"}},
+         {"nothing arrived from the server for"}},
         {"silence",
          [](const Request&, std::size_t, Random&, Reply& reply) { reply.isSilent = true; },
-         {"nothing came from the server for"}},
+         {"nothing arrived from the server for"}},
         {"garbage in place of HTTP",
          [](const Request&, std::size_t number, Random& random, Reply& reply) {
              if (number == 0 && random() % 2 == 0)
@@ -223,7 +223,7 @@ const std::vector<Fault>& allFaults()
              for (std::size_t byte = random() % 4000 + 100; byte > 0; --byte)
                  *reply.raw += static_cast<char>(random());
          },
-         {"no web server", "cut again and again"}},
+         {"not a web server", "lost again and again"}},
         {"a damaged head",
          [](const Request&, std::size_t, Random& random, Reply& reply) {
              auto& header = reply.headers[random() % reply.headers.size()];
@@ -231,14 +231,14 @@ const std::vector<Fault>& allFaults()
                  if (random() % 3 == 0)
                      byte = static_cast<char>(33 + random() % 94);
          },
-         {"changed", "another part", "no web server", "cut again and again", "as a whole", "how long"},
+         {"changed", "a different part", "not a web server", "lost again and again", "as a whole", "the length"},
          true},
         {"a head without end",
          [](const Request&, std::size_t, Random& random, Reply& reply) {
              for (int line = 0; line < 40; ++line)
                  reply.headers.emplace_back("X-" + std::to_string(random()), std::string(10'000, 'x'));
          },
-         {"no web server"}},
+         {"not a web server"}},
         {"another range",
          [](const Request& request, std::size_t, Random& random, Reply& reply) {
              const std::uint64_t first = *request.first + 1 + random() % 1000;
@@ -246,44 +246,44 @@ const std::vector<Fault>& allFaults()
                                             std::to_string(first + reply.body.size() - 1) + '/' +
                                             std::to_string(content().size() + 2000));
          },
-         {"another part of the file"}},
+         {"a different part of the file"}},
         {"a range that cannot be read",
          [](const Request&, std::size_t, Random& random, Reply& reply) {
              const std::vector<std::string> ranges = {"", "bytes", "bytes 0-/10", "bytes 9-0/10", "bytes a-b/c"};
              reply.set("Content-Range", ranges[random() % ranges.size()]);
          },
-         {"another part of the file"}},
+         {"a different part of the file"}},
         {"no length of the whole",
          [](const Request& request, std::size_t, Random&, Reply& reply) {
              reply.set("Content-Range", "bytes " + std::to_string(*request.first) + '-' +
                                             std::to_string(*request.first + reply.body.size() - 1) + "/*");
          },
-         {"how long the file is"}},
+         {"the length of the file"}},
         {"a page to log in at",
          [](const Request&, std::size_t, Random&, Reply& reply) {
              reply.become(200, page, "text/html; charset=utf-8");
          },
-         {"a web page or a list in place of data"}},
+         {"a web page or a list instead of data"}},
         {"a page to log in at, in parts and under a wrong name",
          [](const Request&, std::size_t, Random&, Reply& reply) {
              reply.body.replace(0, std::string(page).size(), page);
          },
-         {"a web page or a list in place of data"}},
+         {"a web page or a list instead of data"}},
         {"logged out",
          [](const Request&, std::size_t number, Random&, Reply& reply) {
              if (number > 0)
                  reply.become(200, page, "text/html");
          },
-         {"a web page or a list in place of data"}},
+         {"a web page or a list instead of data"}},
         {"a proxy that packs",
          [](const Request&, std::size_t, Random&, Reply& reply) { reply.set("Content-Encoding", "gzip"); },
-         {"packs what it sends (gzip)"}},
+         {"compresses what it sends (gzip)"}},
         {"redirections without end",
          [](const Request&, std::size_t, Random& random, Reply& reply) {
              reply.become(302, "", "text/plain");
              reply.set("Location", "/" + std::to_string(random()));
          },
-         {"leads from one address to another"}},
+         {"redirects from one address to another"}},
         {"a redirection to a file of this machine",
          [](const Request&, std::size_t, Random&, Reply& reply) {
              reply.become(302, "", "text/plain");
@@ -418,7 +418,7 @@ private slots:
         std::string bytes(11, '\0');
         for (const std::uint64_t offset : {content().size() - 10, content().size() + 1, ~std::size_t(0)}) {
             const Status read = readInto(*file, offset, bytes);
-            QVERIFY(!read && read.error().text().find("it ends before") != std::string::npos);
+            QVERIFY(!read && read.error().text().find("it ends too") != std::string::npos);
             QVERIFY(!fetchFrom(*file, {{offset, 11}}));
         }
     }
@@ -436,7 +436,7 @@ private slots:
         const Fault& fault = allFaults()[static_cast<std::size_t>(index)];
         constexpr int atOnce = 10;
         const int attempts = timesOf(40, 200);
-        const bool isWait = std::string_view(fault.sentences[0]).starts_with("nothing came");
+        const bool isWait = std::string_view(fault.sentences[0]).starts_with("nothing arrived");
         std::atomic<int> next = 0, right = 0, told = 0;
         std::mutex mutex;
         std::string wrong;
@@ -498,14 +498,14 @@ private slots:
     {
         QTest::addColumn<int>("status");
         QTest::addColumn<QString>("sentence");
-        QTest::newRow("401") << 401 << "wants a name and a password";
+        QTest::newRow("401") << 401 << "requires a name and a password";
         QTest::newRow("403") << 403 << "does not allow it (403)";
         QTest::newRow("404") << 404 << "no such file on the server (404)";
-        QTest::newRow("407") << 407 << "the proxy wants a name";
+        QTest::newRow("407") << 407 << "the proxy requires a name";
         QTest::newRow("410") << 410 << "no such file on the server (410)";
         QTest::newRow("418") << 418 << "answers with status 418";
         QTest::newRow("429") << 429 << "the server is busy (429)";
-        QTest::newRow("500") << 500 << "the server fails (500)";
+        QTest::newRow("500") << 500 << "the server failed (500)";
         QTest::newRow("503") << 503 << "the server is busy (503)";
     }
     void refusals()
@@ -573,7 +573,7 @@ private slots:
             const bool wantsToken = QByteArray(scheme).toLower().startsWith("bearer") && scheme[6] != 's';
             QVERIFY(file.error().wants == (wantsToken ? Credential::Token : Credential::Password));
             QCOMPARE(file.error().file.string(), server.address("/a.tan"));
-            QCOMPARE(file.error().text().find("have its token") != std::string::npos, wantsToken);
+            QCOMPARE(file.error().text().find("a token") != std::string::npos, wantsToken);
             QCOMPARE(file.error().text().find("a name and a password") == std::string::npos, wantsToken);
         }
     }
@@ -600,7 +600,7 @@ private slots:
             const FaultyHttpServer server(content());
             nobody = server.address();
             const auto unsafe = RemoteFile::open(server.address("/a.tan", "https://"), cache, hasty());
-            QVERIFY2(unsafe.error().text().find("no safe connection") != std::string::npos,
+            QVERIFY2(unsafe.error().text().find("secure connection") != std::string::npos,
                      unsafe.error().text().c_str());
         }
         const auto none = RemoteFile::open(nobody, cache, hasty());
@@ -834,7 +834,7 @@ private slots:
         QVERIFY(!file.ok() && !answer.ok());
         for (const Error& error : {file.error(), answer.error()}) {
             QCOMPARE(error.kind, ErrorKind::OutOfResource);
-            QVERIFY2(error.text().find("does not do what TAn needs (") != std::string::npos, error.text().c_str());
+            QVERIFY2(error.text().find("does not support what TAn needs (") != std::string::npos, error.text().c_str());
         }
     }
 

@@ -66,7 +66,7 @@ private slots:
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("message");
         QTest::newRow("no JSON") << "{"
-                                 << "no camera";
+                                 << "not a camera";
         QTest::newRow("no object") << "[1]"
                                    << "no JSON object";
         QTest::newRow("unknown key") << R"({"zoom": 1})"
@@ -82,15 +82,15 @@ private slots:
         const auto row = [](const char* name, const QString& text, const char* message) {
             QTest::newRow(name) << text << QString(message);
         };
-        row("empty", "", "no camera");
-        row("binary", QString(QChar(1)) + "NRRD", "no camera");
-        row("cut short", "{\"azimuth\": 3", "no camera");
-        row("no axis", R"({"up": "w"})", "\"up\" of the camera is none of x, -x, y, -y, z and -z");
-        row("an axis as a number", R"({"up": 2})", "\"up\" of the camera is none of");
+        row("empty", "", "not a camera");
+        row("binary", QString(QChar(1)) + "NRRD", "not a camera");
+        row("cut short", "{\"azimuth\": 3", "not a camera");
+        row("no axis", R"({"up": "w"})", "\"up\" of the camera is not one of x, -x, y, -y, z and -z");
+        row("an axis as a number", R"({"up": 2})", "\"up\" of the camera is not one of");
         row("no roll", R"({"roll": "left"})", "\"roll\" of the camera is not a number");
         row("no trackball", R"({"trackball": 1})", "neither true nor false");
         row("twice", R"({"azimuth": 3, "azimuth": 4})", "twice");
-        row("NaN", R"({"azimuth": NaN})", "no camera");
+        row("NaN", R"({"azimuth": NaN})", "not a camera");
         row("larger than any number", R"({"azimuth": 1e999})", "\"azimuth\" of the camera is not a number");
         row("negative distance", R"({"distance": -1})", "\"distance\" of the camera is not a number");
         row("no field of view", R"({"fieldOfView": 0})", "\"fieldOfView\" of the camera is not a number");

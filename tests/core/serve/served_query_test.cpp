@@ -88,9 +88,9 @@ private slots:
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("said");
         const auto row = [](const char* text, const char* said) { QTest::newRow(text) << text << said; };
-        row("eror=1", "'eror' is not a word of a query");
+        row("eror=1", "'eror' is not a query parameter");
         row("error", "'error' needs a value");
-        row("=1", "'' is not a word of a query");
+        row("=1", "'' is not a query parameter");
         row("error=%", "encoded");
         row("error=1&error=2", "'error' is given twice");
         row("error=x", "'x' does not fit 'error'");
@@ -99,7 +99,7 @@ private slots:
         row("budget=0", "'budget'");
         row("budget=1.5", "'budget'");
         row("border=round&window=0,0,0,1,1,1", "intersecting, contained, clipped");
-        row("border=clipped", "say which with 'window'");
+        row("border=clipped", "specify it with 'window'");
         row("window=1,2", "two opposite corners");
         row("window=0,0,0,1,1,inf", "two opposite corners");
         row("values=2,1", "'values'");
@@ -115,17 +115,17 @@ private slots:
         row("error=4&warping=1&focus=sphere:1,2,3,4&focus-error=2&focus-warping=3",
             "Exchange 'focus-warping' and 'warping'");
         row("error=4&focus=sphere:1,2,3,4&focus-error=2&falloff=-1", "'falloff'");
-        row("field=1&error=1", "so 'error' does not go with it");
+        row("field=1&error=1", "so 'error' cannot be combined with it");
         row("field=cube(1)", "'field': ");
-        row("warping=1&warping-field=2", "so 'warping' does not go with it");
+        row("warping=1&warping-field=2", "so 'warping' cannot be combined with it");
         row("focus=sphere:0,0,0,1&focus-error=1&focus-warping=0&warping-field=2",
-            "so 'focus-warping' does not go with it");
+            "so 'focus-warping' cannot be combined with it");
         row("warping-field=cube(1)", "'warping-field': ");
-        row("range=4,1&error=2", "so 'error' does not go with it");
+        row("range=4,1&error=2", "so 'error' cannot be combined with it");
         row("range=4", "'range'");
         row("range=4,101", "'range'");
-        row("range=4,1&window=0,0,0,1,1,1&border=clipped", "'border=clipped' does not go with 'range'");
-        row("births=1,2", "say which with 'range'");
+        row("range=4,1&window=0,0,0,1,1,1&border=clipped", "'border=clipped' cannot be combined with 'range'");
+        row("births=1,2", "specify it with 'range'");
         row("range=4,1&deaths=2,1", "'deaths'");
         row("method=insertion&error=1", "'method' is for meshes whose accuracy varies");
         row("method=magic&field=values(1:1,2:3)", "automatic, closed-set, insertion");
@@ -147,8 +147,8 @@ private slots:
     {
         const auto query = QueryWords({{"field", "1"}, {"error", "1"}}).query("--");
         QVERIFY(!query.ok());
-        QVERIFY(query.error().text().find("'--field' says where") != std::string::npos);
-        QVERIFY(query.error().text().find("'--error' does not go with it") != std::string::npos);
+        QVERIFY(query.error().text().find("'--field' sets the error") != std::string::npos);
+        QVERIFY(query.error().text().find("'--error' cannot be combined with it") != std::string::npos);
     }
 
     /// Where values are logarithms, values of the data can be typed.

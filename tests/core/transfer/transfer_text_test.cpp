@@ -95,7 +95,7 @@ private slots:
         row("points are no list", start + "\"points\": {}}", "line 2, column 11");
         row("unknown member", start + "\"colours\": 1, \"points\": []}", "\"colours\"");
         row("opacity is a string", start + "\"points\": [" + point + "\"1\"}]}", "line 2, column 57");
-        row("number too large", start + "\"points\": [" + point + "1e999}]}", "a number that fits");
+        row("number too large", start + "\"points\": [" + point + "1e999}]}", "a number within range");
         row("opacity out of range", start + "\"points\": [" + point + "1.5}]}",
             "Opacity 1 of the transfer function is outside 0 to 1");
         row("two channels", start + "\"points\": [{\"value\": 1, \"colour\": [0, 0], \"opacity\": 0}]}",

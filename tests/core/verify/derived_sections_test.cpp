@@ -356,13 +356,13 @@ void DerivedSectionsTest::damageIsFound_data()
         "lies in more than one block");
     row(
         "no blocks", GridBlocks, [](FileParts& f) { f.elements<std::uint32_t>(SectionId::Blocks)[1] = 0; },
-        "3 x 0 x 3 cells cannot be");
+        "3 x 0 x 3 cells are impossible");
     row(
         "one block", LatticeBlocks,
         [](FileParts& f) {
             std::ranges::copy(std::array{9U, 4U, 8U}, f.elements<std::uint32_t>(SectionId::Blocks).begin());
         },
-        "Blocks of 9 x 4 x 8 cells cannot be");
+        "Blocks of 9 x 4 x 8 cells are impossible");
     row(
         "folded cell", Faulty, [](FileParts& f) { f.elements<Fault>(SectionId::Faults)[0].number = 12; },
         "The file says that cell 12 is folded, which is not so.");

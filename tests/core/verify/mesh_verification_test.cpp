@@ -235,21 +235,21 @@ private slots:
                     c.mesh.mesh.positions[6][1] += 0.01F;
                     c.mesh.sites[6] = ExtractedMesh::noSite;
                 },
-                "is no point of the dataset");
+                "is not a point of the dataset");
             row(
                 "vertex nowhere",
                 [](Case& c) {
                     c.mesh.mesh.positions[6].setConstant(std::numeric_limits<float>::quiet_NaN());
                     c.mesh.sites[6] = ExtractedMesh::noSite;
                 },
-                "is no point of the dataset");
+                "is not a point of the dataset");
             row(
                 "vertex far away",
                 [](Case& c) {
                     c.mesh.mesh.positions[6].setConstant(3e38F);
                     c.mesh.sites[6] = ExtractedMesh::noSite;
                 },
-                "is no point of the dataset");
+                "is not a point of the dataset");
             row(
                 "value", [](Case& c) { c.mesh.mesh.values[5] += 0.25F; }, "has the value");
             row(

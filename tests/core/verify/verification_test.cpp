@@ -314,7 +314,7 @@ void VerificationTest::findsWhatIsWrong_data()
         "10 %: The error at sample");
     row(
         "own error no number", [](FileParts& f) { f.elements<std::uint16_t>(SectionId::OwnErrors)[5] = 0x7e00; },
-        "Tetrahedron 5 has an own error that is no number");
+        "Tetrahedron 5 has an own error that is not a number");
     row(
         "mesh size", [](FileParts& f) { ++f.elements<std::uint32_t>(SectionId::MeshSizes)[30]; },
         "tetrahedra, and the file says");

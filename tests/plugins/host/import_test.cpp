@@ -64,7 +64,7 @@ private slots:
         QCOMPARE(numberOf("steps.nrrd", "t=1.5"), std::string("1"));
         QCOMPARE(numberOf("c60.nrrd", "last"), std::string("1"));
         QVERIFY(numberOf("steps.nrrd", "t=1.9").ends_with("no time step at 1.9. The nearest one is number 3, at 2."));
-        QVERIFY(numberOf("c60.nrrd", "t=1").ends_with("it has one time step, and tells no time. Leave '--time' out."));
+        QVERIFY(numberOf("c60.nrrd", "t=1").ends_with("it has one time step, and states no time. Leave '--time' out."));
         for (const char* const text : {"later", "0.5", "t=", "t=nan", "t=1x", ""}) {
             QVERIFY(numberOf("steps.nrrd", text).starts_with("'" + std::string(text) + "' for '--time'"));
             QVERIFY(isTimeInWords(text));

@@ -67,13 +67,12 @@ private slots:
             return status ? std::string() : status.error().text();
         };
         QCOMPARE(textOf({{"colour", 2.0}, {"surface", false}}),
-                 "'--colour' is of use only without '--no-surface'. Leave one of them out.");
-        QCOMPARE(textOf({{"width", 2.0}}), "'--width' is of use only with '--lines'. Leave it out, or give both.");
-        QCOMPARE(textOf({{"depth", 2.0}}),
-                 "'--depth' is of use only if '--kind' is deep. Leave it out, or choose that.");
+                 "'--colour' applies only without '--no-surface'. Leave one of them out.");
+        QCOMPARE(textOf({{"width", 2.0}}), "'--width' applies only with '--lines'. Leave it out, or give both.");
+        QCOMPARE(textOf({{"depth", 2.0}}), "'--depth' applies only if '--kind' is deep. Leave it out, or choose that.");
         QCOMPARE(textOf({{"colour", 2.0}}), std::string());
         QCOMPARE(checkOfUse(all, {{"width", 2.0}}).error().text(),
-                 "'width' is of use only if 'lines' is true. Leave it out, or choose that.");
+                 "'width' applies only if 'lines' is true. Leave it out, or choose that.");
     }
 
     void refusesWhatDoesNotFit_data()
@@ -186,7 +185,7 @@ private slots:
         QVERIFY(!checkParameterValues("builder 'x'", parameters, {{"it", true}}));
         const Status unknown = checkParameterValues("builder 'x'", parameters, {{"other", 3.0}});
         QVERIFY(!unknown);
-        QVERIFY(unknown.error().text().find("It has: it.") != std::string::npos);
+        QVERIFY(unknown.error().text().find("Available: it.") != std::string::npos);
     }
 };
 

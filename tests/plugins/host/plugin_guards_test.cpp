@@ -151,7 +151,7 @@ private slots:
         QTest::newRow("an exception") << int(Thrown::Exception) << "no luck";
         QTest::newRow("no memory") << int(Thrown::OutOfMemory) << "memory";
         QTest::newRow("a vector that is too long") << int(Thrown::TooLong) << "memory";
-        QTest::newRow("a number") << int(Thrown::Anything) << "without saying why";
+        QTest::newRow("a number") << int(Thrown::Anything) << "without giving a reason";
     }
     void whatIsThrownEnds()
     {

@@ -196,7 +196,7 @@ private slots:
             << QStringList{"impostor"} << "impostor" << QStringList{"does not implement org.tan.Builder/2"};
         QTest::newRow("throws when made") << QStringList{"throwing"} << "throwing" << QStringList{"no luck"};
         QTest::newRow("throws a number when made")
-            << QStringList{"throwing_anything"} << "throwing-anything" << QStringList{"without saying why"};
+            << QStringList{"throwing_anything"} << "throwing-anything" << QStringList{"without giving a reason"};
     }
     void refusesAtLoadingWithAText()
     {

@@ -143,7 +143,7 @@ private slots:
         QVERIFY(seen.camera.azimuth == 77 && seen.width == 640 && seen.height == 480);
         const auto blue = sceneOf(keep, {.values = {{"colour", std::string("blue")}}});
         QVERIFY(!blue && blue.error().kind == ErrorKind::WrongUsage);
-        QCOMPARE(blue.error().text(), std::string("'blue' is no choice for 'colour'. There is: red, green."));
+        QCOMPARE(blue.error().text(), std::string("'blue' is not a choice for 'colour'. Available: red, green."));
     }
 
     void parametersAndNeedsMayThrow()

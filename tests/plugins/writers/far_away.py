@@ -283,7 +283,7 @@ class FarAway(unittest.TestCase):
 
     def in_floats(self, path, told, places, known, found, shift, spacing, label):
         """Places that are known so well, less a shift, which the report tells if there is any, to the last bit of floats."""
-        remarks = [text for text in told.get("remarks", []) if "x, y and z are less than in the data by" in text]
+        remarks = [text for text in told.get("remarks", []) if "x, y and z are smaller than in the data by" in text]
         self.assertEqual(len(remarks), 1 if shift.any() else 0, f"{label}: {told}")
         if remarks:
             numbers = remarks[0].split(" by ")[1].split(", as ")[0].replace(" and", ",").split(", ")
@@ -400,7 +400,7 @@ class FarAway(unittest.TestCase):
         path, model, stl = self.folder / "told.nrrd", self.folder / "told.tan", self.folder / "told.stl"
         write_nrrd(path, SURVEY, 0.05, (5, 5, 5), values_of(125))
         tan("build", path, "-o", model)
-        line = f"In '{stl}' x, y and z are less than in the data by 339385"
+        line = f"In '{stl}' x, y and z are smaller than in the data by 339385"
         for command in (("extract", model), ("isosurface", model, "--value", LEVEL)):
             lines = tan(*command, "--error", 0, "-o", stl).splitlines()
             self.assertEqual([text.startswith(line) for text in lines], [False] * (len(lines) - 1) + [True], lines)

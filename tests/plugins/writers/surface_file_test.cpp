@@ -198,12 +198,12 @@ private slots:
         if (times == 0)
             QVERIFY(remarks.empty());
         else
-            QCOMPARE(remarks, std::vector{"In '" + path.toStdString() + "' " + std::to_string(2 * times) +
-                                          " triangles are left out, as two corners of each are the same in single "
-                                          "precision."});
+            QCOMPARE(remarks,
+                     std::vector{"In '" + path.toStdString() + "' " + std::to_string(2 * times) +
+                                 " triangles are left out, because two corners of each coincide in single precision."});
         QCOMPARE(leftOutInFloats(1, "a.stl").text(),
-                 std::string("In 'a.stl' one triangle is left out, as two of its corners are the same in single "
-                             "precision."));
+                 std::string(
+                     "In 'a.stl' one triangle is left out, because two of its corners coincide in single precision."));
         const QByteArray bytes = ::contentOf(path);
         if (ending == "stl") {
             QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 3U);
@@ -406,7 +406,7 @@ private slots:
         QCOMPARE(saved->size(), std::size_t(1));
         QCOMPARE(saved->front().text(),
                  "'" + path +
-                     "' does not have the triangles' values (kind, birth_error), as many programs cannot read "
+                     "' does not contain the triangles' values (kind, birth_error), because many programs cannot read "
                      "a PLY file with such values. To keep them, write a .vtp file.");
         const QByteArray bytes = ::contentOf(QString::fromStdString(path));
         const QByteArray end = "element face 7\nproperty list uchar int vertex_indices\nend_header\n";
@@ -602,7 +602,7 @@ private slots:
             if (!isTold)
                 continue;
             const std::string& remark = saved->front().text();
-            QVERIFY2(remark.starts_with("In '" + path.toStdString() + "' x, y and z are less than in the data by " +
+            QVERIFY2(remark.starts_with("In '" + path.toStdString() + "' x, y and z are smaller than in the data by " +
                                         number.toStdString() + ", " + number.toStdString() + " and 0, as"),
                      remark.c_str());
             if (ending == QByteArray("stl")) {

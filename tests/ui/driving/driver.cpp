@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driver.h"
+#include "core/picture/session_document.h"
 #include "tests/waiting.h"
-#include "ui/session/session_document.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>

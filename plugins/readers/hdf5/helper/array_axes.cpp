@@ -242,7 +242,7 @@ Status takeFurther(const Hdf5Array& array, const ArrayAxes& axes, const Hdf5Requ
     }
     if (!numbers->empty())
         return Error{ErrorKind::WrongUsage,
-                     Message::say("its array %1 has no further dimension '%2', which is asked for with 'index'.",
+                     Message::say("its array %1 has no further dimension '%2', which was requested with 'index'.",
                                   arrayText(array), printable(numbers->begin()->first))};
     if (!blocks.empty())
         part.taken.push_back({TakenPart::Block, blocks, isGuess});
@@ -286,8 +286,8 @@ Status takeTime(const Hdf5Array& array, const ArrayAxes& axes, const Hdf5Request
 
 Error noSuchNumber(const Message& what, std::uint64_t there, const std::string& asked, const char* option)
 {
-    return {ErrorKind::WrongUsage,
-            Message::say("it has %1 %2, and number %3 is asked for with '%4'.", there, what, printable(asked), option)};
+    return {ErrorKind::WrongUsage, Message::say("it has %1 %2, and number %3 was requested with '%4'.", there, what,
+                                                printable(asked), option)};
 }
 
 std::string axisName(const ArrayAxes& axes, std::size_t dimension)
@@ -314,8 +314,8 @@ Result<ArrayAxes> axesOf(hid_t file, const Hdf5Array& array)
     }
     if (candidates.size() < 3)
         return Error{ErrorKind::BadInput,
-                     Message::say("its array %1 has fewer than three dimensions of space: the others are of time or "
-                                  "channels. TAn takes volumes: choose another array, or write one.",
+                     Message::say("its array %1 has fewer than three dimensions of space: the others are time or "
+                                  "channels. TAn reads volumes: choose another array, or write one.",
                                   arrayText(array))};
     setAside(array, roles, candidates, axes);
     std::ranges::copy(candidates, axes.space.begin());

@@ -149,9 +149,9 @@ void takeUnits(const ArrayAxes& axes, ArrayPlaces& places)
     if (slow == middle && middle == fast)
         places.lengthUnit = fast;
     else
-        places.remarks.push_back(Message::say("Its units differ from axis to axis: %1. Its numbers were taken as they "
-                                              "are, without a unit.",
-                                              printable(slow + ", " + middle + ", " + fast)));
+        places.remarks.push_back(
+            Message::say("Its units differ from axis to axis: %1. Its numbers were used as they are, without a unit.",
+                         printable(slow + ", " + middle + ", " + fast)));
 }
 
 Message namesOfAxes(const ArrayAxes& axes)
@@ -177,8 +177,9 @@ void tellPlaces(const ArrayAxes& axes, const FrameAttributes& attributes, std::s
     places.taken.push_back({TakenPart::Places, what, isGuess});
     for (std::size_t place = 0; place < 3; ++place)
         if (saysOf(axes, place).areMiddles)
-            places.remarks.push_back(Message::say("Its coordinates '%1' are the edges of bins: the middles were taken.",
-                                                  printable(saysOf(axes, place).name)));
+            places.remarks.push_back(
+                Message::say("Its coordinates '%1' are the edges of bins: their midpoints were used.",
+                             printable(saysOf(axes, place).name)));
     for (const std::string& unused : attributes.unused)
         places.leftOut.push_back(Message::say("It has an attribute '%1', which is not used.", printable(unused)));
 }

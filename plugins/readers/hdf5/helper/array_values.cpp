@@ -83,10 +83,9 @@ bool isFilled(hid_t creation)
 Status checkWritten(const Written& written, hid_t creation, const Hdf5Array& array)
 {
     if (written.there == 0)
-        return Error{ErrorKind::BadInput,
-                     Message::say("nothing was written to its array %1: all that it has is a fill value. Choose "
-                                  "another array, or write this one.",
-                                  arrayText(array))};
+        return Error{ErrorKind::BadInput, Message::say("nothing was written to its array %1: it holds only a fill "
+                                                       "value. Choose another array, or write this one.",
+                                                       arrayText(array))};
     if (written.there < written.parts && !isFilled(creation))
         return Error{ErrorKind::BadInput, Message::say("only %1 of the %2 chunks of its array '%3' were written, and "
                                                        "it has no fill value for the others. Write all of it.",
@@ -108,7 +107,8 @@ void findFill(hid_t opened, hid_t creation, const Written& written, const Hdf5Ar
         what = said.empty() ? Message::say("%1, the array's fill value", given)
                             : Message::say("%1, %2, the array's fill value", said, given);
     else if (written.there < written.parts && (!fill || *fill == 0) && meaning.noValue.empty())
-        what = Message::say("0 in %1 of %2 chunks, which nobody wrote", written.parts - written.there, written.parts);
+        what = Message::say("0 in %1 of %2 chunks, which were never written", written.parts - written.there,
+                            written.parts);
     if (!what.empty())
         meaning.fill = Taken{TakenPart::Fill, what, said.empty()};
 }
@@ -255,7 +255,8 @@ template <class T> ArraySamples decoded(const StoredMeaning& meaning, Buffer<T> 
     }
     ArraySamples result{.type = typeFor<T>(meaning, false, hasHoles, fitsInt32)};
     if (!meaning.isPacked && sizeof(T) == 8 && !std::is_floating_point_v<T> && !fitsInt32)
-        result.remarks.push_back(Message::say("Its 64-bit integers became floating-point numbers of 53 bits."));
+        result.remarks.push_back(
+            Message::say("Its 64-bit integers were converted to floating-point numbers, which are exact to 53 bits."));
     result.samples.resize(numbers.size() * sampleSize(result.type));
     visitSampleType(result.type, [&]<class S>() {
         S* samples = reinterpret_cast<S*>(result.samples.data());
@@ -359,8 +360,8 @@ Result<ArraySamples> readSamples(hid_t file, const Hdf5Array& array, const Array
         return decoded<T>(meaning, std::move(numbers));
     });
     if (result && array.element.losesDigits)
-        result->remarks.push_back(Message::say("Its numbers of more than 64 bits became floating-point numbers of 53 "
-                                               "bits."));
+        result->remarks.push_back(Message::say(
+            "Its numbers of more than 64 bits were converted to floating-point numbers, which are exact to 53 bits."));
     return result;
 }
 

@@ -49,8 +49,8 @@ public:
             seen_.insert(top.addr);
         visit("", openGroup(file_, "/"), 0);
         if (isCutShort_)
-            listing_.leftOut.push_back(Message::say("It holds more than %1 groups and arrays, or groups more than %2 "
-                                                    "deep: not all of them were looked at.",
+            listing_.leftOut.push_back(Message::say("It holds more than %1 groups and arrays, or groups nested more "
+                                                    "than %2 levels deep: not all of them were examined.",
                                                     mostObjects, mostDepth));
         if (!external_.empty())
             listing_.leftOut.push_back(Message::say("Its links into other files are not followed: %1.", external_));
@@ -130,9 +130,9 @@ bool has(hid_t file, const char* name)
 Status checkFormat(hid_t file)
 {
     const auto hasOwnReader = [](const char* format, const char* ending) -> Status {
-        return Error{ErrorKind::BadInput, Message::say("it is a file of %1, which TAn knows by its name. Give it the "
-                                                       "ending %2.",
-                                                       format, ending)};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it is a file of %1, which TAn recognises by its name. Give it the ending %2.",
+                                  format, ending)};
     };
     if (has(file, "VTKHDF"))
         return hasOwnReader("VTK HDF", ".vtkhdf");
@@ -201,7 +201,7 @@ Status checkChosen(const Hdf5Array& array)
     if (array.element.kind == NumberKind::None)
         return Error{
             ErrorKind::WrongUsage,
-            Message::say("its array %1 holds no numbers that are read. Choose another one.", arrayText(array))};
+            Message::say("its array %1 holds no numbers that can be read. Choose another one.", arrayText(array))};
     if (!isVolume(array))
         return Error{ErrorKind::WrongUsage, Message::say("its array %1 does not extend along three dimensions with two "
                                                          "points or more. Choose one that does.",
@@ -232,7 +232,7 @@ Result<Hdf5Id> openHdf5(const std::string& path)
     Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!file && H5Fis_hdf5(path.c_str()) == 0)
         return Error{ErrorKind::BadInput,
-                     Message::say("it does not begin as HDF5 files do. It is damaged, or of another format.")};
+                     Message::say("it does not begin like an HDF5 file. It is damaged, or of another format.")};
     if (!file) {
         H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT); // the question has cleared the reason
         return hdf5Error(Message::say("the whole file"));

@@ -55,20 +55,21 @@ Status checkFilters(hid_t creation, const std::string& array)
         const H5Z_filter_t filter = H5Pget_filter2(creation, static_cast<unsigned>(at), &flags, &count, nullptr,
                                                    inFile.size() - 1, inFile.data(), nullptr);
         if (filter < 0)
-            return Error{ErrorKind::BadInput,
-                         Message::say("its array '%1' does not tell how it is packed. The file is damaged: copy or "
-                                      "export it again.",
-                                      printable(array))};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say(
+                    "its array '%1' does not state how it is packed. The file is damaged: copy or export it again.",
+                    printable(array))};
         if (canUnpack(filter))
             continue;
         const std::string name = nameOf(filter, inFile.data());
         const Message number = Message::say("number %1", filter);
         return Error{
             ErrorKind::BadInput,
-            Message::say("its array '%1' is packed by the filter %2, which is no part of HDF5 and is not read. "
-                         "Write it with gzip or unpacked: 'h5repack -f GZIP=4 old.h5 new.h5' does it where "
-                         "the filter is installed.",
-                         printable(array), name.empty() ? number : Message::say("%1 (%2)", printable(name), number))};
+            Message::say(
+                "its array '%1' is packed with the filter %2, which is not part of HDF5 and is not read. Write it with "
+                "gzip or unpacked: 'h5repack -f GZIP=4 old.h5 new.h5' does so where the filter is installed.",
+                printable(array), name.empty() ? number : Message::say("%1 (%2)", printable(name), number))};
     }
     return {};
 }

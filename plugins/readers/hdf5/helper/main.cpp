@@ -21,7 +21,7 @@ Result<ReadAnswer> answer(const Hdf5Request& request, const TellProgress& progre
     const std::uint64_t bytes = std::filesystem::file_size(request.path, problem);
     if (problem)
         return Error{ErrorKind::BadInput,
-                     Message::say("its size cannot be told: %1.", systemErrorText(problem.value()))};
+                     Message::say("its size cannot be determined: %1.", systemErrorText(problem.value()))};
     limitWork(limitsFor(bytes, bytes, physicalBytes()));
     confineHdf5();
     const auto file = openHdf5(request.path);

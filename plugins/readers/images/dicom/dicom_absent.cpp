@@ -6,7 +6,7 @@ namespace tetra {
 
 Result<ReadAnswer> answerDicom(const ImagesRequest&, const TellProgress&)
 {
-    return Error{ErrorKind::BadInput, Message::say("this TAn was built without GDCM, which reads DICOM. Build it anew "
+    return Error{ErrorKind::BadInput, Message::say("this TAn was built without GDCM, which reads DICOM. Rebuild it "
                                                    "after 'apt install libgdcm-dev', or convert the file to NRRD.")};
 }
 

@@ -431,11 +431,9 @@ Status checkExtent(std::string_view bytes)
         return endsTooEarly();
     const std::uint64_t most = least + timesPacked * bytes.size();
     if (extent.deflatedAt && !unpacksWithin(bytes.substr(*extent.deflatedAt), most))
-        return Error{
-            ErrorKind::BadInput,
-            Message::say("it unpacks to more than %1, which pictures in so few bytes do not. It is damaged; if "
-                         "not, export it without compression.",
-                         neededBytesText(most))};
+        return Error{ErrorKind::BadInput, Message::say("it unpacks to more than %1, which pictures of so few bytes do "
+                                                       "not. It is damaged; if not, export it without compression.",
+                                                       neededBytesText(most))};
     return {};
 }
 
@@ -494,7 +492,7 @@ DicomHeader dicomHeader(const fs::path& path)
     header.hasFloats = data.FindDataElement(floatPixels) || data.FindDataElement(doublePixels);
     Status sound = isRead ? readFrames(data, header)
                           : Error{ErrorKind::BadInput,
-                                  Message::say("it is no DICOM file, or ends too early. Copy the file again.")};
+                                  Message::say("it is not a DICOM file, or ends too early. Copy the file again.")};
     if (sound)
         sound = checkPixels(reader.GetFile(), stream, header);
     if (!sound)

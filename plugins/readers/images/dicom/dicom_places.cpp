@@ -62,7 +62,7 @@ std::vector<Message> remarksOnGaps(std::span<const Eigen::Vector3d> slices)
     const auto gaps = gapsOf(distances);
     if (gaps.empty()) {
         const auto [least, most] = std::ranges::minmax(distances);
-        return {Message::say("Its slices lie unevenly, %1 to %2 mm apart; each was left where it lies.",
+        return {Message::say("Its slices are spaced unevenly, %1 to %2 mm apart; each was left where it lies.",
                              formatNumber(std::round(least * 1e4) / 1e4), formatNumber(std::round(most * 1e4) / 1e4))};
     }
     std::uint64_t missing = 0;
@@ -78,7 +78,7 @@ std::vector<Message> remarksOnGaps(std::span<const Eigen::Vector3d> slices)
                   missing)};
     for (std::size_t gap = 0; gap < std::min(gaps.size(), mostTold); ++gap) {
         const auto [slice, count] = gaps[gap];
-        remarks.push_back(Message::say("Missing behind slice %1, between %2 and %3: %4.", slice,
+        remarks.push_back(Message::say("Missing after slice %1, between %2 and %3: %4.", slice,
                                        placeText(slices[slice - 1]), placeText(slices[slice]), count));
     }
     return remarks;
@@ -165,7 +165,7 @@ DicomPlaces placesOf(std::span<const DicomHeader> series, const DicomVolume& vol
                                     formatNumber(spacing[0]), formatNumber(spacing[1]));
     if (!places.slices.empty() && !first.pixelSpacing) {
         places.untold.clear(); // positions are told in part, and no one spacing would do
-        places.guess = Message::say("pixels 1 x 1 mm, as the file does not tell their size");
+        places.guess = Message::say("pixels 1 x 1 mm, because the file does not state their size");
     }
     if (std::ranges::find(places.untold, "unit") == places.untold.end())
         places.lengthUnit = "mm";

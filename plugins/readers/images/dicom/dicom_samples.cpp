@@ -34,7 +34,7 @@ gdcm::Image imageOf(const DicomHeader& header, const gdcm::File& file, const gdc
 Result<std::vector<char>> dicomSamples(const DicomHeader& header)
 {
     const std::size_t needed = header.rows * header.columns * header.frames.size() * (header.allocatedBits / 8);
-    const Error notAll = {ErrorKind::BadInput, Message::say("its pixels are not all there. Copy the file again.")};
+    const Error notAll = {ErrorKind::BadInput, Message::say("some of its pixels are missing. Copy the file again.")};
     gdcm::Reader reader;
     reader.SetFileName(header.path.c_str());
     const gdcm::Tag tag(0x7fe0, 0x0010);
@@ -53,7 +53,7 @@ Result<std::vector<char>> dicomSamples(const DicomHeader& header)
     if (image.GetBufferLength() != needed || !image.GetBuffer(samples.data()))
         return Error{ErrorKind::BadInput,
                      Message::say("GDCM cannot unpack its pixels (%1). They are damaged, or of a kind that it does not "
-                                  "know: unpack them by the program that wrote them.",
+                                  "support: unpack them with the program that wrote them.",
                                   printable(gdcm::TransferSyntax::GetTSString(syntax)))};
     return samples;
 }

@@ -20,18 +20,16 @@ Message whyNoPictures(const DicomHeader& header)
 {
     if (header.kind == tableOfDisk)
         return Message::say(
-            "it is the table of contents of a disk (DICOMDIR). Open one of the pictures that lie in the "
-            "folders beside it.");
+            "it is the table of contents of a disk (DICOMDIR). Open one of the pictures in the folders next to it.");
     if (header.kind == segmentation)
-        return Message::say(
-            "it is a segmentation, whose pictures are the outlines of things and not of numbers. Export "
-            "it as NRRD, for instance by 3D Slicer.");
+        return Message::say("it is a segmentation, whose pictures are outlines of objects, not numbers. Export it as "
+                            "NRRD, for instance with 3D Slicer.");
     if (header.hasFloats)
-        return Message::say("its pixels are floating point numbers (FloatPixelData), which TAn does not read of DICOM "
-                            "files. Export it as NRRD, for instance by 3D Slicer.");
+        return Message::say("its pixels are floating-point numbers (FloatPixelData), which TAn does not read from "
+                            "DICOM files. Export it as NRRD, for instance with 3D Slicer.");
     if (!header.hasPixels)
-        return Message::say("it holds no picture (%1). If it is to have one, it is cut short: copy it again. Else open "
-                            "a picture of the series that it belongs to.",
+        return Message::say("it holds no picture (%1). If it should have one, it is cut short: copy it again. "
+                            "Otherwise open a picture of the series that it belongs to.",
                             header.modality.empty() ? "-" : printable(header.modality));
     return {};
 }
@@ -105,9 +103,11 @@ Result<DicomFolder> dicomFolder(const fs::path& path, const TellProgress& progre
         const std::string name = printable(beside[at].filename().string());
         if (!looksLikeDicom(beside[at])) {
             if (isAlike)
-                return Error{ErrorKind::BadInput, Message::say("the file '%1' of its series: it is no DICOM file, or "
-                                                               "ends too early. Copy the file again.",
-                                                               name)};
+                return Error{
+                    ErrorKind::BadInput,
+                    Message::say(
+                        "the file '%1' of its series: it is not a DICOM file, or ends too early. Copy the file again.",
+                        name)};
             continue;
         }
         DicomHeader header = dicomHeader(beside[at]);
@@ -117,7 +117,7 @@ Result<DicomFolder> dicomFolder(const fs::path& path, const TellProgress& progre
         if (!header.fault.empty()) {
             if (isAlike || header.series == series)
                 return Error{ErrorKind::BadInput, Message::say("the file '%1' of its series: %2", name, header.fault)};
-            folder.unreadable.push_back(Message::say("The file '%1' beside it was not read: %2", name, header.fault));
+            folder.unreadable.push_back(Message::say("The file '%1' next to it was not read: %2", name, header.fault));
         } else if (whyNoPictures(header).empty()) {
             bySeries[header.series].push_back(std::move(header));
         }
@@ -142,11 +142,11 @@ Result<std::size_t> chosenSeries(const DicomFolder& folder, const std::string& w
     if (std::ranges::count_if(folder.series, isDescribed) == 1)
         return static_cast<std::size_t>(std::ranges::find_if(folder.series, isDescribed) - folder.series.begin());
     if (folder.series.size() == 1)
-        return Error{ErrorKind::WrongUsage, Message::say("its folder holds one series, and '%1' is asked for. Leave "
-                                                         "'series' out.",
-                                                         printable(wanted))};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("its folder holds one series, and '%1' was requested. Leave 'series' out.",
+                                  printable(wanted))};
     return Error{ErrorKind::WrongUsage,
-                 Message::say("its folder holds %1 series, and '%2' is asked for. Choose one with 'series', by its "
+                 Message::say("its folder holds %1 series, and '%2' was requested. Choose one with 'series', by its "
                               "number from 1 or its description: %3.",
                               folder.series.size(), printable(wanted), seriesList(folder.series))};
 }

@@ -46,15 +46,15 @@ Message whyNoSamples(const DicomHeader& header)
                             "shades of grey.",
                             printable(header.photometric));
     if (header.isMosaic)
-        return Message::say("each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI by dcm2niix.");
+        return Message::say("each of its pictures is a mosaic of slices (Siemens). Convert it to NIfTI with dcm2niix.");
     if (header.isFilm)
-        return Message::say("its pictures are moments of a film and not slices of a volume.");
+        return Message::say("its pictures are frames of a film and not slices of a volume.");
     if (header.allocatedBits != 8 && header.allocatedBits != 16 && header.allocatedBits != 32)
         return Message::say("its pixels have %1 bits, and TAn reads those of 8, 16 and 32. Write them with 16.",
                             header.allocatedBits);
     if (header.storedBits == 0 || header.storedBits > header.allocatedBits || header.highBit + 1 < header.storedBits ||
         header.highBit >= header.allocatedBits)
-        return Message::say("it says that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or "
+        return Message::say("it states that %1 of %2 bits of a pixel count, up to bit %3. The file is damaged: copy or "
                             "export it again.",
                             header.storedBits, header.allocatedBits, header.highBit);
     return {};
@@ -117,13 +117,13 @@ void tellOfValues(DicomChoice& choice)
                                               "(MONOCHROME1); the values are as the file has them."));
     if (header.padding)
         choice.leftOut.push_back(Message::say(
-            "Pixels outside of the picture have the value %1 (PixelPaddingValue), and are values as others.",
+            "Pixels outside the picture have the value %1 (PixelPaddingValue), and are treated as ordinary values.",
             formatNumber(*header.padding * first.slope + first.intercept)));
     if (header.hasTable)
-        choice.leftOut.push_back(Message::say("It has a table (ModalityLUT) that turns stored numbers into values; the "
-                                              "stored numbers are taken."));
+        choice.leftOut.push_back(Message::say(
+            "It has a table (ModalityLUT) that converts stored numbers into values; the stored numbers are used."));
     if (header.lostInPacking)
-        choice.leftOut.push_back(Message::say("It says that its pictures were compressed with loss."));
+        choice.leftOut.push_back(Message::say("It states that its pictures were compressed with loss."));
 }
 
 void tellOfSeries(const DicomFolder& folder, std::size_t series, const DicomVolumes& volumes, bool isChosen,
@@ -138,12 +138,12 @@ void tellOfSeries(const DicomFolder& folder, std::size_t series, const DicomVolu
             if (other != series) {
                 ++told;
                 choice.leftOut.push_back(
-                    isChosen ? Message::say("Beside it lies series %1: %2.", other + 1, folder.series[other].name)
-                             : Message::say("Beside it lies series %1: %2. Choose it with 'series'.", other + 1,
+                    isChosen ? Message::say("Next to it is series %1: %2.", other + 1, folder.series[other].name)
+                             : Message::say("Next to it is series %1: %2. Choose it with 'series'.", other + 1,
                                             folder.series[other].name));
             }
         if (count - 1 > told)
-            choice.leftOut.push_back(Message::say("%1 more series lie beside it.", count - 1 - told));
+            choice.leftOut.push_back(Message::say("%1 more series are next to it.", count - 1 - told));
     }
     if (volumes.others > 0)
         choice.leftOut.push_back(
@@ -188,8 +188,9 @@ Status checkFiles(const DicomChoice& choice)
             return Error{ErrorKind::BadInput, Message::say("the file '%1' of its series: %2",
                                                            printable(header.path.filename().string()), why)};
         if (!std::isfinite(frameOf(choice, picture).slope * 4e9 + frameOf(choice, picture).intercept))
-            return Error{ErrorKind::BadInput, Message::say("its values are scaled beyond all numbers (RescaleSlope). "
-                                                           "The file is damaged: copy or export it again.")};
+            return Error{ErrorKind::BadInput,
+                         Message::say("its values are scaled beyond the range of numbers (RescaleSlope). The file is "
+                                      "damaged: copy or export it again.")};
     }
     return {};
 }

@@ -143,11 +143,11 @@ Result<std::vector<DicomVolume>> dealt(std::span<const DicomHeader> series, cons
                 return (next == runs.begins.end() ? runs.pictures.size() : *next) - begin > 1;
             });
             const DicomHeader &one = series[runs.pictures[*many].file], &other = series[runs.pictures[*many + 1].file];
-            return Error{ErrorKind::BadInput,
-                         Message::say("%1 pictures of its series lie on one place, such as '%2' and '%3', and nothing "
-                                      "says which of them belong together. Put the slices of one volume alone into a "
-                                      "folder.",
-                                      count, nameOf(one), nameOf(other))};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("%1 pictures of its series lie at one place, such as '%2' and '%3', and nothing tells "
+                             "which of them belong together. Put the slices of one volume alone into a folder.",
+                             count, nameOf(one), nameOf(other))};
         }
     std::vector<DicomVolume> volumes(count);
     for (std::size_t place = 0; place < runs.places(); ++place)
@@ -243,7 +243,7 @@ Error singlePicture(std::span<const DicomHeader> series, const std::vector<Pictu
     const auto largest = std::ranges::max_element(classes, {}, &Pictures::size);
     if (largest->size() < 2)
         return {ErrorKind::BadInput,
-                Message::say("it is a single picture, and no other slices of its series lie beside it. TAn reads "
+                Message::say("it is a single picture, and no other slices of its series are next to it. TAn reads "
                              "volumes: put the files of the series into one folder and open one of them.")};
     return {ErrorKind::BadInput,
             Message::say("it is a single picture of another size or direction than the %1 slices of its series. Open "
@@ -303,7 +303,7 @@ Result<DicomVolumes> volumesOf(std::span<const DicomHeader> series, std::size_t 
     }
     if (found.volumes.empty())
         return Error{ErrorKind::BadInput,
-                     Message::say("all pictures of its series lie on one place. TAn reads volumes: it needs slices.")};
+                     Message::say("all pictures of its series lie at one place. TAn reads volumes: it needs slices.")};
     return found;
 }
 

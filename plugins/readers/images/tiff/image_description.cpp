@@ -148,7 +148,7 @@ Status readOmePlanes(const pugi::xml_node& pixels, std::string_view file, Pictur
                             time = wholeOf(data, "FirstT", 0);
         if (slice >= description.slices || time >= description.times)
             return omeError(
-                Message::say("a plane lies behind its %1 slices and %2 times", description.slices, description.times));
+                Message::say("a plane lies beyond its %1 slices and %2 times", description.slices, description.times));
         if (channel >= description.channels)
             continue; // one of the samples of a channel that has several
         OmePlanes planes;
@@ -245,7 +245,7 @@ Result<PictureDescription> omeDescription(std::string_view text, std::size_t ima
     const pugi::xml_node root = document.document_element();
     const auto images = childrenOf(root, "Image");
     if (images.empty())
-        return omeError(Message::say("it has no images; the file that has them may be another one"));
+        return omeError(Message::say("it has no images; they may be in another file"));
     PictureDescription description;
     for (const pugi::xml_node& each : images) {
         const std::string_view name = stripped(each.attribute("Name").value());

@@ -6,9 +6,8 @@ namespace tetra {
 
 Result<ReadAnswer> answerTiff(const ImagesRequest&, const TellProgress&)
 {
-    return Error{ErrorKind::BadInput,
-                 Message::say("this TAn was built without libtiff, which reads TIFF. Build it anew "
-                              "after 'apt install libtiff-dev', or convert the file to NRRD.")};
+    return Error{ErrorKind::BadInput, Message::say("this TAn was built without libtiff, which reads TIFF. Rebuild it "
+                                                   "after 'apt install libtiff-dev', or convert the file to NRRD.")};
 }
 
 } // namespace tetra

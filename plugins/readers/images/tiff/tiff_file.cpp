@@ -34,10 +34,9 @@ void keepWords(const char*, const char* format, va_list arguments)
 Error libtiffError()
 {
     const std::string words = lastWords().empty() ? "-" : printable(lastWords());
-    return {ErrorKind::BadInput,
-            Message::say("libtiff says: %1. The file is damaged, or of a kind that libtiff does not know: copy or "
-                         "export it again.",
-                         words)};
+    return {ErrorKind::BadInput, Message::say("libtiff says: %1. The file is damaged, or of a kind that libtiff does "
+                                              "not support: copy or export it again.",
+                                              words)};
 }
 
 Error damaged(const Message& what)
@@ -48,7 +47,7 @@ Error damaged(const Message& what)
 Error behindEnd(const Message& what, std::uint64_t bytes)
 {
     return {ErrorKind::BadInput,
-            Message::say("%1 lies behind its end, at %2 bytes. It is cut short: copy the file again.", what, bytes)};
+            Message::say("%1 lies beyond its end, at %2 bytes. It is cut short: copy the file again.", what, bytes)};
 }
 
 template <class Number> Number fieldOf(TIFF* file, std::uint32_t tag, Number ifMissing)
@@ -95,7 +94,7 @@ Result<TiffDivision> divisionOf(TIFF* file, const TiffSamples& samples)
     division.pieceBytes = division.isTiled ? TIFFTileSize64(file) : TIFFStripSize64(file);
     const std::uint64_t rowBits = std::uint64_t(division.width) * samples.bits * (isSeparate ? 1 : samples.samples);
     if (division.rowBytes < rowBits / 8 || division.pieceBytes / division.height < division.rowBytes)
-        return damaged(Message::say("its pieces are of no size that can be."));
+        return damaged(Message::say("its pieces have an impossible size."));
     return division;
 }
 
@@ -135,7 +134,7 @@ Status checkPieces(TIFF* file, const TiffDivision& division, const TiffSamples& 
         if (bytes == 0 || (most == 1 && bytes < wanted))
             return damaged(Message::say("a piece of %1 has %2 bytes and should have %3.", page, bytes, wanted));
         if (most && bytes < wanted / *most)
-            return damaged(Message::say("a piece of %1 has %2 bytes, which cannot hold the %3 that its size asks for.",
+            return damaged(Message::say("a piece of %1 has %2 bytes, which cannot hold the %3 that its size requires.",
                                         page, bytes, wanted));
         if (at > fileBytes || bytes > fileBytes - at)
             return behindEnd(Message::say("a piece of %1", page), fileBytes);
@@ -358,10 +357,9 @@ Result<TiffFile> TiffFile::open(const fs::path& path)
         if (TIFFLastDirectory(content->file) != 0)
             break;
         if (TIFFReadDirectory(content->file) == 0) // without a word where pages follow each other in a circle
-            return lastWords().empty()
-                       ? damaged(Message::say("behind page %1 follows no page, or one that was there before.",
-                                              content->pages.size()))
-                       : libtiffError();
+            return lastWords().empty() ? damaged(Message::say("page %1 is followed by no page, or by an earlier one.",
+                                                              content->pages.size()))
+                                       : libtiffError();
     }
     return TiffFile(std::move(content));
 }

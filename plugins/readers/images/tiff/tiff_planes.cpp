@@ -134,8 +134,9 @@ Status findOmePages(const fs::path& path, std::size_t pages, const std::vector<s
         const std::uint64_t count = std::min(part.count == 0 ? std::min<std::uint64_t>(all, pages) : part.count, all);
         work += count;
         if (work > mostPlanes)
-            return Error{ErrorKind::BadInput, Message::say("its OME description names each plane many times. The file "
-                                                           "is damaged: export it again.")};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("its OME description lists each plane many times. The file is damaged: export it again.")};
         for (auto at = sliceOf.lower_bound(part.firstPlane); at != sliceOf.end() && at->first < part.firstPlane + count;
              ++at) {
             const auto [file, isNew] = fileNumbers.emplace(part.file, planes.files.size());
@@ -147,7 +148,7 @@ Status findOmePages(const fs::path& path, std::size_t pages, const std::vector<s
     const auto lacking = std::ranges::find(planes.slices, notFound, &TiffPlane::file);
     if (lacking != planes.slices.end())
         return Error{ErrorKind::BadInput,
-                     Message::say("its OME description says of slice %1 not where it is. Export the file again.",
+                     Message::say("its OME description does not tell where slice %1 is. Export the file again.",
                                   lacking - planes.slices.begin() + 1)};
     return {};
 }
@@ -231,13 +232,12 @@ Result<TiffPlanes> imageJPlanes(const fs::path& path, const TiffFile& file, cons
             std::uint64_t(first.samples.width) * first.samples.height * (first.samples.bits / 8);
         if (!first.pixelsAt || *first.pixelsAt > file.bytes() ||
             count > (file.bytes() - *first.pixelsAt) / std::max<std::uint64_t>(1, pageBytes))
-            return Error{ErrorKind::BadInput,
-                         Message::say("ImageJ's description says that it holds %1 slices, and their pixels are not all "
-                                      "there. It is cut short: copy the file again.",
-                                      count)};
+            return Error{ErrorKind::BadInput, Message::say("ImageJ's description claims %1 slices, but some of their "
+                                                           "pixels are missing. It is cut short: copy the file again.",
+                                                           count)};
     } else if (count != pages) {
         planes.leftOut.push_back(Message::say(
-            "ImageJ's description names %1 planes, and there are %2 pages; each is taken for a slice.", count, pages));
+            "ImageJ's description lists %1 planes, and there are %2 pages; each is read as a slice.", count, pages));
         planes.description.channels = planes.description.times = 1;
         planes.description.slices = pages;
         planes.description.sliceStep = 1;
@@ -263,9 +263,9 @@ void keepGaps(const SliceFiles& stack, TiffPlanes& planes)
     if (missing == 0)
         return;
     if (missing > stack.numbers.size()) { // numbers that count something else
-        planes.leftOut.push_back(Message::say("The numbers of its files, from %1 to %2, do not follow each other; the "
-                                              "slices are taken to lie evenly.",
-                                              stack.numbers.front(), stack.numbers.back()));
+        planes.leftOut.push_back(Message::say(
+            "The numbers of its files, from %1 to %2, are not consecutive; the slices are taken to be evenly spaced.",
+            stack.numbers.front(), stack.numbers.back()));
         return;
     }
     std::string told;
@@ -337,9 +337,8 @@ Result<TiffPlanes> tiffPlanes(const fs::path& path, const TiffFile& file, const 
     }
     planes.files = {path};
     if (const std::size_t beside = sliceFiles(path).files.size(); beside > 1)
-        planes.leftOut.push_back(Message::say("It has pages of its own; the %1 files beside it that are numbered as it "
-                                              "is are not read.",
-                                              beside - 1));
+        planes.leftOut.push_back(Message::say(
+            "It has pages of its own; the %1 files next to it with the same kind of number are not read.", beside - 1));
     return planes;
 }
 

@@ -63,17 +63,16 @@ Status checkSlices(const TiffFile& opened, const fs::path& path, TiffChoice& cho
         if (plane.page >= file.pages().size() && !isBehind)
             return inFile(choice.planes, name,
                           Error{ErrorKind::BadInput,
-                                Message::say("its description names page %1, and it has %2. Export it again.",
+                                Message::say("its description refers to page %1, and it has %2. Export it again.",
                                              plane.page + 1, file.pages().size())});
         const TiffPage& page = file.pages()[isBehind ? 0 : plane.page];
         if (!first)
             first = page.samples;
         if (page.isReduced || page.samples != *first)
             return inFile(choice.planes, name,
-                          Error{ErrorKind::BadInput,
-                                Message::say("page %1 is of another size or type than the first slice. The slices of "
-                                             "one volume are of one size.",
-                                             plane.page + 1)});
+                          Error{ErrorKind::BadInput, Message::say("page %1 has another size or type than the first "
+                                                                  "slice. The slices of one volume have one size.",
+                                                                  plane.page + 1)});
         if (slice % 64 == 0)
             progress(static_cast<double>(slice) / static_cast<double>(choice.planes.slices.size()));
     }
@@ -95,10 +94,11 @@ Status chooseComponent(const std::string& wanted, TiffChoice& choice)
     const bool isMagnitude = wanted == "magnitude" || (wanted.empty() && isColour);
     const auto number = wanted.empty() ? std::optional<std::uint16_t>(0) : parseNumber<std::uint16_t>(wanted);
     if (!isMagnitude && (!number || *number >= count))
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("its pixels have %1 components, and number %2 is asked for. Choose one from 0 to %3, "
-                                  "or 'magnitude'.",
-                                  count, printable(wanted), count - 1)};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "its pixels have %1 components, and number %2 was requested. Choose one from 0 to %3, or 'magnitude'.",
+                count, printable(wanted), count - 1)};
     if (!isMagnitude)
         choice.wanted.component = *number;
     choice.taken.push_back({TakenPart::Component,
@@ -132,7 +132,7 @@ Status chooseValues(const ImagesRequest& request, TiffChoice& choice)
     if (!type)
         return Error{ErrorKind::BadInput,
                      Message::say("its samples have %1 bits and the format %2 (SampleFormat), which TAn does not read. "
-                                  "Write whole numbers or floating point numbers of 32 bits.",
+                                  "Write whole numbers or floating-point numbers of 32 bits.",
                                   samples.bits, samples.format)};
     choice.wanted.type = *type;
     if (const Status chosen = chooseComponent(request.component, choice); !chosen)
@@ -146,7 +146,7 @@ Status chooseValues(const ImagesRequest& request, TiffChoice& choice)
     }
     if (description.hasCurve)
         choice.planes.leftOut.push_back(
-            Message::say("ImageJ's calibration of the values is not used: they are as they are stored."));
+            Message::say("ImageJ's calibration of the values is not used: the stored values are."));
     return {};
 }
 
@@ -159,8 +159,9 @@ void readResolution(const TiffTexts& texts, PictureDescription& description, std
         description.spacing[0])
         return;
     if (texts.resolutionUnit == inch && (*perUnit[0] == 72 || *perUnit[0] == 96)) {
-        leftOut.push_back(Message::say("It says %1 pixels per inch, as pictures without a scale do; that is not used.",
-                                       formatNumber(*perUnit[0])));
+        leftOut.push_back(
+            Message::say("It states %1 pixels per inch, as pictures without a scale do; that is not used.",
+                         formatNumber(*perUnit[0])));
         return;
     }
     for (std::size_t axis = 0; axis < 2; ++axis) // files hold single precision
@@ -186,7 +187,7 @@ void place(const TiffTexts& texts, TiffChoice& choice)
         choice.taken.push_back(
             {TakenPart::Frame,
              isDepthOfImageJ
-                 ? Message::say("slices 1 %1 apart, as ImageJ takes it without 'spacing'", printable(description.unit))
+                 ? Message::say("slices 1 %1 apart, as ImageJ assumes without 'spacing'", printable(description.unit))
                  : Message::say("slices as far apart as pixels, %1", formatNumber(depth)),
              true});
     choice.lengthUnit = printable(description.unit);

@@ -111,8 +111,8 @@ Status takeTypes(const BovHeader& header, StoredVolume& volume)
     if (!order.empty())
         volume.order = order == "LITTLE" ? std::endian::little : std::endian::big;
     else if (storedSize(*type) > 1)
-        volume.remarks.push_back(Message::say("The file does not tell the byte order of its numbers: that of this "
-                                              "computer was assumed."));
+        volume.remarks.push_back(
+            Message::say("The file does not state the byte order of its numbers: that of this computer was assumed."));
     return {};
 }
 
@@ -137,8 +137,9 @@ Status takeScale(const BovHeader& header, StoredVolume& volume)
     if (isSaid && volume.type == StoredType::UInt8) {
         volume.intercept = least;
         volume.slope = (most - least) / largestByte;
-        volume.remarks.push_back(Message::say("Its bytes from 0 to 255 became the numbers from %1 to %2, as it says.",
-                                              formatNumber(least), formatNumber(most)));
+        volume.remarks.push_back(
+            Message::say("Its bytes from 0 to 255 were converted to the numbers from %1 to %2, as it states.",
+                         formatNumber(least), formatNumber(most)));
     }
     return {};
 }

@@ -22,7 +22,7 @@ constexpr std::string_view npyMagic = "\x93NUMPY"sv;
 Error npyDamaged(const Message& what)
 {
     return {ErrorKind::BadInput,
-            Message::say("its header is not that of a NumPy array: %1. Save the array again by numpy.save().", what)};
+            Message::say("its header is not that of a NumPy array: %1. Save the array again with numpy.save().", what)};
 }
 
 /// What the header says.
@@ -152,14 +152,13 @@ Result<NpyHeader> npyHeader(std::string_view file)
 {
     constexpr std::size_t lengthAt = 8;
     if (!looksLikeNpy(file))
-        return npyDamaged(Message::say("its first bytes are others"));
+        return npyDamaged(Message::say("its first bytes are different"));
     const auto byteAt = [&](std::size_t place) { return static_cast<std::uint8_t>(file[place]); };
     const unsigned version = file.size() > npyMagic.size() ? byteAt(npyMagic.size()) : 0;
     if (version > 3)
-        return Error{ErrorKind::BadInput,
-                     Message::say("it has version %1 of NumPy's format, and versions 1 to 3 are read. Save it again by "
-                                  "numpy.save() of an earlier NumPy.",
-                                  version)};
+        return Error{ErrorKind::BadInput, Message::say("it has version %1 of NumPy's format, and versions 1 to 3 are "
+                                                       "read. Save it again with numpy.save() of an earlier NumPy.",
+                                                       version)};
     const std::size_t lengthBytes = version == 1 ? 2 : 4;
     if (version == 0 || file.size() < lengthAt + lengthBytes)
         return npyDamaged(Message::say("it is cut short"));
@@ -198,13 +197,12 @@ constexpr std::array<NpyType, 14> npyTypes{{{"b1", StoredType::UInt8, 1},
 Result<NpyType> npyType(const NpyHeader& header, std::endian& order)
 {
     if (header.hasFields)
-        return Error{ErrorKind::BadInput, Message::say("its elements are records of several fields. Save one field by "
-                                                       "itself: numpy.save(name, array['field']).")};
+        return Error{ErrorKind::BadInput, Message::say("its elements are records of several fields. Save one field on "
+                                                       "its own: numpy.save(name, array['field']).")};
     const std::string_view all = header.type;
     if (all.substr(0, 2) == "|O" || all == "O")
-        return Error{ErrorKind::BadInput,
-                     Message::say("its elements are objects of Python, which only Python can read. "
-                                  "Save an array of numbers: array.astype('float32').")};
+        return Error{ErrorKind::BadInput, Message::say("its elements are Python objects, which only Python can read. "
+                                                       "Save an array of numbers: array.astype('float32').")};
     const bool hasOrder = !all.empty() && std::string_view("<>|=").find(all.front()) != std::string_view::npos;
     const std::string_view name = all.substr(hasOrder ? 1 : 0);
     const auto* const found = std::ranges::find(npyTypes, name, &NpyType::name);
@@ -260,10 +258,11 @@ Status setNpyAxes(const NpyHeader& header, const ParameterValues& values, Stored
     const bool isSaid = values.contains(npyAxesId);
     volume.taken.push_back(
         {TakenPart::Places,
-         lastIsX  ? Message::say("the array's dimensions are z, y, x")
-         : isSaid ? Message::say("the array's dimensions are x, y, z")
-                  : Message::say("the array's dimensions are x, y, z; give '--axes zyx' if they are z, y, x, as those "
-                                 "of stacks of images are"),
+         lastIsX ? Message::say("the array's dimensions are z, y, x")
+         : isSaid
+             ? Message::say("the array's dimensions are x, y, z")
+             : Message::say(
+                   "the array's dimensions are x, y, z; give '--axes zyx' if they are z, y, x, as in stacks of images"),
          !isSaid});
     return {};
 }

@@ -32,7 +32,7 @@ Status checkDataFileNames(const std::vector<std::string>& names)
         if (std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) < ' '; }))
             return Error{
                 ErrorKind::BadInput,
-                Message::say("its data file is called '%1', with characters that no name should have. Correct it.",
+                Message::say("its data file is called '%1', with characters that no name should contain. Correct it.",
                              printable(name))};
     return {};
 }

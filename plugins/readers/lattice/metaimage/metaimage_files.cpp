@@ -42,10 +42,9 @@ Result<Names> namesOfList(std::string_view list, std::string_view lines, std::sp
     while (names.size() < files) {
         const auto end = lines.find('\n');
         if (end == std::string_view::npos) // a last line that does not end may be cut short
-            return Error{ErrorKind::BadInput,
-                         Message::say("it should name %1 data files, each in a line of its own that ends, and names "
-                                      "%2. It is cut short: copy the file again.",
-                                      files, names.size())};
+            return Error{ErrorKind::BadInput, Message::say("it should name %1 data files, each on a line of its own, "
+                                                           "and names %2. It is cut short: copy the file again.",
+                                                           files, names.size())};
         names.emplace_back(trimmed(lines.substr(0, end)));
         lines.remove_prefix(end + 1);
     }
@@ -79,12 +78,12 @@ Result<Names> namesOfSeries(std::string_view series, std::uint64_t layerCount)
     if (step < 1 || 1 + (end - first) / step < layers)
         return Error{ErrorKind::BadInput,
                      Message::say("its ElementDataFile '%1' does not name a file for each of its %2 layers. Write the "
-                                  "numbers of the first, the last and the step behind the name.",
+                                  "numbers of the first, the last and the step after the name.",
                                   printable(series), layers)};
     const auto pattern = numberedName(words[0]);
     if (!pattern)
         return wrongMetaHeader(
-            Message::say("its ElementDataFile '%1' is no name with a number as '%03d'.", printable(series)));
+            Message::say("its ElementDataFile '%1' is not a name with a number such as '%03d'.", printable(series)));
     Names names;
     for (std::int64_t layer = 0; layer < layers; ++layer)
         names.push_back(pattern->name(first + layer * step));
@@ -101,8 +100,7 @@ Result<StoredFile> fileOf(const fs::path& header, const std::string& name, Store
         if (const fs::path packed = path.string() + ending; !name.empty() && fs::exists(packed, ignored))
             return StoredFile{packed, StoredPacking::Zlib};
     return Error{ErrorKind::BadInput,
-                 Message::say("its data file %1 is missing. Copy it into the folder of this one: the two belong "
-                              "together.",
+                 Message::say("its data file %1 is missing. Copy it into the same folder: the two belong together.",
                               "'" + printable(name) + "'")};
 }
 

@@ -38,8 +38,8 @@ Result<MetaHeader> metaHeaderOf(std::string_view bytes)
             return header;
         }
     }
-    return Error{ErrorKind::BadInput, Message::say("its header has no line 'ElementDataFile = ...', so that it is cut "
-                                                   "short or no MetaImage. Copy the file again.")};
+    return Error{ErrorKind::BadInput, Message::say("its header has no line 'ElementDataFile = ...': it is cut short or "
+                                                   "not a MetaImage. Copy the file again.")};
 }
 
 std::optional<std::int64_t> metaWholeNumber(std::string_view text)

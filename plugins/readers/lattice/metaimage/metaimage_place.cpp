@@ -59,9 +59,9 @@ void remarkOnOrientation(const MetaHeader& header, StoredVolume& volume)
     const bool isKnown = stated.size() == 3 && stated.find_first_not_of("RLAPIS") == std::string_view::npos;
     const auto found = orientationOf(volume.lattice);
     if (isKnown && std::ranges::find(found, stated) == found.end())
-        volume.remarks.push_back(Message::say("Its header calls its orientation '%1', which by its matrix is '%2'. The "
-                                              "matrix was taken.",
-                                              stated, found[0]));
+        volume.remarks.push_back(
+            Message::say("Its header calls its orientation '%1', but by its matrix it is '%2'. The matrix was used.",
+                         stated, found[0]));
 }
 
 /// Of several names for one thing, those that say something else than the one that counts.
@@ -73,9 +73,9 @@ void tellOthers(const MetaHeader& header, const std::vector<std::string_view>& n
             taken = name;
     for (const std::string_view name : names)
         if (header.has(name) && header.text(name) != header.text(taken))
-            volume.leftOut.push_back(
-                Message::say("Its header gives the same by two names, which differ: %1 was taken, and %2 (%3) was not.",
-                             taken, name, printable(header.text(name))));
+            volume.leftOut.push_back(Message::say("Its header gives the same quantity under two names, with different "
+                                                  "values: %1 was used, and %2 (%3) was not.",
+                                                  taken, name, printable(header.text(name))));
 }
 
 } // namespace

@@ -38,7 +38,7 @@ Result<StoredType> storedTypeOf(std::string_view type)
         return entry->second;
     return Error{ErrorKind::BadInput,
                  type.empty()
-                     ? Message::say("its header does not say its ElementType. It is cut short: copy the file again.")
+                     ? Message::say("its header does not state its ElementType. It is cut short: copy the file again.")
                      : Message::say("its samples are of the type '%1', which is not read. Write them as "
                                     "MET_INT, MET_FLOAT or MET_DOUBLE.",
                                     printable(type))};
@@ -50,9 +50,9 @@ Result<Sizes> sizesOf(const MetaHeader& header)
     const auto dimensions = metaWholeNumber(header.text("NDims"));
     const std::string_view kind = header.text("ObjectType");
     if (!kind.empty() && kind != "Image" && !header.has("DimSize"))
-        return Error{ErrorKind::BadInput, Message::say("it holds no image: its ObjectType is '%1'. TAn reads images "
-                                                       "alone of this format.",
-                                                       printable(kind))};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it holds no image: its ObjectType is '%1'. TAn reads only images of this format.",
+                                  printable(kind))};
     if (!dimensions)
         return wrongMetaHeader(Message::say("its header has no NDims."));
     if (*dimensions < 3 || *dimensions > mostDimensions)
@@ -105,10 +105,9 @@ void setOrder(const MetaHeader& header, StoredPacking packing, StoredVolume& vol
             isTold = true;
         }
     if (!isTold)
-        volume.remarks.push_back(
-            Message::say("Its header does not say in which order the bytes of a number are: that "
-                         "of this machine was taken, %1 endian.",
-                         volume.order == std::endian::big ? Message::say("big") : Message::say("little")));
+        volume.remarks.push_back(Message::say(
+            "Its header does not state the byte order of its numbers: that of this machine was assumed, %1 endian.",
+            volume.order == std::endian::big ? Message::say("big") : Message::say("little")));
 }
 
 /// Where in each file the samples, or what they are packed in, begin and end.
@@ -126,7 +125,7 @@ Status setPlaceInFile(const MetaHeader& header, StoredPacking packing, StoredVol
         return wrongMetaHeader(Message::say("its HeaderSize is '%1'.", printable(text)));
     if (*size < 0 && packing != StoredPacking::None)
         return wrongMetaHeader(
-            Message::say("its HeaderSize is -1, which says nothing where samples are packed or a text."));
+            Message::say("its HeaderSize is -1, which has no meaning where samples are packed or text."));
     volume.atEndOfFile = *size < 0;
     if (*size < 0)
         volume.offset = 0;
@@ -142,9 +141,9 @@ void tellOthers(const MetaHeader& header, StoredVolume& volume)
     const auto offset = metaNumbers(header, {"ElementToIntensityFunctionOffset"}, 1);
     const double factor = slope && *slope ? (**slope)[0] : 1, added = offset && *offset ? (**offset)[0] : 0;
     if (factor != 1 || added != 0)
-        volume.leftOut.push_back(Message::say("Its header says how intensities follow from samples (times %1, plus "
-                                              "%2), which was not applied.",
-                                              formatNumber(factor), formatNumber(added)));
+        volume.leftOut.push_back(Message::say(
+            "Its header states how intensities follow from samples (times %1, plus %2), which was not applied.",
+            formatNumber(factor), formatNumber(added)));
     if (const auto centre = metaNumbers(header, {"CenterOfRotation"}, 3);
         centre && *centre && std::ranges::any_of(**centre, [](double part) { return part != 0; }))
         volume.leftOut.push_back(Message::say("Its CenterOfRotation was not used: a sample lies at Offset plus its "

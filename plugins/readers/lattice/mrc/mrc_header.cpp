@@ -64,10 +64,9 @@ Result<MrcHeader> parseMrcHeader(std::span<const std::byte> file)
 {
     constexpr std::int32_t imodStamp = 1146047817; // "IMOD"
     if (file.size() < mrcHeaderBytes)
-        return Error{ErrorKind::BadInput,
-                     Message::say("it has %1 bytes, and the header of a map alone has %2. It is no map, or cut short: "
-                                  "copy the file again.",
-                                  file.size(), mrcHeaderBytes)};
+        return Error{ErrorKind::BadInput, Message::say("it has %1 bytes, and the header of a map alone has %2. It is "
+                                                       "cut short, or not a map: copy the file again.",
+                                                       file.size(), mrcHeaderBytes)};
     const auto [order, isGuessed] = orderOf(file);
     MrcHeader header{.order = order, .isOrderGuessed = isGuessed};
     const auto whole = [&](std::size_t place) { return numberAt<std::int32_t>(file, place, order); };

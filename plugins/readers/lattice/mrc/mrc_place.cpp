@@ -64,7 +64,7 @@ std::array<double, 3> anglesOf(const MrcHeader& header, StoredVolume& volume)
     if (areAngles(header.angles))
         return header.angles;
     if (header.angles != std::array<double, 3>{})
-        volume.leftOut.push_back(Message::say("Its cell angles are %1, which no cell has; right angles were taken.",
+        volume.leftOut.push_back(Message::say("Its cell angles are %1, which no cell has; right angles were used.",
                                               textOf(vectorOf(header.angles))));
     return right;
 }
@@ -77,10 +77,9 @@ std::array<Eigen::Index, 3> axesOf(const MrcHeader& header, StoredVolume& volume
     if (sorted == std::array{1, 2, 3})
         return {header.axes[0] - 1, header.axes[1] - 1, header.axes[2] - 1};
     if (header.axes != std::array{0, 0, 0})
-        volume.leftOut.push_back(
-            Message::say("Its header says that its columns, rows and sections run along the axes %1, %2 and %3, which "
-                         "cannot be; x, y and z were taken.",
-                         header.axes[0], header.axes[1], header.axes[2]));
+        volume.leftOut.push_back(Message::say("Its header states that its columns, rows and sections run along the "
+                                              "axes %1, %2 and %3, which is impossible; x, y and z were used.",
+                                              header.axes[0], header.axes[1], header.axes[2]));
     return {0, 1, 2};
 }
 
@@ -112,11 +111,11 @@ void placeFirst(const MrcHeader& header, const Eigen::Matrix3d& steps, StoredVol
         volume.taken.push_back({TakenPart::Frame, hasOrigin ? Message("ORIGIN") : Message("NXSTART, NYSTART, NZSTART"),
                                 mayBeNegative || (hasOrigin && hasStart && differs)});
     if (!origin.allFinite())
-        volume.leftOut.push_back(Message::say("Its ORIGIN is no finite number and was not used."));
+        volume.leftOut.push_back(Message::say("Its ORIGIN is not a finite number and was not used."));
     if (hasOrigin && hasStart && differs)
-        volume.leftOut.push_back(Message::say("By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at "
-                                              "%2; its ORIGIN was taken.",
-                                              textOf(start), textOf(byStart)));
+        volume.leftOut.push_back(Message::say(
+            "By its NXSTART, NYSTART and NZSTART (%1) the first sample would lie at %2; its ORIGIN was used.",
+            textOf(start), textOf(byStart)));
     if (mayBeNegative)
         volume.leftOut.push_back(Message::say("IMOD wrote it without the flag that its ORIGIN has the usual sign: the "
                                               "first sample may lie at the negative of it."));

@@ -27,11 +27,12 @@ void setByteType(const MrcHeader& header, StoredVolume& volume)
         !header.isOfImod && header.least >= 0 && header.most > largestSigned && header.most <= largest;
     setType(volume, isUnsignedOfImod || showsUnsigned ? StoredType::UInt8 : StoredType::Int8);
     if (isUnsignedOfImod)
-        volume.remarks.push_back(Message::say("Its bytes were taken as unsigned, from 0 to 255, as IMOD's flag says."));
+        volume.remarks.push_back(
+            Message::say("Its bytes were read as unsigned, from 0 to 255, as IMOD's flag states."));
     else if (showsUnsigned)
-        volume.remarks.push_back(Message::say("Its bytes were taken as unsigned, from 0 to 255, since its header says "
-                                              "that the largest value is %1.",
-                                              formatNumber(header.most)));
+        volume.remarks.push_back(Message::say(
+            "Its bytes were read as unsigned, from 0 to 255, because its header states that the largest value is %1.",
+            formatNumber(header.most)));
 }
 
 Status setMode(const MrcHeader& header, StoredVolume& volume)
@@ -47,9 +48,9 @@ Status setMode(const MrcHeader& header, StoredVolume& volume)
     case 12: setType(volume, StoredType::Float16); return {};
     case 16: setType(volume, StoredType::UInt8, 3); return {};
     case packed:
-        return Error{ErrorKind::BadInput, Message::say("its samples have four bits each (mode 101), which is not read. "
-                                                       "Write it with bytes (mode 0), for instance by IMOD's "
-                                                       "'newstack -mode 0'.")};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its samples have four bits each (mode 101), which is not read. Write it with bytes "
+                                  "(mode 0), for instance with IMOD's 'newstack -mode 0'.")};
     default:
         return Error{ErrorKind::BadInput,
                      Message::say("its samples are of mode %1, which is not read. Write it with mode 2 (floating "
@@ -75,12 +76,12 @@ void tellOfHeader(const MrcHeader& header, StoredVolume& volume)
 {
     if (header.isOrderGuessed)
         volume.remarks.push_back(
-            Message::say("The machine stamp of its header does not say in which order its bytes are: the one in which "
-                         "its numbers make sense was taken, %1 endian.",
+            Message::say("The machine stamp of its header does not state the byte order: the one in which its numbers "
+                         "are plausible was used, %1 endian.",
                          header.order == std::endian::big ? Message::say("big") : Message::say("little")));
     if (header.spaceGroup == 0 && header.grid[2] == 1 && header.size[2] > 1)
-        volume.leftOut.push_back(Message::say("Its header says that it is a stack of %1 pictures, and no volume (space "
-                                              "group 0, MZ 1); it was read as a volume.",
+        volume.leftOut.push_back(Message::say("Its header states that it is a stack of %1 pictures and not a volume "
+                                              "(space group 0, MZ 1); it was read as a volume.",
                                               header.size[2]));
 }
 
@@ -96,8 +97,8 @@ Result<StoredVolume> mrcVolume(const VolumeRequest& request)
         return known.error();
     if (std::ranges::any_of(header->size, [](auto points) { return points < 1; }) || header->extensionBytes < 0)
         return Error{ErrorKind::BadInput,
-                     Message::say("its header says that it has %1 x %2 x %3 points, behind an extension of %4 bytes. "
-                                  "It is damaged, or no map: copy or export it again.",
+                     Message::say("its header claims %1 x %2 x %3 points, after an extension of %4 bytes. It is "
+                                  "damaged, or not a map: copy or export it again.",
                                   header->size[0], header->size[1], header->size[2], header->extensionBytes)};
     const std::uint64_t volumes = volumesOf(*header);
     const auto points = [&](std::size_t axis) { return static_cast<std::uint64_t>(header->size[axis]); };

@@ -155,9 +155,10 @@ Result<NiftiHeader> parseNiftiHeader(std::span<const std::byte> file)
     const auto beginning = beginningOf(file);
     const std::size_t size = beginning && beginning->version == NiftiVersion::Two ? secondSize : firstSize;
     if (!beginning && file.size() >= firstSize)
-        return Error{ErrorKind::BadInput,
-                     Message::say("it does not begin as the headers of NIfTI and Analyze 7.5 do. It is of another "
-                                  "format, or damaged.")};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "it does not begin like a header of NIfTI or Analyze 7.5. It is of another format, or damaged.")};
     if (file.size() < size)
         return Error{ErrorKind::BadInput,
                      Message::say("it has %1 bytes, and a header of NIfTI has %2. It is cut short, or of another "

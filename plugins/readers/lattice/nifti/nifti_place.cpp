@@ -116,7 +116,7 @@ void tellOtherDistances(const NiftiHeader& header, StoredVolume& volume)
     const Eigen::Vector3d told = distancesOf(header), taken = volume.lattice.spacing;
     if (tellsDistances(header) && ((told - taken).array().abs() > partOfStep * taken.array()).any())
         volume.leftOut.push_back(
-            Message::say("Its pixdim says that samples are %1 x %2 x %3 apart, which was not used.",
+            Message::say("Its pixdim states that samples are %1 x %2 x %3 apart, which was not used.",
                          numberText(told[0]), numberText(told[1]), numberText(told[2])));
 }
 
@@ -135,8 +135,8 @@ void placeByDistances(const NiftiHeader& header, StoredVolume& volume)
 {
     placeBySteps(volume.lattice, distancesOf(header).asDiagonal(), Eigen::Vector3d::Zero());
     volume.taken.push_back({TakenPart::Frame, Message::say("distances alone (pixdim)"), true});
-    volume.leftOut.push_back(Message::say("Its header says neither where it lies nor which side of it is the left one: "
-                                          "it has no sform and no qform."));
+    volume.leftOut.push_back(Message::say(
+        "Its header states neither where it lies nor which side of it is the left one: it has no sform and no qform."));
     volume.untold = untoldPlacement(tellsDistances(header), false, !volume.lengthUnit.empty());
 }
 
@@ -159,8 +159,8 @@ void placeAnalyze(const NiftiHeader& header, StoredVolume& volume)
                             isLikely ? Message::say("distances, and the origin as SPM writes it")
                                      : Message::say("distances alone (pixdim)"),
                             true});
-    volume.leftOut.push_back(Message::say("Its header, of Analyze 7.5, does not say which side of it is the left one. "
-                                          "Convert it to NIfTI with a program that knows where it comes from."));
+    volume.leftOut.push_back(Message::say("Its header, of Analyze 7.5, does not state which side of it is the left "
+                                          "one. Convert it to NIfTI with a program that knows where it comes from."));
     if (header.orientation != 0)
         volume.leftOut.push_back(Message::say("Its code for the orientation, %1, was not used.", header.orientation));
     volume.untold = untoldPlacement(tellsDistances(header), isLikely, !volume.lengthUnit.empty());
@@ -176,11 +176,11 @@ void placeNifti(const NiftiHeader& header, StoredVolume& volume)
     const auto sform = header.sformCode > 0 ? bySform(header, volume.lattice) : std::nullopt;
     const auto qform = header.qformCode > 0 ? byQform(header, volume.lattice) : std::nullopt;
     if (header.sformCode > 0 && !sform)
-        volume.leftOut.push_back(Message::say("Its sform leads nowhere (its steps lie in a plane, or are no finite "
-                                              "numbers); it was not used."));
+        volume.leftOut.push_back(Message::say(
+            "Its sform is unusable (its steps lie in a plane, or are not finite numbers); it was not used."));
     if (header.qformCode > 0 && !qform)
-        volume.leftOut.push_back(Message::say("Its qform leads nowhere (its numbers are not finite, or too large or "
-                                              "small); it was not used."));
+        volume.leftOut.push_back(Message::say(
+            "Its qform is unusable (its numbers are not finite, or too large or small); it was not used."));
     if (!sform && !qform)
         return placeByDistances(header, volume);
     volume.lattice = sform ? *sform : *qform;

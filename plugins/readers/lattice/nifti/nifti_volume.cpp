@@ -46,15 +46,14 @@ Status setType(const NiftiHeader& header, StoredVolume& volume)
     }
     if (header.datatype == floats128 || header.datatype == complex256)
         return Error{ErrorKind::BadInput,
-                     Message::say("its samples are floating-point numbers of 128 bits, which are not read: what they "
-                                  "are differs from machine to machine. Write them with 64 bits.")};
+                     Message::say("its samples are floating-point numbers of 128 bits, which are not read: their "
+                                  "layout differs from machine to machine. Write them with 64 bits.")};
     if (header.datatype == bits)
         return Error{ErrorKind::BadInput,
                      Message::say("its samples are single bits, which are not read. Write them as bytes.")};
-    return Error{ErrorKind::BadInput,
-                 Message::say("its samples are of the type %1, which NIfTI does not know. The file is damaged: copy or "
-                              "export it again.",
-                              header.datatype)};
+    return Error{ErrorKind::BadInput, Message::say("its samples are of the type %1, which NIfTI does not define. The "
+                                                   "file is damaged: copy or export it again.",
+                                                   header.datatype)};
 }
 
 /// One for those that the header does not have.
@@ -63,16 +62,17 @@ Result<std::array<std::uint64_t, 7>> sizesOf(const NiftiHeader& header)
     std::array<std::uint64_t, 7> sizes{1, 1, 1, 1, 1, 1, 1};
     const std::int64_t dimensions = header.dim[0];
     if (dimensions < 1 || dimensions > 7)
-        return Error{ErrorKind::BadInput, Message::say("its header says that it has %1 dimensions. It is damaged: copy "
-                                                       "or export it again.",
-                                                       dimensions)};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its header claims %1 dimensions. It is damaged: copy or export it again.", dimensions)};
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis) {
         const std::int64_t points = header.dim[axis + 1];
         if (points < 0 || (points == 0 && axis < 3))
-            return Error{ErrorKind::BadInput,
-                         Message::say("its header says that it has %1 points along its dimension %2. It is damaged: "
-                                      "copy or export it again.",
-                                      points, axis + 1)};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say(
+                    "its header claims %1 points along its dimension %2. It is damaged: copy or export it again.",
+                    points, axis + 1)};
         sizes[axis] = static_cast<std::uint64_t>(std::max<std::int64_t>(1, points));
     }
     return sizes;
@@ -133,10 +133,12 @@ void setScale(const NiftiHeader& header, StoredVolume& volume)
     if (volume.isScaled())
         volume.remarks.push_back(
             header.version == NiftiVersion::Analyze
-                ? Message::say("The samples were multiplied by %1, as SPM means it by the header's first unused field.",
-                               numberText(header, volume.slope))
-                : Message::say("The samples were multiplied by %1, and %2 was added, as the header of the file asks.",
-                               numberText(header, volume.slope), numberText(header, volume.intercept)));
+                ? Message::say(
+                      "The samples were multiplied by %1, which SPM stores in the header's first unused field.",
+                      numberText(header, volume.slope))
+                : Message::say(
+                      "The samples were multiplied by %1, and %2 was added, as the header of the file requires.",
+                      numberText(header, volume.slope), numberText(header, volume.intercept)));
 }
 
 /// Behind the header and its extensions, or in the file of samples.
@@ -150,10 +152,9 @@ Status setPlaceInFile(const NiftiHeader& header, const std::filesystem::path& pa
     if (offset == 0 && !header.isPair)
         offset = leastBehindHeader;
     if (!(offset >= least && offset <= most) || offset != std::floor(offset))
-        return Error{ErrorKind::BadInput,
-                     Message::say("its header says that its samples begin at byte %1, where they cannot be. It is "
-                                  "damaged: copy or export it again.",
-                                  formatNumber(offset))};
+        return Error{ErrorKind::BadInput, Message::say("its header states that its samples begin at byte %1, which is "
+                                                       "impossible. It is damaged: copy or export it again.",
+                                                       formatNumber(offset))};
     volume.offset = static_cast<std::uint64_t>(offset);
     volume.files = {{path}};
     if (!header.isPair)
@@ -163,10 +164,9 @@ Status setPlaceInFile(const NiftiHeader& header, const std::filesystem::path& pa
     const auto found = std::ranges::find_if(
         partners, [&](const std::filesystem::path& name) { return std::filesystem::exists(name, ignored); });
     if (found == partners.end())
-        return Error{ErrorKind::BadInput,
-                     Message::say("its samples are in a file '%1', which is missing. Copy it into the folder of this "
-                                  "one: the two belong together.",
-                                  printable(partners.front().filename().string()))};
+        return Error{ErrorKind::BadInput, Message::say("its samples are in a file '%1', which is missing. Copy it into "
+                                                       "the same folder: the two belong together.",
+                                                       printable(partners.front().filename().string()))};
     volume.files = {{*found}};
     return {};
 }

@@ -73,11 +73,11 @@ Status checkMagic(std::string_view line)
 {
     if (!looksLikeNrrd(line))
         return Error{ErrorKind::BadInput,
-                     Message::say("it is no NRRD file: it does not begin with 'NRRD0001' to 'NRRD0005'.")};
+                     Message::say("it is not an NRRD file: it does not begin with 'NRRD0001' to 'NRRD0005'.")};
     const std::string_view version = trimmed(line.substr(magic.size()));
     if (version.size() != 1 || version[0] < '1' || version[0] > '5')
         return Error{ErrorKind::BadInput,
-                     Message::say("it is of a NRRD version that is not known, '%1'. Save it as NRRD0005 or earlier.",
+                     Message::say("it has the unknown NRRD version '%1'. Save it as NRRD0005 or earlier.",
                                   printable(trimmed(line)))};
     return {};
 }

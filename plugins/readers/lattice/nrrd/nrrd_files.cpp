@@ -67,7 +67,7 @@ Result<std::vector<std::string>> namesOfPattern(const NrrdFields& fields, const 
         return dimensions.error();
     const std::int64_t files = (last - first) / step + 1;
     if (!fits(fields, static_cast<std::uint64_t>(files), *dimensions))
-        return wrongDataFile(fields, Message::say("names %1 files, which is not the number that its sizes ask for. "
+        return wrongDataFile(fields, Message::say("names %1 files, which is not the number that its sizes require. "
                                                   "Correct the numbers of the first and the last file.",
                                                   files));
     if (static_cast<std::uint64_t>(files) > mostDataFiles)
@@ -85,7 +85,7 @@ Result<std::vector<std::string>> namesOfList(const NrrdFields& fields)
         return dimensions.error();
     if (!fits(fields, fields.listedFiles.size(), *dimensions))
         return wrongDataFile(fields, Message::say("is followed by the names of %1 files, which is not the number that "
-                                                  "its sizes ask for. Each stands in a line of its own.",
+                                                  "its sizes require. Each is on a line of its own.",
                                                   fields.listedFiles.size()));
     return fields.listedFiles;
 }

@@ -61,9 +61,11 @@ Status placeInSpace(const ThreeAxes& axes, const Eigen::Vector3d& spaceOrigin, L
     Eigen::Matrix3d steps;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (axes[axis].runsThroughTime)
-            return Error{ErrorKind::BadInput, Message::say("one of its axes, of size %1, runs through time. A volume "
-                                                           "has three in space: take out one time step.",
-                                                           axes[axis].size)};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say(
+                    "one of its axes, of size %1, is time. A volume has three axes in space: take out one time step.",
+                    axes[axis].size)};
         steps.col(static_cast<Eigen::Index>(axis)) = *axes[axis].direction;
     }
     placeBySteps(lattice, steps, spaceOrigin);
@@ -203,14 +205,13 @@ std::vector<Message> nrrdPlaceRemarks(const NrrdFields& fields)
 {
     std::vector<Message> remarks;
     if (std::ranges::find(leftHandedSpaces, lowerCase(fields["space"])) != std::end(leftHandedSpaces))
-        remarks.push_back(
-            Message::say("Its space '%1' is left-handed. Its coordinates are kept, and pictures and other "
-                         "programs take them as right-handed: they show the mirror image.",
-                         printable(fields["space"])));
+        remarks.push_back(Message::say("Its space '%1' is left-handed. Its coordinates are kept, and pictures and "
+                                       "other programs treat them as right-handed: they show the mirror image.",
+                                       printable(fields["space"])));
     if (lengthUnits(fields).size() > 1)
-        remarks.push_back(Message::say("Its units differ from axis to axis: %1. Its numbers were taken as they are, "
-                                       "without a unit.",
-                                       printable(fields[fields.has("space directions") ? "space units" : "units"])));
+        remarks.push_back(
+            Message::say("Its units differ from axis to axis: %1. Its numbers were used as they are, without a unit.",
+                         printable(fields[fields.has("space directions") ? "space units" : "units"])));
     return remarks;
 }
 

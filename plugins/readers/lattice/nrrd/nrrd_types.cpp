@@ -85,9 +85,9 @@ Result<StoredType> parseStoredType(std::string_view name)
         return Error{
             ErrorKind::BadInput,
             Message::say(
-                "its type is 'block', which says nothing about the samples. Convert them to a number type first.")};
-    return Error{ErrorKind::BadInput, Message::say("its type '%1' is not known. There are uint8, int8, uint16, int16, "
-                                                   "uint32, int32, int64, uint64, float and double.",
+                "its type is 'block', which does not describe the samples. Convert them to a number type first.")};
+    return Error{ErrorKind::BadInput, Message::say("its type '%1' is not known. Use uint8, int8, uint16, int16, "
+                                                   "uint32, int32, int64, uint64, float or double.",
                                                    printable(name))};
 }
 
@@ -99,7 +99,7 @@ Result<std::endian> parseByteOrder(std::string_view name)
     if (wanted == "big")
         return std::endian::big;
     return Error{ErrorKind::BadInput,
-                 Message::say("its byte order '%1' is not known. There are little and big.", printable(name))};
+                 Message::say("its byte order '%1' is not known. Use little or big.", printable(name))};
 }
 
 Result<StoredPacking> parsePacking(std::string_view name)

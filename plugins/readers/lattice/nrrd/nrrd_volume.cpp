@@ -44,16 +44,14 @@ Status parseSkips(const NrrdFields& fields, StoredPacking packing, StoredVolume&
     if (fields.has("line skip")) {
         const auto lines = parseNumber<std::uint64_t>(fields["line skip"]);
         if (!lines)
-            return Error{ErrorKind::BadInput, Message::say("its 'line skip' must be a whole number from 0.")};
+            return Error{ErrorKind::BadInput, Message::say("its 'line skip' must be a whole number of at least 0.")};
         volume.skippedLines = *lines;
     }
     if (fields.has("byte skip")) {
         const auto bytes = parseNumber<std::int64_t>(fields["byte skip"]);
         if (!bytes || *bytes < -1 || (*bytes == -1 && packing != StoredPacking::None))
-            return Error{
-                ErrorKind::BadInput,
-                Message::say(
-                    "its 'byte skip' must be a whole number from 0, or -1 for raw data at the end of the file.")};
+            return Error{ErrorKind::BadInput, Message::say("its 'byte skip' must be a whole number of at least 0, or "
+                                                           "-1 for raw data at the end of the file.")};
         volume.atEndOfFile = *bytes == -1;
         (packing == StoredPacking::Zlib ? volume.unpackedOffset : volume.offset) +=
             *bytes > 0 ? static_cast<std::uint64_t>(*bytes) : 0;
@@ -73,15 +71,14 @@ void tellFields(const NrrdFields& fields, StoredVolume& volume)
     if (!unit.empty() && unit != "???") // the format's way of saying that it is not known
         volume.taken.push_back({TakenPart::Unit, Message(printable(unit)), false});
     if (fields.has("old min") || fields.has("old max"))
-        volume.leftOut.push_back(
-            Message::say("Its samples stand for numbers from %1 to %2 ('old min', 'old max'), from which "
-                         "they were quantized; they are taken as they are stored.",
-                         fields.has("old min") ? printable(fields["old min"]) : std::string("?"),
-                         fields.has("old max") ? printable(fields["old max"]) : std::string("?")));
+        volume.leftOut.push_back(Message::say("Its samples stand for numbers from %1 to %2 ('old min', 'old max'), "
+                                              "from which they were quantized; they are used as stored.",
+                                              fields.has("old min") ? printable(fields["old min"]) : std::string("?"),
+                                              fields.has("old max") ? printable(fields["old max"]) : std::string("?")));
     const bool placesTwice = fields.has("spacings") || fields.has("axis mins") || fields.has("axis maxs");
     if (fields.has("space directions") && placesTwice)
-        volume.leftOut.push_back(Message::say("Its spacings and the ends of its axes are not used: its space "
-                                              "directions say where it lies."));
+        volume.leftOut.push_back(Message::say(
+            "Its spacings and the ends of its axes are not used: its space directions state where it lies."));
 }
 
 /// Where the samples that are wanted stand among all.
@@ -111,8 +108,8 @@ Status setSamples(const NrrdFields& fields, const ParameterValues& values, Store
                               (kind.find("symmetric") != std::string::npos || kind.find("masked") != std::string::npos);
     if (isHalfMatrix && !values.contains("component"))
         return Error{ErrorKind::WrongUsage,
-                     Message::say("its samples are matrices of %1 numbers ('%2'), of which the magnitude means "
-                                  "nothing. Choose one of them by '--component', from 0.",
+                     Message::say("its samples are matrices of %1 numbers ('%2'), whose magnitude has no meaning. "
+                                  "Choose one of them with '--component', from 0.",
                                   volume.components, printable(kind))};
     if (const Status taken = takeComponent(volume, values); !taken)
         return taken;

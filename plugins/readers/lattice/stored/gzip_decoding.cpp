@@ -74,7 +74,7 @@ private:
         if (isZlib_ || std::ranges::all_of(rest_, [](std::byte byte) { return byte == std::byte(0); }))
             ended_ = true;
         else if (::inflateReset(&state_) != Z_OK)
-            return damaged(Message::say("a new part cannot be started"));
+            return damaged(Message::say("another part cannot be started"));
         return {};
     }
 
@@ -88,11 +88,11 @@ private:
 Error wrongSize(std::uint64_t expected, std::uint64_t found, bool more)
 {
     return {ErrorKind::BadInput,
-            more ? Message::say("its compressed data hold more than %1 bytes where the description asks for %2. The "
-                                "sizes or the type are wrong, or the data are of another file.",
+            more ? Message::say("its compressed data hold more than %1 bytes where the description requires %2. The "
+                                "sizes or the type are wrong, or the data belong to another file.",
                                 found, expected)
-                 : Message::say("its compressed data hold only %1 bytes where the description asks for %2. The sizes "
-                                "or the type are wrong, or the data are of another file.",
+                 : Message::say("its compressed data hold only %1 bytes where the description requires %2. The sizes "
+                                "or the type are wrong, or the data belong to another file.",
                                 found, expected)};
 }
 

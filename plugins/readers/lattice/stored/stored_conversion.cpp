@@ -122,7 +122,8 @@ template <class T> Result<SampleType> typeOfAll(const Numbers<T>& numbers, const
     if (std::in_range<std::uint32_t>(least) && std::in_range<std::uint32_t>(most))
         return SampleType::UInt32;
     if (!isExact)
-        remarks.push_back(Message::say("Its 64-bit integers became floating-point numbers of 53 bits."));
+        remarks.push_back(
+            Message::say("Its 64-bit integers were converted to floating-point numbers, which are exact to 53 bits."));
     return SampleType::Float64;
 }
 

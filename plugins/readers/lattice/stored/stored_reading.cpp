@@ -68,9 +68,8 @@ Result<Bytes> skipLines(Bytes file, std::uint64_t lines)
     for (std::uint64_t line = 0; line < lines; ++line) {
         const std::size_t end = asText(file).find('\n');
         if (end == std::string_view::npos)
-            return Error{
-                ErrorKind::BadInput,
-                Message::say("it has only %1 of the %2 lines that are to be skipped. Check 'line skip'.", line, lines)};
+            return Error{ErrorKind::BadInput,
+                         Message::say("it has only %1 of the %2 lines to be skipped. Check 'line skip'.", line, lines)};
         file = file.subspan(end + 1);
     }
     return file;
@@ -85,11 +84,11 @@ Result<Bytes> plainNumbers(Bytes found, const StoredVolume& volume)
     if (volume.atEndOfFile)
         return found.last(needed);
     if (volume.mayBeWider && found.size() - needed >= needed)
-        return Error{ErrorKind::BadInput,
-                     Message::say("its samples are of a type that has 4 bytes by the format, and there are %1 bytes "
-                                  "for %2 samples: as many as of a type of 8 bytes. Write them as MET_INT or "
-                                  "MET_LONG_LONG.",
-                                  found.size(), volume.numbersOfFile())};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its samples are of a type that has 4 bytes by the format, and there are %1 bytes for %2 "
+                         "samples: as many as for a type of 8 bytes. Write them as MET_INT or MET_LONG_LONG.",
+                         found.size(), volume.numbersOfFile())};
     if (volume.rest == StoredRest::Refused && found.size() > needed)
         return Error{ErrorKind::BadInput,
                      Message::say("it should hold %1, but there are %2, %3 too many. Its description is wrong: check "
@@ -270,7 +269,7 @@ Status checkStoredFiles(const fs::path& opened, StoredVolume& volume)
         const auto found = fromFirstNumber(bytes, volume);
         if (isTold && packing == StoredPacking::None && found && found->size() > bytesOfFile(volume))
             volume.leftOut.push_back(
-                Message::say("%1 bytes behind its samples were not read.", found->size() - bytesOfFile(volume)));
+                Message::say("%1 bytes after its samples were not read.", found->size() - bytesOfFile(volume)));
     }
     return {};
 }

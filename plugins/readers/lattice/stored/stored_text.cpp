@@ -36,7 +36,7 @@ template <class T> std::optional<T> numberOfWord(std::string_view word, bool cut
 
 Error tooFewNumbers(std::uint64_t found, std::uint64_t wanted)
 {
-    return {ErrorKind::BadInput, Message::say("its text holds only %1 numbers where the description asks for %2. It is "
+    return {ErrorKind::BadInput, Message::say("its text holds only %1 numbers where the description requires %2. It is "
                                               "cut short, or the sizes are wrong.",
                                               found, wanted)};
 }
@@ -60,9 +60,10 @@ template <class T> Status readNumbers(std::string_view text, const StoredVolume&
         const std::string_view word = text.substr(0, end);
         const std::optional<T> value = numberOfWord<T>(word, volume.isTextOfMetaIo);
         if (!value)
-            return Error{ErrorKind::BadInput,
-                         Message::say("number %1 of its text, '%2', is no number of the type. Correct it, or the type.",
-                                      number + 1, printable(word))};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("number %1 of its text, '%2', is not a number of this type. Correct it, or the type.",
+                             number + 1, printable(word))};
         if (number >= skip && (number - skip) % step == 0 && to != kept.data() + kept.size()) {
             std::memcpy(to, &*value, sizeof(T));
             to += sizeof(T);
@@ -72,7 +73,7 @@ template <class T> Status readNumbers(std::string_view text, const StoredVolume&
     if (volume.rest == StoredRest::Refused && text.find_first_not_of(betweenNumbers) != std::string_view::npos)
         return Error{
             ErrorKind::BadInput,
-            Message::say("its text holds more than the %1 numbers that the description asks for. Check the sizes.",
+            Message::say("its text holds more than the %1 numbers that the description requires. Check the sizes.",
                          numbers)};
     return {};
 }

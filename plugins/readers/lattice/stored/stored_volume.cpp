@@ -66,18 +66,18 @@ std::vector<Parameter> volumeChoices()
     Parameter array, component, time;
     array.id = "array";
     array.label = Message::marked("Array");
-    array.explanation = Message::marked("Files with several sets of values (Gaussian cube, OpenDX): one, by name or by "
-                                        "number from 1; nothing takes the first.");
+    array.explanation = Message::marked("Files with several sets of values (Gaussian cube, OpenDX): one of them, by "
+                                        "name or by number from 1; by default the first.");
     array.defaultValue = std::string();
     component.id = "component";
     component.label = Message::marked("Component");
     component.explanation =
-        Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'.");
+        Message::marked("Arrays with several components: the number of one, from 0, or 'magnitude'.");
     component.defaultValue = std::string(magnitudeName);
     component.mistake = componentMistake;
     time.id = "time";
     time.label = Message::marked("Time step");
-    time.explanation = Message::marked("Of files with several time steps: which one, from 1.");
+    time.explanation = Message::marked("Files with several time steps: which one, from 1.");
     time.defaultValue = std::int64_t(1);
     time.minimum = 1;
     time.maximum = 1e9;
@@ -93,8 +93,10 @@ Status setStoredSize(StoredVolume& volume, const std::array<std::uint64_t, 3>& s
     const std::uint64_t ofStep = cappedProduct(volume.lattice.pointCount(), volume.components);
     const std::uint64_t bytes = cappedProduct(cappedProduct(ofStep, steps), storedSize(volume.type));
     if (bytes == ~std::uint64_t(0))
-        return Error{ErrorKind::BadInput, Message::say("its header asks for more samples than any file holds. It is "
-                                                       "damaged: copy or export it again.")};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "its header requires more samples than any file holds. It is damaged: copy or export it again.")};
     volume.numbers = bytes / storedSize(volume.type);
     setStrides(volume, volume.components, false);
     return {};
@@ -123,12 +125,11 @@ Result<std::size_t> takeArray(StoredVolume& volume, const ParameterValues& value
         else if (number && *number >= 1 && *number <= arrays.size())
             chosen = static_cast<std::size_t>(*number - 1);
         else
-            return Error{
-                ErrorKind::WrongUsage,
-                arrays.size() == 1
-                    ? Message::say("it has no array '%1', but a single one. Leave '--array' out.", printable(wanted))
-                    : Message::say("it has no array '%1'. It has %2: %3.", printable(wanted), arrays.size(),
-                                   namesOf(arrays))};
+            return Error{ErrorKind::WrongUsage,
+                         arrays.size() == 1 ? Message::say("it has only one array, and not '%1'. Leave '--array' out.",
+                                                           printable(wanted))
+                                            : Message::say("it has no array '%1'. It has %2: %3.", printable(wanted),
+                                                           arrays.size(), namesOf(arrays))};
     }
     volume.valueName = arrays[chosen].name;
     if (arrays.size() > 1)
@@ -145,13 +146,14 @@ Status takeComponent(StoredVolume& volume, const ParameterValues& values)
     const bool wantsMagnitude = wanted.empty() || wanted == magnitudeName;
     const auto number = wantsMagnitude ? std::optional<std::uint32_t>(0) : parseNumber<std::uint32_t>(wanted);
     if (!number || *number >= volume.components || (!wantsMagnitude && volume.components == 1))
-        return Error{ErrorKind::WrongUsage,
-                     volume.components == 1
-                         ? Message::say("it has one number for each sample, and component '%1' was asked for. Leave "
-                                        "'--component' out.",
-                                        printable(wanted))
-                         : Message::say("it has no component '%1'. Choose one from 0 to %2, or 'magnitude'.",
-                                        printable(wanted), volume.components - 1)};
+        return Error{
+            ErrorKind::WrongUsage,
+            volume.components == 1
+                ? Message::say(
+                      "it has one number for each sample, and component '%1' was requested. Leave '--component' out.",
+                      printable(wanted))
+                : Message::say("it has no component '%1'. Choose one from 0 to %2, or 'magnitude'.", printable(wanted),
+                               volume.components - 1)};
     if (volume.components == 1)
         return {};
     std::string& name = volume.valueName;

@@ -83,9 +83,11 @@ private:
     }
     Error wrongLine(const Message& wanted) const
     {
-        return {ErrorKind::BadInput, Message::say("line %1 of it is not %2, as a Gaussian cube has it there. Correct "
-                                                  "the line, or write the file again.",
-                                                  lines_.number(), wanted)};
+        return {
+            ErrorKind::BadInput,
+            Message::say(
+                "line %1 of it is not %2, which a Gaussian cube has there. Correct the line, or write the file again.",
+                lines_.number(), wanted)};
     }
     Status takeCounted(const Message& wanted, CountedVector& counted)
     {
@@ -108,7 +110,7 @@ private:
             std::string_view rest = *line;
             for (int number = 0; number < numbersOfAtom; ++number)
                 if (!parseHeaderNumber(takeHeaderWord(rest)))
-                    return wrongLine(Message::say("an atom (its number, charge and place)"));
+                    return wrongLine(Message::say("an atom (its number, charge and position)"));
         }
         return {};
     }
@@ -125,10 +127,9 @@ private:
         for (std::uint64_t orbital = 0; orbital < *count; ++orbital) {
             const auto number = parseNumber<std::int64_t>(takeHeaderWord(text));
             if (!number)
-                return Error{ErrorKind::BadInput,
-                             Message::say("the list behind its atoms does not have the numbers of %1 orbitals. Correct "
-                                          "it, or write the file again.",
-                                          *count)};
+                return Error{ErrorKind::BadInput, Message::say("the list after its atoms does not have the numbers of "
+                                                               "%1 orbitals. Correct it, or write the file again.",
+                                                               *count)};
             header.orbitals.push_back("orbital " + std::to_string(*number));
         }
         return {};
@@ -140,10 +141,9 @@ private:
         const std::string_view word = takeHeaderWord(rest);
         const auto count = parseNumber<std::uint64_t>(word);
         if (!word.empty() && (!count || *count == 0 || *count > header.numbers.size()))
-            return Error{ErrorKind::BadInput,
-                         Message::say("line 3 of it ends with '%1', and a number of values at each point is wanted "
-                                      "there. Correct it, or leave it out.",
-                                      printable(word))};
+            return Error{ErrorKind::BadInput, Message::say("line 3 of it ends with '%1', where a number of values at "
+                                                           "each point is expected. Correct it, or leave it out.",
+                                                           printable(word))};
         header.values = count.value_or(1);
         return {};
     }
@@ -185,10 +185,9 @@ Status chooseValue(const VolumeRequest& request, const CubeHeader& header, Store
 {
     constexpr std::uint64_t mostValues = 10'000;
     if (header.values > mostValues)
-        return Error{ErrorKind::BadInput,
-                     Message::say("its header asks for %1 values at each point, and at most %2 are read. Write fewer "
-                                  "orbitals into a file.",
-                                  header.values, mostValues)};
+        return Error{ErrorKind::BadInput, Message::say("its header requires %1 values at each point, and at most %2 "
+                                                       "are read. Write fewer orbitals into a file.",
+                                                       header.values, mostValues)};
     for (const std::string& name : header.orbitals)
         volume.arrays.push_back({.name = name});
     for (std::uint64_t value = 1; header.orbitals.empty() && value <= header.values; ++value)

@@ -154,11 +154,12 @@ Status describeNumbers(const VolumeRequest& request, const DxObjects& objects, c
                      Message::say("its values are of the type '%1', which is not read. Export real numbers.",
                                   array.isComplex ? "complex" : printable(array.type))};
     if (!array.hasData)
-        return Error{ErrorKind::BadInput, Message::say("its array does not say where its data are. Export it again.")};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its array does not state where its data are. Export it again.")};
     volume.order = array.order.value_or(std::endian::native);
     if (!array.isText && !array.order && storedSize(*type) > 1)
-        volume.remarks.push_back(Message::say("The file does not tell the byte order of its numbers: that of this "
-                                              "computer was assumed."));
+        volume.remarks.push_back(
+            Message::say("The file does not state the byte order of its numbers: that of this computer was assumed."));
     volume.offset = array.firstByte;
     volume.endByte = array.endByte;
     volume.rest = array.isText && array.endByte ? StoredRest::Refused : StoredRest::Ignored;

@@ -180,7 +180,7 @@ Result<std::uint64_t> dxCount(DxReading& words, std::string_view what)
     const DxWord word = words.next();
     const auto number = parseNumber<std::uint64_t>(word.text);
     return number ? Result<std::uint64_t>(*number)
-                  : dxError(Message::say("'%1' behind '%2' is no whole number", printable(word.text), what));
+                  : dxError(Message::say("'%1' after '%2' is not a whole number", printable(word.text), what));
 }
 
 /// `data 12`, `data file name,12` or `data follows`.
@@ -202,7 +202,7 @@ Status takeDataPlace(DxReading& words, DxArray& array)
     if (isElsewhere)
         array.firstByte = offset.empty() ? 0 : offset.front();
     else if (offset.empty())
-        return dxError(Message::say("'%1' behind 'data' says no place", printable(words.next().text)));
+        return dxError(Message::say("'%1' after 'data' is not a position", printable(words.next().text)));
     else
         array.offset = offset.front();
     return {};

@@ -48,9 +48,10 @@ constexpr std::array<std::string_view, 16> flats = {"SHELL",  "SHEL",   "TRI",  
 
 Error shortList(const std::string& name)
 {
-    return {ErrorKind::BadInput, Message::say("its list '%1' is missing or shorter than its elements ask for. It is "
-                                              "damaged: export it again.",
-                                              name)};
+    return {
+        ErrorKind::BadInput,
+        Message::say("its list '%1' is missing or shorter than its elements require. It is damaged: export it again.",
+                     name)};
 }
 
 /// Numbers of a list, from 1 up to `most`, made to be from 0.
@@ -67,8 +68,8 @@ Result<std::vector<std::uint64_t>> numbersFromOne(const ExodusFile& exodus, cons
         if ((*read)[at] < 1 || static_cast<std::uint64_t>((*read)[at]) > most)
             return Error{
                 ErrorKind::BadInput,
-                Message::say("its list '%1' names number %2, and there are %3. It is damaged: export it again.", name,
-                             (*read)[at], most)};
+                Message::say("its list '%1' contains number %2, and there are %3. It is damaged: export it again.",
+                             name, (*read)[at], most)};
         numbers[at] = static_cast<std::uint64_t>((*read)[at] - 1);
     }
     return numbers;

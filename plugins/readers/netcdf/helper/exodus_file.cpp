@@ -115,10 +115,9 @@ Result<ExodusValues> valuesAt(const NetCdfFile& file, const NetCdfVariable& vari
     const bool fits = part.count.size() == rank && step < part.count[0] && part.count.back() == count &&
                       (!number || *number < part.count[1]);
     if (!fits)
-        return Error{ErrorKind::BadInput,
-                     Message::say("its variable '%1' has not %2 values at time step %3. It is damaged or was not "
-                                  "written to its end: export it again.",
-                                  printable(variable.path), count, step + 1)};
+        return Error{ErrorKind::BadInput, Message::say("its variable '%1' does not have %2 values at time step %3. It "
+                                                       "is damaged or was not written completely: export it again.",
+                                                       printable(variable.path), count, step + 1)};
     part.first[0] = step;
     part.count[0] = 1;
     if (number) {
@@ -233,7 +232,7 @@ Result<ExodusValues> nodeValues(const ExodusFile& exodus, std::size_t variable, 
         return valuesAt(file, *together, step, exodus.nodes, variable - 1);
     return Error{
         ErrorKind::BadInput,
-        Message::say("it names a variable number %1 at its nodes and has no values of it. Export it again.", variable)};
+        Message::say("it lists a variable number %1 at its nodes but has no values of it. Export it again.", variable)};
 }
 
 Result<std::optional<ExodusValues>> elementValues(const ExodusFile& exodus, std::size_t variable,

@@ -49,7 +49,7 @@ Result<const ExodusBlock*> chooseBlock(const ExodusFile& exodus, const std::stri
     for (const ExodusBlock& block : exodus.blocks)
         names.emplace_back(printable(blockName(block)));
     return Error{ErrorKind::WrongUsage,
-                 Message::say("it has no part '%1'. There is: %2.", printable(wanted), listed(names))};
+                 Message::say("it has no part '%1'. Available: %2.", printable(wanted), listed(names))};
 }
 
 Result<ChosenBlocks> chooseBlocks(const ExodusFile& exodus, const std::string& part)
@@ -74,12 +74,13 @@ Result<ChosenBlocks> chooseBlocks(const ExodusFile& exodus, const std::string& p
             chosen.volumes.emplace_back(&block, *shape);
     }
     if (chosen.volumes.empty() && chosen.flat == 0)
-        return Error{ErrorKind::BadInput,
-                     chosen.unknown.empty()
-                         ? Message::say("it has no elements. Write it with a mesh.")
-                         : Message::say("its elements are of a shape that TAn does not know: %1. Divide them into "
-                                        "simpler ones.",
-                                        printable(chosen.unknown.front()))};
+        return Error{
+            ErrorKind::BadInput,
+            chosen.unknown.empty()
+                ? Message::say("it has no elements. Write it with a mesh.")
+                : Message::say(
+                      "its elements are of a shape that TAn does not support: %1. Divide them into simpler ones.",
+                      printable(chosen.unknown.front()))};
     return chosen;
 }
 
@@ -294,17 +295,17 @@ std::vector<Message> leftOutOf(const ExodusFile& exodus, const NetCdfRequest& re
 {
     std::vector<Message> leftOut;
     if (const ExodusArray* moves = displacement(exodus); moves != nullptr && !request.displaced)
-        leftOut.push_back(Message::say("It has displacements ('%1'); its nodes stay where they were before. "
-                                       "'displace' moves them.",
-                                       printable(moves->name)));
+        leftOut.push_back(
+            Message::say("It has displacements ('%1'); its nodes are not moved by them. 'displace' moves them.",
+                         printable(moves->name)));
     if (blocks.flat > 0 && !blocks.volumes.empty())
         leftOut.push_back(blocks.flat == 1
                               ? Message::say("1 of its blocks has lines or surfaces and is left out.")
                               : Message::say("%1 of its blocks have lines or surfaces and are left out.", blocks.flat));
     if (!blocks.unknown.empty())
-        leftOut.push_back(Message::say("%1 of its blocks have elements of a shape that TAn does not know ('%2') and "
-                                       "are left out.",
-                                       blocks.unknown.size(), printable(blocks.unknown.front())));
+        leftOut.push_back(
+            Message::say("%1 of its blocks have elements of a shape that TAn does not support ('%2') and are left out.",
+                         blocks.unknown.size(), printable(blocks.unknown.front())));
     return leftOut;
 }
 
@@ -368,9 +369,8 @@ void remarkCorners(const ArrayValues& read, FileFindings& found)
     for (const auto& [block, shape] : read.blocks)
         more += shape.shape != CellShape::Polyhedron && block->nodesPerElement > shape.nodes ? block->elements : 0;
     if (more > 0)
-        found.remarks.push_back(Message::say("%1 elements have nodes besides those of linear and quadratic shapes, "
-                                             "which were left out.",
-                                             more));
+        found.remarks.push_back(Message::say(
+            "%1 elements have nodes beyond those of linear and quadratic shapes, which were left out.", more));
 }
 
 /// What both of the following begin with.
@@ -422,7 +422,7 @@ Status asPoints(bool perCell, FileFindings& found)
                                   printable(found.arrayName))};
     found.kind = FoundKind::Points;
     found.remarks.push_back(
-        Message::say("What joins its points (lines, polygons) was left out: they are scattered points."));
+        Message::say("The lines and polygons that join its points were left out: they are scattered points."));
     return {};
 }
 

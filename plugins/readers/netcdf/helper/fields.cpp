@@ -121,10 +121,9 @@ Error noFields(const NetCdfFile& file)
 {
     constexpr std::size_t mostNamed = 12;
     if (const std::string convention = meshConvention(file); !convention.empty())
-        return {ErrorKind::BadInput,
-                Message::say("it is a mesh by the conventions %1, which are not read. Convert it to .vtu, for instance "
-                             "with ParaView.",
-                             convention)};
+        return {ErrorKind::BadInput, Message::say("it is a mesh that follows the conventions %1, which are not read. "
+                                                  "Convert it to .vtu, for instance with ParaView.",
+                                                  convention)};
     const auto coordinates = coordinatesIn(file);
     Message names;
     std::size_t count = 0;
@@ -135,7 +134,8 @@ Error noFields(const NetCdfFile& file)
         names = names.empty() ? name : Message::say("%1, %2", names, name);
     }
     if (count == 0)
-        return {ErrorKind::BadInput, Message::say("it holds no variables but coordinates. Write it with values.")};
+        return {ErrorKind::BadInput,
+                Message::say("it holds no variables other than coordinates. Write it with values.")};
     if (count > mostNamed)
         names = Message::say("%1 and %2 more", names, count - mostNamed);
     return {ErrorKind::BadInput,
@@ -228,7 +228,7 @@ Result<FieldPart> partOf(const NetCdfFile& file, const NetCdfField& field, const
         const std::uint64_t number = given == indices->end() ? 1 : given->second;
         if (number > length)
             return Error{ErrorKind::WrongUsage,
-                         Message::say("it has %1 numbers along '%2', and %3 is asked for with 'index'.", length,
+                         Message::say("it has %1 numbers along '%2', and %3 was requested with 'index'.", length,
                                       printable(name), number)};
         guessed = guessed || given == indices->end();
         if (given != indices->end())
@@ -239,7 +239,7 @@ Result<FieldPart> partOf(const NetCdfFile& file, const NetCdfField& field, const
     }
     if (!indices->empty())
         return Error{ErrorKind::WrongUsage,
-                     Message::say("its variable %1 has no further dimension '%2', which is asked for with 'index'.",
+                     Message::say("its variable %1 has no further dimension '%2', which was requested with 'index'.",
                                   dimensionsText(file, *field.variable), printable(indices->begin()->first))};
     if (!blocks.empty())
         found.taken.push_back({TakenPart::Block, blocks, guessed});

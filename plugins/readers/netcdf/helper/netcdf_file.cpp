@@ -106,7 +106,7 @@ Result<std::shared_ptr<const NetCdfFile>> NetCdfFile::open(const std::string& pa
         return Error{
             ErrorKind::BadInput,
             code == NC_ENOTNC
-                ? Message::say("it does not begin as NetCDF files do. It is of another format, or damaged.")
+                ? Message::say("it does not begin like a NetCDF file. It is of another format, or damaged.")
                 : Message::say("the NetCDF library cannot open it: %1. Copy or export it again.", nc_strerror(code))};
     const std::shared_ptr<NetCdfFile> file(new NetCdfFile(id));
     if (const Status listed = file->list(id, {}, 0); !listed)
@@ -181,8 +181,8 @@ Status NetCdfFile::listVariable(int group, int id, const std::string& prefix)
         const auto found = std::ranges::find(dimensionIds_, dimension);
         if (found == dimensionIds_.end())
             return Error{ErrorKind::BadInput,
-                         Message::say("its variable '%1' has a dimension that no group around it has. It is damaged: "
-                                      "copy or export it again.",
+                         Message::say("its variable '%1' has a dimension that none of its enclosing groups has. It is "
+                                      "damaged: copy or export it again.",
                                       printable(variable.path))};
         variable.dimensions.push_back(static_cast<std::size_t>(found - dimensionIds_.begin()));
     }

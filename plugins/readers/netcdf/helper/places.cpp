@@ -178,9 +178,9 @@ void continueLongitudes(const NetCdfFile& file, FieldPlaces& places)
             coordinate.values[at] -= std::isfinite(turns) ? turns * turn : 0;
         }
         if (changed)
-            places.remarks.push_back(Message::say("Its longitudes '%1' begin anew within it: they were continued by "
-                                                  "whole turns of 360 degrees.",
-                                                  printable(coordinate.variable->path)));
+            places.remarks.push_back(Message::say(
+                "Its longitudes '%1' start again within it: they were continued in full turns of 360 degrees.",
+                printable(coordinate.variable->path)));
     }
 }
 
@@ -202,17 +202,17 @@ void tell(const NetCdfFile& file, const NetCdfField& field, FieldPlaces& places)
             ++told;
             units[axis] = file.text(*variable, "units");
             if (file.text(*variable, "positive") == "down")
-                places.leftOut.push_back(
-                    Message::say("Its coordinate '%1' counts downwards; it is z as it is, so that up is where z falls.",
-                                 printable(variable->path)));
+                places.leftOut.push_back(Message::say(
+                    "Its coordinate '%1' counts downwards; it is used as z unchanged, so that up is where z decreases.",
+                    printable(variable->path)));
         }
     const bool isOne = units[0] == units[1] && units[1] == units[2];
     if (isOne)
         places.lengthUnit = units[0];
     else if (told == 3)
-        places.remarks.push_back(Message::say("Its units differ from axis to axis: %1. Its numbers were taken as they "
-                                              "are, without a unit.",
-                                              printable(units[0] + ", " + units[1] + ", " + units[2])));
+        places.remarks.push_back(
+            Message::say("Its units differ from axis to axis: %1. Its numbers were used as they are, without a unit.",
+                         printable(units[0] + ", " + units[1] + ", " + units[2])));
     places.untold = untoldPlacement(told > 0, told > 0, !places.lengthUnit.empty());
     if (told > 0)
         places.taken.push_back(
@@ -222,7 +222,7 @@ void tell(const NetCdfFile& file, const NetCdfField& field, FieldPlaces& places)
              told < 3});
     if (const std::string mapping = file.text(*field.variable, "grid_mapping"); !mapping.empty())
         places.leftOut.push_back(Message::say(
-            "It says which map projection its coordinates belong to ('%1'), which is not used.", printable(mapping)));
+            "It states which map projection its coordinates belong to ('%1'), which is not used.", printable(mapping)));
 }
 
 } // namespace

@@ -95,7 +95,7 @@ std::string numberText(long double number)
 
 Message filledByLibrary(long double number)
 {
-    return Message::say("%1, with which the NetCDF library fills what nobody wrote", numberText(number));
+    return Message::say("%1, with which the NetCDF library fills what was never written", numberText(number));
 }
 
 std::optional<long double> libraryFillOf(const NetCdfFile& file, const NetCdfVariable& variable)
@@ -266,7 +266,8 @@ template <class T> NetCdfSamples decoded(const StoredNumbers& stored, std::span<
     result.isConstant = !(least < most);
     result.type = typeFor<T>(stored, result.holes > 0, fitsInt32);
     if (!stored.isPacked && sizeof(T) == 8 && !std::is_floating_point_v<T> && !fitsInt32)
-        result.remarks.push_back(Message::say("Its 64-bit integers became floating-point numbers of 53 bits."));
+        result.remarks.push_back(
+            Message::say("Its 64-bit integers were converted to floating-point numbers, which are exact to 53 bits."));
     result.samples.resize(numbers.size() * sampleSize(result.type));
     visitSampleType(result.type, [&]<class S>() {
         S* samples = reinterpret_cast<S*>(result.samples.data());
@@ -341,10 +342,9 @@ Result<NetCdfSamples> readSamples(const NetCdfFile& file, const NetCdfVariable& 
     const std::uint64_t count = valueCount(part);
     if (const std::uint64_t machine = physicalBytes();
         machine > 0 && count > machine / 2 / netCdfTypeBytes(variable.type))
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("its variable '%1' has %2 values, which do not fit into half of the memory of this "
-                                  "machine. Take a smaller one.",
-                                  printable(variable.name), count)};
+        return Error{ErrorKind::OutOfResource, Message::say("its variable '%1' has %2 values, which do not fit into "
+                                                            "half of the memory of this machine. Choose a smaller one.",
+                                                            printable(variable.name), count)};
     Buffer<std::byte> numbers(count * netCdfTypeBytes(variable.type));
     if (const Status read = readInPieces(file, variable, part, numbers.data(), progress); !read)
         return read.error();

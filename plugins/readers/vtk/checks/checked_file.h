@@ -25,7 +25,7 @@ inline constexpr std::uint64_t usualPacking = 20;
 inline Error cutShort(const Message& what, std::uint64_t has, std::uint64_t needs)
 {
     return {ErrorKind::BadInput,
-            Message::say("%1 has %2 bytes, and its header asks for %3. It is cut short: copy the file again.", what,
+            Message::say("%1 has %2 bytes, and its header requires %3. It is cut short: copy the file again.", what,
                          has, needs)};
 }
 

@@ -262,7 +262,7 @@ public:
     {
         lines_.needData(Message::marked("line 'FORMAT'"));
         if (!lines_.startsWith("FORMAT"))
-            lines_.refuse(Message::say("does not begin with FORMAT. It is no EnSight case, or damaged."));
+            lines_.refuse(Message::say("does not begin with FORMAT. It is damaged, or not an EnSight case."));
         lines_.needData(Message::marked("line 'type:'"));
         const auto type = enSightWords(lines_.line());
         if (type.size() > 1 && type[1] == "master_server")
@@ -279,9 +279,9 @@ public:
             else if (lines_.startsWith("FILE"))
                 more = files();
             else // VTK would look at this line for ever
-                lines_.refuse(Message::say(
-                    "has a section '%1', which VTK cannot pass over. Take it out, or put it behind the variables.",
-                    printable(lines_.line())));
+                lines_.refuse(
+                    Message::say("has a section '%1', which VTK cannot skip. Remove it, or put it after the variables.",
+                                 printable(lines_.line())));
         }
         if (case_.geometry.files.empty())
             lines_.refuse(Message::say("names no geometry ('model:'). It is cut short or damaged."));
@@ -413,7 +413,7 @@ private:
             lines_.needData(Message::marked("line 'number of steps:'"));
             const std::int64_t steps = behindColon(Message::marked("number of time steps"));
             if (steps < 1 || steps > most)
-                lines_.refuse(Message::say("says that there are %1 time steps.", steps));
+                lines_.refuse(Message::say("states that there are %1 time steps.", steps));
             const auto count = static_cast<std::uint64_t>(steps);
             lines_.needData(Message::marked("line 'time values:'"));
             if (lines_.startsWith("filename numbers"))
@@ -510,7 +510,7 @@ public:
         lines_.needNext(Message::marked("number of points"));
         const auto count = leadingInteger(lines_.line());
         if (!count || *count < 0)
-            lines_.refuse(Message::say("does not say how many measured points it has. It is damaged."));
+            lines_.refuse(Message::say("does not state how many measured points it has. It is damaged."));
         geometry_.measuredPoints = static_cast<std::uint64_t>(*count);
         for (std::uint64_t i = 0; i < geometry_.measuredPoints; ++i) {
             lines_.needNext(Message::marked("measured point"));
@@ -583,10 +583,9 @@ private:
     void needPart()
     {
         if (!atPart())
-            lines_.refuse(
-                Message::say("has '%1' where a part should begin, which VTK passes over with all that follows. It is "
-                             "damaged, or of another version of the format: export it again.",
-                             printable(lines_.line())));
+            lines_.refuse(Message::say("has '%1' where a part should begin; VTK skips this and all that follows. It is "
+                                       "damaged, or of another version of the format: export it again.",
+                                       printable(lines_.line())));
     }
 
     std::array<std::uint64_t, 3> dimensions()
@@ -774,10 +773,9 @@ private:
             const std::string_view name = elementName(line);
             const ElementKind* kind = elementKindOf(line);
             if (name.empty() || (kind == nullptr && name != "point")) // VTK would look at this line for ever
-                lines_.refuse(
-                    Message::say("has '%1' where elements should begin, which VTK does not know. It is damaged, or of "
-                                 "another version of the format: export it again.",
-                                 printable(line)));
+                lines_.refuse(Message::say("has '%1' where elements should begin, which VTK does not recognise. It is "
+                                           "damaged, or of another version of the format: export it again.",
+                                           printable(line)));
             const std::uint64_t count = lines_.size(Message::marked("number of elements"));
             for (std::uint64_t i = 0; i < count; ++i) {
                 lines_.needData(Message::marked("element"));
@@ -1009,9 +1007,8 @@ private:
             const fs::path& path = *below;
             std::error_code ignored;
             if (!fs::exists(path, ignored))
-                throw EnSightProblem{
-                    Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
-                                 printable(name))};
+                throw EnSightProblem{Message::say(
+                    "its file '%1' is missing. Copy it into the same folder: they belong together.", printable(name))};
             const auto file = MappedFile::open(path);
             if (!file)
                 throw EnSightProblem{file.error().message};

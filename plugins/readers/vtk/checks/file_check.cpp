@@ -31,10 +31,9 @@ Result<fs::path> fileBelow(const fs::path& home, const fs::path& folder, const s
     const fs::path file = (folder / name).lexically_normal();
     const fs::path within = file.lexically_relative(base.empty() ? "." : base);
     if (name.empty() || name.find('\0') != std::string::npos || within.empty() || *within.begin() == "..")
-        return Error{ErrorKind::BadInput,
-                     Message::say("it names the file '%1', which does not lie in its folder or below it. Put it "
-                                  "there, and write its name anew.",
-                                  printable(name))};
+        return Error{ErrorKind::BadInput, Message::say("it refers to the file '%1', which is not in its folder or "
+                                                       "below it. Put it there, and correct its name.",
+                                                       printable(name))};
     return file;
 }
 

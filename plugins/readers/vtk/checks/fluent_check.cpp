@@ -49,11 +49,11 @@ Status checkSections(const Message& what, std::string_view text, std::size_t lon
             return Error{ErrorKind::BadInput,
                          Message::say("%1 ends within a section. It is cut short: copy the file again.", what)};
         if (losesDigit(text.substr(begin, place - begin)))
-            return Error{ErrorKind::BadInput,
-                         Message::say("%1 has values whose bracket stands right behind the last one, of which VTK then "
-                                      "leaves out a digit. Put an end of line before the bracket, or export the file "
-                                      "again.",
-                                      what)};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("%1 has values whose closing bracket directly follows the last one, of which VTK then "
+                             "drops a digit. Put an end of line before the bracket, or export the file again.",
+                             what)};
     }
     return {};
 }
@@ -67,10 +67,9 @@ Result<CheckedFile> checkFluent(const fs::path& path)
     data.replace_extension("dat");
     std::error_code ignored;
     if (!fs::exists(data, ignored))
-        return Error{
-            ErrorKind::BadInput,
-            Message::say("its file %1 is missing, which holds the values. Copy it into the folder of this one.",
-                         nameOf(data))};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its file %1, which holds the values, is missing. Copy it into the same folder.",
+                                  nameOf(data))};
     for (const fs::path& part : {path, data}) {
         const auto file = MappedFile::open(part);
         if (!file)

@@ -113,8 +113,8 @@ private:
 
     static Error outside(const std::string& name)
     {
-        return {ErrorKind::BadInput, Message::say("it names the file '%1', which does not lie in its folder or below "
-                                                  "it. Put it there, and write its name anew.",
+        return {ErrorKind::BadInput, Message::say("it refers to the file '%1', which is not in its folder or below it. "
+                                                  "Put it there, and correct its name.",
                                                   printable(name))};
     }
 

@@ -45,16 +45,16 @@ Result<CheckedFile> checkLegacy(const std::filesystem::path& path)
     };
     if (beginsWithOne({"FIELD", "DATASET TABLE", "DATASET TREE", "DATASET DIRECTED_GRAPH", "DATASET UNDIRECTED_GRAPH",
                        "DATASET MOLECULE"}))
-        return Error{ErrorKind::BadInput, Message::say("it holds '%1': values alone, without points or a grid that "
-                                                       "they belong to. Write them with their grid.",
+        return Error{ErrorKind::BadInput, Message::say("it holds '%1': values alone, without the points or the grid "
+                                                       "that they belong to. Write them with their grid.",
                                                        shown)};
     if (!content.empty() &&
         !beginsWithOne({"DATASET STRUCTURED_POINTS", "DATASET STRUCTURED_GRID", "DATASET RECTILINEAR_GRID",
                         "DATASET UNSTRUCTURED_GRID", "DATASET POLYDATA", "DATASET MULTI", "DATASET HIERARCHICAL",
                         "DATASET OVERLAPPING", "DATASET NON_OVERLAPPING"}))
         return Error{ErrorKind::BadInput,
-                     Message::say("it says '%1' where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID "
-                                  "should stand. It is damaged, or written by a faulty program.",
+                     Message::say("it has '%1' where DATASET and a type such as STRUCTURED_POINTS or UNSTRUCTURED_GRID "
+                                  "should be. It is damaged, or was written by a faulty program.",
                                   shown)};
     if (isText && !text.empty() && static_cast<unsigned char>(text.back()) > ' ')
         checked.remarks.push_back(

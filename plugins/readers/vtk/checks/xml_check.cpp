@@ -72,7 +72,7 @@ std::string_view xmlAttribute(std::string_view tag, std::string_view name)
 Error wrongXml(const Message& what)
 {
     return {ErrorKind::BadInput,
-            Message::say("%1 It is damaged, or written by a faulty program: export it again.", what)};
+            Message::say("%1 It is damaged, or was written by a faulty program: export it again.", what)};
 }
 
 /// The tags of a file, one after the other, without their brackets; comments and declarations are passed over.
@@ -217,7 +217,7 @@ private:
         }
         level_ += tag.ends_with('/') ? 0 : 1;
         if (level_ > deepest)
-            return wrongXml(Message::say("its elements stand more than %1 deep in one another.", deepest));
+            return wrongXml(Message::say("its elements are nested more than %1 levels deep.", deepest));
         if (std::ranges::count(tag, '=') > mostAttributes)
             return wrongXml(Message::say("an element has more than %1 attributes.", mostAttributes));
         if (isNamed(tag, "DataArray") || isNamed(tag, "PDataArray"))
@@ -279,7 +279,7 @@ private:
         cells_ = isGridType() ? ofGrid : count("NumberOfCells");
         for (const std::uint64_t number : {points_, cells_})
             if (number > boundedProduct(mostPacking, checked_.bytes) && xmlAttribute(tag, "Source").empty())
-                return wrongXml(Message::say("it says that it has %1 points or cells, more than %2 bytes can hold.",
+                return wrongXml(Message::say("it claims to have %1 points or cells, more than %2 bytes can hold.",
                                              number, checked_.bytes));
         return fileNamed(xmlAttribute(tag, "Source"));
     }
@@ -297,18 +297,17 @@ private:
         if (!path)
             return path.error();
         if (filesWithin_ == 0)
-            return wrongXml(Message::say("its files name each other more than %1 deep.", blocksOfPieces));
+            return wrongXml(Message::say("its files refer to each other more than %1 levels deep.", blocksOfPieces));
         std::error_code ignored;
         if (!fs::exists(*path, ignored))
-            return Error{
-                ErrorKind::BadInput,
-                Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
-                             printable(name))};
+            return Error{ErrorKind::BadInput,
+                         Message::say("its file '%1' is missing. Copy it into the same folder: they belong together.",
+                                      printable(name))};
         if (const auto begun = files_.readings.find(*path); begun != files_.readings.end()) {
             readings_ = boundedSum(readings_, begun->second);
             return begun->second > 0 ? Status()
-                                     : Status(wrongXml(Message::say("it names the file '%1', which names it in turn.",
-                                                                    printable(name))));
+                                     : Status(wrongXml(Message::say(
+                                           "it refers to the file '%1', which refers back to it.", printable(name))));
         }
         const auto checked = XmlCheck(*path, filesWithin_ - 1, files_).run();
         if (!checked)
@@ -360,7 +359,7 @@ Result<CheckedFile> checkXml(const fs::path& path)
     auto checked = XmlCheck(path, blocksOfPieces, files).run();
     const std::uint64_t readings = files.readings[path.lexically_normal()], there = files.readings.size();
     if (checked && readings > boundedProduct(mostTimes, there))
-        return wrongXml(Message::say("it names %1 files %2 times in all.", there - 1, readings - 1));
+        return wrongXml(Message::say("it lists %1 files %2 times in all.", there - 1, readings - 1));
     return checked;
 }
 

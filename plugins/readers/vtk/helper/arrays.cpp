@@ -143,7 +143,8 @@ VtkSamples componentSamples(vtkDataArray& array, int component)
     const SampleType type = known ? *known : typeOf64Bits(array, component);
     VtkSamples result = filled(array, type, [&](vtkIdType i) { return array.GetComponent(i, component); });
     if (!known && type == SampleType::Float64)
-        result.remarks.push_back(Message::say("Its 64-bit integers became floating-point numbers of 53 bits."));
+        result.remarks.push_back(
+            Message::say("Its 64-bit integers were converted to floating-point numbers, which are exact to 53 bits."));
     return result;
 }
 

@@ -33,10 +33,9 @@ void appendPositions(vtkDataSet& data, VtkFindings& found)
 
 Error unknownShape(int vtkType)
 {
-    return {ErrorKind::BadInput,
-            Message::say("it has cells of a shape that TAn does not know: %1. Divide them into simpler ones, in "
-                         "ParaView by the filter Tetrahedralize or Tessellate.",
-                         cellTypeName(vtkType))};
+    return {ErrorKind::BadInput, Message::say("it has cells of a shape that TAn does not support: %1. Divide them into "
+                                              "simpler ones, in ParaView with the filter Tetrahedralize or Tessellate.",
+                                              cellTypeName(vtkType))};
 }
 
 Error noSuchPoint(vtkIdType cell, vtkIdType corner, vtkIdType points)
@@ -119,9 +118,9 @@ private:
         const vtkIdType place = places == nullptr || cell >= places->GetNumberOfValues() ? -1 : places->GetValue(cell);
         if (place < 0 || place >= length)
             return Error{ErrorKind::BadInput,
-                         Message::say("cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: from "
-                                      "VTK 9.4 on they are written in another way, which TAn reads in a single "
-                                      ".vtu that is not packed, or packed by zlib. Save it as one.",
+                         Message::say("cell %1 (from 0) is a polyhedron, and VTK 9.1 finds no faces of it: since VTK "
+                                      "9.4 they are written differently, which TAn reads in a single .vtu that is not "
+                                      "compressed, or compressed with zlib. Save it as one.",
                                       cell)};
         const std::span<const vtkIdType> faces(all->GetPointer(0), static_cast<std::size_t>(length));
         const auto start = static_cast<std::size_t>(place);

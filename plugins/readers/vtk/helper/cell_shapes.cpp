@@ -146,10 +146,10 @@ Message shapeChangeText(ShapeChange change, std::uint64_t cells)
     switch (change) {
     case ShapeChange::CalledLinear:
         return one ? Message::say(
-                         "1 cell is called linear and has the corners of a quadratic one: it was taken as such.")
-                   : Message::say("%1 cells are called linear and have the corners of quadratic ones: they were taken "
-                                  "as such.",
-                                  cells);
+                         "1 cell is declared linear and has the corners of a quadratic one: it was read as such.")
+                   : Message::say(
+                         "%1 cells are declared linear and have the corners of quadratic ones: they were read as such.",
+                         cells);
     case ShapeChange::WithoutFaces:
         return one ? Message::say("1 cell has nodes in the middle of its faces, which were not used.")
                    : Message::say("%1 cells have nodes in the middle of their faces, which were not used.", cells);

@@ -115,7 +115,7 @@ void tellSinglePrecision(vtkDataObject& data, std::vector<Message>& leftOut)
                 }
     if (farthest > 0)
         leftOut.push_back(
-            Message::say("VTK reads its places in single precision: they may be up to %1 from those in the file.",
+            Message::say("VTK reads its positions in single precision: they may be up to %1 from those in the file.",
                          formatNumber(farthest * std::numeric_limits<float>::epsilon() / 2)));
 }
 

@@ -34,7 +34,7 @@ Result<VtkFindings> findingsOfOne(vtkDataSet& data, const VtkArray& array, const
     const vtkIdType cells = data.GetNumberOfCells();
     if (found && cells > 0 && data.GetCellType(0) != VTK_VERTEX && data.GetCellType(0) != VTK_POLY_VERTEX)
         found->remarks.push_back(
-            Message::say("What joins its points (lines, polygons) was left out: they are scattered points."));
+            Message::say("The lines and polygons that join its points were left out: they are scattered points."));
     return found;
 }
 

@@ -62,7 +62,7 @@ VtkSamples meansAtPoints(const Size& size, const VtkSamples& cells, std::vector<
     points.name = cells.name;
     points.remarks = cells.remarks;
     points.remarks.push_back(
-        Message::say("The values of the cells were brought to the points, as the mean of the cells around."));
+        Message::say("The values of the cells were transferred to the points, as the mean of the cells around each."));
     points.type =
         cells.type == SampleType::Float64 || cells.type == SampleType::Int32 || cells.type == SampleType::UInt32
             ? SampleType::Float64

@@ -89,8 +89,8 @@ Result<std::size_t> chooseLeaf(const std::vector<VtkLeaf>& leaves, const std::st
         return static_cast<std::size_t>(*number - 1);
     return Error{ErrorKind::WrongUsage, Message::say("it has no part '%1'. %2", wanted,
                                                      leaves.size() == 1 && leaves[0].name.empty()
-                                                         ? Message::say("It is all one: leave 'part' empty.")
-                                                         : Message::say("There is: %1.", namesText(leaves)))};
+                                                         ? Message::say("It has only one: leave 'part' empty.")
+                                                         : Message::say("Available: %1.", namesText(leaves)))};
 }
 
 } // namespace tetra

@@ -54,7 +54,7 @@ void tellFamilies(vtkCGNSReader& reader, Provenance& provenance)
         families.emplace_back(reader.GetFamilyArrayName(number));
     if (!families.empty())
         provenance.leftOut.push_back(Message::say(
-            "Its families (boundary conditions and the like) are not told apart: %1.", namesToldOf(families)));
+            "Its families (boundary conditions and the like) are not distinguished: %1.", namesToldOf(families)));
 }
 
 VtkSource cgnsSource(const std::string& path)

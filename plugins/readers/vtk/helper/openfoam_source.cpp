@@ -108,7 +108,7 @@ void tellLeftOut(vtkOpenFOAMReader& reader, const fs::path& folder, std::vector<
     if (!patches.empty())
         leftOut.push_back(Message::say("The patches of its boundary are not read: %1.", namesToldOf(patches)));
     if (const auto zones = cellZones(folder); !zones.empty())
-        leftOut.push_back(Message::say("Its zones of cells are not told apart: %1.", namesToldOf(zones)));
+        leftOut.push_back(Message::say("Its zones of cells are not distinguished: %1.", namesToldOf(zones)));
     if (reader.GetNumberOfLagrangianArrays() > 0)
         leftOut.push_back(Message::say("Its clouds of particles are not read."));
 }
@@ -242,8 +242,8 @@ Result<VtkSource> makeOpenFoamSource(const std::string& path)
         if (isDecomposed)
             addTaken({TakenPart::Block, Message::say("the folders of %1 processors", processors), false}, provenance);
         if (isDecomposed && hasMesh)
-            provenance.leftOut.push_back(Message::say("Its case as a whole is not read: the folders of its processors "
-                                                      "go on to later times."));
+            provenance.leftOut.push_back(
+                Message::say("Its case as a whole is not read: the folders of its processors contain later times."));
         else if (processors > 0 && !isDecomposed)
             provenance.leftOut.push_back(
                 Message::say("The folders of its %1 processors are not read: the case as a whole is.", processors));

@@ -35,7 +35,7 @@ Status addDataSet(const QXmlStreamAttributes& attributes, const fs::path& folder
     const double time = timeText.trimmed().isEmpty() ? 0 : timeText.toDouble(&isNumber);
     if (!isNumber || !std::isfinite(time))
         return wrongSeries(
-            Message::say("it has the time '%1', which is no number.", printable(timeText.toStdString())));
+            Message::say("it has the time '%1', which is not a number.", printable(timeText.toStdString())));
     const std::string fileName = attributes.value(QLatin1String("file")).toString().toStdString();
     const auto file = fileBelow(folder, folder, fileName);
     if (!file)
@@ -79,8 +79,8 @@ Result<std::vector<SeriesStep>> readJson(const QByteArray& text, const fs::path&
         const QJsonValue name = entry.toObject().value(QLatin1String("name"));
         const QJsonValue time = entry.toObject().value(QLatin1String("time"));
         if (!name.isString() || (!time.isUndefined() && !time.isDouble()))
-            return wrongSeries(
-                Message::say("its file number %1 is not told by a 'name' and a 'time' as a number.", steps.size() + 1));
+            return wrongSeries(Message::say("its file number %1 does not have a 'name' and a 'time' that is a number.",
+                                            steps.size() + 1));
         const std::string fileName = name.toString().toStdString();
         const auto file = fileBelow(folder, folder, fileName);
         if (!file)
@@ -108,7 +108,7 @@ Result<std::vector<SeriesStep>> readSeries(const fs::path& path)
     if (!steps)
         return steps;
     if (steps->empty())
-        return wrongSeries(Message::say("it is a list of files, and names none."));
+        return wrongSeries(Message::say("it is a list of files, but names none."));
     std::ranges::stable_sort(*steps, {}, &SeriesStep::time);
     return steps;
 }

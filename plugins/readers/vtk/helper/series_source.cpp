@@ -63,19 +63,18 @@ Result<VtkRequest> requestOf(const SeriesPart& part, const VtkRequest& request)
 {
     std::error_code ignored;
     if (!fs::exists(part.file, ignored))
-        return Error{
-            ErrorKind::BadInput,
-            Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
-                         printable(part.file.filename().string()))};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its file '%1' is missing. Copy it into the same folder: they belong together.",
+                                  printable(part.file.filename().string()))};
     VtkRequest one = request;
     one.path = part.file.string();
     one.format = formatOf(part.file);
     one.timeStep = 0;
     one.part.clear();
     if (one.format == VtkFormat::None)
-        return Error{ErrorKind::BadInput, Message::say("its file '%1' is of none of VTK's own formats. Open that file "
-                                                       "by itself.",
-                                                       printable(part.file.filename().string()))};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its file '%1' is not of VTK's own formats. Open that file on its own.",
+                                  printable(part.file.filename().string()))};
     return one;
 }
 
@@ -105,9 +104,9 @@ Result<CheckedFile> checkSeries(const VtkRequest& request)
     std::set<fs::path> seen;
     for (const SeriesPart& part : choice->step.parts) {
         if (!seen.insert(part.file).second)
-            return Error{ErrorKind::BadInput, Message::say("it names the file '%1' twice for one time. Write each part "
-                                                           "once.",
-                                                           printable(part.file.filename().string()))};
+            return Error{ErrorKind::BadInput,
+                         Message::say("it lists the file '%1' twice for one time. Write each part once.",
+                                      printable(part.file.filename().string()))};
         const auto one = requestOf(part, request);
         if (!one)
             return one.error();

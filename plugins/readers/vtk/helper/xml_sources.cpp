@@ -66,12 +66,13 @@ Result<VtkSource> makeXmlSource(const VtkRequest& request)
     const std::string type = xmlType(request.path);
     const auto found = readers.find(type);
     if (found == readers.end())
-        return Error{ErrorKind::BadInput,
-                     type.empty()
-                         ? Message::say("it is no VTK file: its beginning does not say a type of data. Write it anew.")
-                         : Message::say("it holds data of the type '%1', which are no volume. Write them as "
-                                        "a grid, a mesh or points.",
-                                        printable(type))};
+        return Error{
+            ErrorKind::BadInput,
+            type.empty()
+                ? Message::say("it is not a VTK file: its beginning does not state a type of data. Write it again.")
+                : Message::say(
+                      "it holds data of the type '%1', which are not a volume. Write them as a grid, a mesh or points.",
+                      printable(type))};
     const vtkSmartPointer<vtkXMLReader> reader = found->second();
     reader->SetFileName(request.path.c_str());
     VtkSource source{.reader = reader, .knowsContents = type != "vtkMultiBlockDataSet" && !type.starts_with('P')};

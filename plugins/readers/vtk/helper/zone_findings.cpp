@@ -44,8 +44,9 @@ Result<Dataset> zoneDataset(VtkZone zone, bool perCell, std::vector<double>& ofC
     const auto grid = gridOf(*zone.data);
     const auto points = static_cast<std::uint64_t>(zone.data->GetNumberOfPoints());
     if (!grid || points != grid->lattice.pointCount())
-        return Error{ErrorKind::BadInput, Message::say("its part '%1' has %2 points, and its size says another number.",
-                                                       printable(zone.name), points)};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its part '%1' has %2 points, and its size states another number.",
+                                  printable(zone.name), points)};
     Dataset dataset;
     dataset.source.name = std::move(zone.name);
     dataset.domain = grid->onLattice ? DomainClass::RegularLattice : DomainClass::Curvilinear;

@@ -76,8 +76,7 @@ Status readAxes(const QJsonObject& multiscale, OmeImage& image)
 Result<std::vector<double>> numbersOf(const QJsonObject& transformation, const char* key, std::size_t axes)
 {
     if (transformation.contains("path"))
-        return badImage(
-            Message::say("its transformation '%1' stands in an array of its own, which TAn does not read.", key));
+        return badImage(Message::say("its transformation '%1' is in a separate array, which TAn does not read.", key));
     const auto numbers = jsonNumbers(transformation.value(key));
     if (!numbers || numbers->size() != axes)
         return badImage(

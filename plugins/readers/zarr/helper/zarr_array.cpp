@@ -84,7 +84,7 @@ Status checkCodecs(const ZarrChunks& chunks)
     constexpr std::size_t most = 32;
     if (chunks.codecs.size() <= most)
         return {};
-    return isNotRead(Message::say("its chunks went through %1 codecs, more than %2", chunks.codecs.size(), most),
+    return isNotRead(Message::say("its chunks were passed through %1 codecs, more than %2", chunks.codecs.size(), most),
                      writeWithUsual());
 }
 
@@ -133,7 +133,7 @@ Status addFilter(const QJsonObject& filter, const std::string& type, ZarrArray& 
         codec.elementSize = storedSize(array.number);
         codec.isBigEndian = array.chunks.isBigEndian;
     } else {
-        return isNotRead(Message::say("its numbers went through the filter '%1'", printable(id)),
+        return isNotRead(Message::say("its numbers were passed through the filter '%1'", printable(id)),
                          Message::say("Write it without filters."));
     }
     array.chunks.codecs.push_back(codec);
@@ -189,7 +189,7 @@ Result<ZarrArray> arrayOfVersion2(const std::string& path, const ZarrNode& node)
     if (!number)
         return isNotRead(type.empty() ? Message::say("its elements are records of several fields")
                                       : Message::say("its elements are of the type '%1'", printable(type)),
-                         Message::say("Write whole numbers, or floating point numbers of 16, 32 or 64 bits."));
+                         Message::say("Write whole numbers, or floating-point numbers of 16, 32 or 64 bits."));
     array.number = number->number;
     array.chunks.isBigEndian = number->isBigEndian;
     const auto chunks = jsonCounts(node.metadata.value("chunks"));
@@ -291,10 +291,11 @@ Status readCodecs(const QJsonValue& list, ZarrNumber number, ZarrChunks& chunks,
             *shards = configurationOf(codec);
         } else {
             const bool isKnown = packing || name == "transpose" || name == "bytes" || name == "sharding_indexed";
-            understood = isKnown ? isNotRead(Message::say("its codec '%1' stands in an unusual place", printable(name)),
-                                             writeWithUsual())
-                                 : isNotRead(Message::say("its chunks went through the codec '%1'", printable(name)),
-                                             writeWithUsual());
+            understood = isKnown
+                             ? isNotRead(Message::say("its codec '%1' is in an unusual place", printable(name)),
+                                         writeWithUsual())
+                             : isNotRead(Message::say("its chunks were passed through the codec '%1'", printable(name)),
+                                         writeWithUsual());
         }
         if (!understood)
             return understood;
@@ -313,7 +314,8 @@ Status readShards(const QJsonObject& configuration, ZarrArray& array)
         return sound;
     for (std::size_t axis = 0; axis < shape->size(); ++axis)
         if (shards.shape[axis] % (*shape)[axis] != 0)
-            return Error{ErrorKind::BadInput, Message::say("its shards are no whole number of chunks. It is damaged.")};
+            return Error{ErrorKind::BadInput,
+                         Message::say("its shards are not a whole number of chunks. It is damaged.")};
     array.chunks.shape = *shape;
     if (const Status read = readCodecs(configuration.value("codecs"), array.number, array.chunks, nullptr); !read)
         return read;
@@ -357,7 +359,7 @@ Status checkTransformers(const QJsonObject& metadata)
     if (transformers.isEmpty())
         return {};
     return isNotRead(Message::say("it has the storage transformer '%1'", printable(namedOf(transformers.first()))),
-                     Message::say("Write it without."));
+                     Message::say("Write it without one."));
 }
 
 Result<ZarrArray> arrayOfVersion3(const std::string& path, const ZarrNode& node)
@@ -375,7 +377,7 @@ Result<ZarrArray> arrayOfVersion3(const std::string& path, const ZarrNode& node)
     const auto number = zarrNumberOfVersion3(type);
     if (!number)
         return isNotRead(Message::say("its elements are of the type '%1'", printable(type)),
-                         Message::say("Write whole numbers, or floating point numbers of 16, 32 or 64 bits."));
+                         Message::say("Write whole numbers, or floating-point numbers of 16, 32 or 64 bits."));
     array.number = *number;
     const QJsonValue grid = metadata.value("chunk_grid");
     if (namedOf(grid) != "regular")

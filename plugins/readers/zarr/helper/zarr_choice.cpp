@@ -114,7 +114,7 @@ Result<ZarrTarget> namedTarget(const ZarrFolder& folder, const ZarrRequest& requ
     if (node->kind == ZarrNode::Kind::Group && isOmeImage(node->attributes))
         return imageAt(folder, path, request.part, choice);
     return wrongChoice(tree.arrays.empty() ? Message::say("it has no array '%1'.", printable(path))
-                                           : Message::say("it has no array '%1'. There are: %2.", printable(path),
+                                           : Message::say("it has no array '%1'. Available: %2.", printable(path),
                                                           someOf(tree.arrays)));
 }
 
@@ -153,14 +153,14 @@ void tellTree(const ZarrTree& tree, ZarrChoice& choice)
         choice.leftOut.push_back(Message::say("Its labels, which number the parts of a picture, are not read."));
     if (!tree.images.empty() && !tree.arrays.empty())
         choice.leftOut.push_back(
-            Message::say("It holds %1 arrays besides (%2), which are not read. Choose one with 'array'.",
+            Message::say("It holds %1 other arrays (%2), which are not read. Choose one with 'array'.",
                          tree.arrays.size(), someOf(tree.arrays)));
     if (tree.damaged > 0)
         choice.leftOut.push_back(
             Message::say("%1 of its groups and arrays have metadata that cannot be read.", tree.damaged));
     if (tree.isCut)
-        choice.leftOut.push_back(Message::say("It has more groups and arrays than are looked at; 'array' takes any of "
-                                              "them by its path."));
+        choice.leftOut.push_back(
+            Message::say("It has more groups and arrays than are listed; 'array' takes any of them by its path."));
 }
 
 Result<ZarrTarget> chooseTarget(const ZarrFolder& folder, const ZarrRequest& request, ZarrChoice& choice)
@@ -188,7 +188,7 @@ Result<ZarrTarget> chooseTarget(const ZarrFolder& folder, const ZarrRequest& req
     return Error{ErrorKind::BadInput,
                  tree->others > 0
                      ? Message::say("it holds %1 arrays, and none of numbers along three axes or more.", tree->others)
-                     : Message::say("it holds no array. Open the folder in which the arrays are, or copy it again.")};
+                     : Message::say("it holds no array. Open the folder that contains the arrays, or copy it again.")};
 }
 
 // Which volume of the array.
@@ -198,7 +198,7 @@ Status chooseAlong(std::size_t axis, std::uint64_t wanted, const std::string& op
 {
     const std::uint64_t count = choice.array.shape[axis];
     if (wanted > count)
-        return wrongChoice(Message::say("it has %1 of '%2', and number %3 is asked for. Choose one from 1 to %1.",
+        return wrongChoice(Message::say("it has %1 of '%2', and number %3 was requested. Choose one from 1 to %1.",
                                         count, printable(option), wanted));
     choice.selection.numbers[axis] = wanted > 0 ? wanted - 1 : 0;
     return {};
@@ -439,7 +439,7 @@ void tellAttributes(ZarrChoice& choice)
         if (choice.array.attributes.contains(QLatin1String(name)))
             said += (said.empty() ? "" : ", ") + std::string(name);
     if (!said.empty())
-        choice.leftOut.push_back(Message::say("Its attributes %1 are not used: values are as they are stored.", said));
+        choice.leftOut.push_back(Message::say("Its attributes %1 are not used: the stored values are.", said));
 }
 
 void tellLargeChunks(ZarrChoice& choice)
@@ -447,9 +447,9 @@ void tellLargeChunks(ZarrChoice& choice)
     constexpr std::uint64_t usual = std::uint64_t(256) << 20U, megabyte = 1'000'000;
     const std::uint64_t bytes = choice.array.chunks.numberCount() * storedSize(choice.array.number);
     if (bytes > usual)
-        choice.leftOut.push_back(Message::say("Its chunks are unpacked whole, however little of them is wanted, which "
-                                              "takes %1 MB of memory.",
-                                              bytes / megabyte));
+        choice.leftOut.push_back(Message::say(
+            "Its chunks are unpacked whole, however little of them is needed, which takes %1 MB of memory.",
+            bytes / megabyte));
 }
 
 void tellArray(const ZarrRequest& request, ZarrChoice& choice)
@@ -493,10 +493,9 @@ Result<ZarrChoice> chooseZarr(const ZarrFolder& folder, const ZarrRequest& reque
     if (!node)
         return node.error();
     if (node->kind != ZarrNode::Kind::Array)
-        return Error{ErrorKind::BadInput,
-                     Message::say("its level '%1' is not there. The copy is not complete: copy the folder again, or "
-                                  "choose another level with 'part'.",
-                                  printable(target->path))};
+        return Error{ErrorKind::BadInput, Message::say("its level '%1' is missing. The copy is not complete: copy the "
+                                                       "folder again, or choose another level with 'part'.",
+                                                       printable(target->path))};
     auto array = zarrArray(target->path, *node);
     if (!array)
         return array.error();

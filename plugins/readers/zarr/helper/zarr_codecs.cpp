@@ -25,7 +25,7 @@ Error damagedChunk(const Message& how)
 
 Error unpacksToMore(std::uint64_t most)
 {
-    return damagedChunk(Message::say("it unpacks to more than the %1 bytes that it should", most));
+    return damagedChunk(Message::say("it unpacks to more than the expected %1 bytes", most));
 }
 
 /// The most bytes that a codec can make of so many.
@@ -104,9 +104,9 @@ Status unpackBlosc(Bytes packed, std::uint64_t most, Buffer<std::byte>& to)
 {
     std::size_t size = 0;
     if (blosc_cbuffer_validate(packed.data(), packed.size(), &size) != 0)
-        return damagedChunk(Message::say("it does not begin as Blosc writes, or is cut short"));
+        return damagedChunk(Message::say("it does not begin like Blosc data, or is cut short"));
     if (size > most)
-        return damagedChunk(Message::say("it unpacks to %1 bytes, more than the %2 that it should", size, most));
+        return damagedChunk(Message::say("it unpacks to %1 bytes, more than the expected %2", size, most));
     to.resize(size);
     const int unpacked = blosc_decompress_ctx(packed.data(), to.data(), to.size(), 1);
     if (unpacked < 0 || static_cast<std::size_t>(unpacked) != size)
@@ -178,8 +178,10 @@ Status undoDelta(Bytes packed, const ZarrCodec& codec, Buffer<std::byte>& to)
     case ZarrNumber::Float32: sumUp<float>(packed, isSwapped, to); break;
     case ZarrNumber::Float64: sumUp<double>(packed, isSwapped, to); break;
     case ZarrNumber::Float16:
-        return Error{ErrorKind::BadInput, Message::say("its differences of numbers of 16 bits (the filter 'delta') are "
-                                                       "not read. Write it without.")};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "its differences of numbers of 16 bits (the filter 'delta') are not read. Write it without them.")};
     }
     return {};
 }
@@ -207,7 +209,7 @@ Result<Bytes> ChunkUnpacking::unpack(Bytes packed, std::span<const ZarrCodec> co
         most.push_back(mostPacked(codec, most.back()));
     if (packed.size() > most.back())
         return damagedChunk(
-            Message::say("it has %1 bytes, more than its %2 bytes of numbers can become", packed.size(), expected));
+            Message::say("it has %1 bytes, more than its %2 bytes of numbers can yield", packed.size(), expected));
     Bytes bytes = packed;
     for (std::size_t left = codecs.size(); left-- > 0; std::swap(one_, other_)) {
         if (const Status undone = undo(codecs[left], bytes, most[left], one_); !undone)

@@ -74,24 +74,25 @@ Result<ZarrFolder> ZarrFolder::open(const fs::path& path)
 Result<fs::path> ZarrFolder::placeOf(const std::string& name) const
 {
     if (!goesDown(name))
-        return Error{ErrorKind::BadInput, Message::say("it names '%1', which is no path inside the folder. Only what "
-                                                       "lies in the folder is read.",
-                                                       printable(name))};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "it refers to '%1', which is not a path inside the folder. Only what is in the folder is read.",
+                printable(name))};
     std::error_code problem;
     const fs::path place = fs::canonical(root_ / name, problem);
     if (problem && isMissing(problem)) {
         if (!hasLooseLink(root_, name))
             return fs::path();
-        return Error{ErrorKind::BadInput,
-                     Message::say("its '%1' is a link to what is not there. Copy the folder with what its links lead "
-                                  "to.",
-                                  printable(name))};
+        return Error{ErrorKind::BadInput, Message::say("its '%1' is a link to something that does not exist. Copy the "
+                                                       "folder together with the targets of its links.",
+                                                       printable(name))};
     }
     if (problem)
         return notReadable(name, problem);
     if (const auto [end, ignored] = std::ranges::mismatch(root_, place); end != root_.end())
-        return Error{ErrorKind::BadInput, Message::say("its '%1' is a link that leads out of the folder. Only what "
-                                                       "lies in the folder is read: put a copy in its place.",
+        return Error{ErrorKind::BadInput, Message::say("its '%1' is a link that leads out of the folder. Only what is "
+                                                       "in the folder is read: put a copy in its place.",
                                                        printable(name))};
     return place;
 }
@@ -106,7 +107,7 @@ Result<std::optional<std::uint64_t>> ZarrFolder::fileSize(const std::string& nam
     std::error_code problem;
     if (!fs::is_regular_file(*place, problem))
         return Error{ErrorKind::BadInput,
-                     Message::say("its '%1' is no file. Copy or export it again.", printable(name))};
+                     Message::say("its '%1' is not a file. Copy or export it again.", printable(name))};
     const std::uint64_t size = fs::file_size(*place, problem);
     return problem ? Result<std::optional<std::uint64_t>>(notReadable(name, problem)) : std::optional(size);
 }
@@ -129,7 +130,7 @@ Result<std::optional<QJsonObject>> ZarrFolder::json(const std::string& name) con
         return std::optional<QJsonObject>();
     if (**size > most)
         return Error{ErrorKind::BadInput,
-                     Message::say("its '%1' is larger than metadata are (%2). It is damaged, or no Zarr.",
+                     Message::say("its '%1' is larger than metadata are (%2). It is damaged, or not Zarr.",
                                   printable(name), neededBytesText(**size))};
     const auto text = file(name);
     if (!text)

@@ -50,7 +50,7 @@ Result<QJsonObject> parseJsonObject(std::span<const std::byte> text)
     const QJsonDocument document =
         QJsonDocument::fromJson(QByteArray(clean.data(), static_cast<qsizetype>(clean.size())), &problem);
     if (problem.error != QJsonParseError::NoError)
-        return Error{ErrorKind::BadInput, Message::say("is no JSON: %1 at byte %2. Copy or export it again.",
+        return Error{ErrorKind::BadInput, Message::say("is not JSON: %1 at byte %2. Copy or export it again.",
                                                        problem.errorString().toStdString(), problem.offset)};
     if (!document.isObject())
         return Error{ErrorKind::BadInput, Message::say("holds no JSON object. Copy or export it again.")};

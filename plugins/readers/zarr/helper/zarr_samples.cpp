@@ -215,8 +215,8 @@ Result<ChunkFiles> findChunks(const ZarrFolder& folder, const ChunkRange& range,
     }
     if (files && files->there == 0)
         return Error{ErrorKind::BadInput,
-                     Message::say("none of the %1 files with its values is there, such as '%2'. The copy is not "
-                                  "complete, or nobody has written them: copy or export it again.",
+                     Message::say("none of the %1 files with its values exists, such as '%2'. The copy is not "
+                                  "complete, or they were never written: copy or export it again.",
                                   range.size(), printable(zarrPath(array.path, chunkName(array, range.first))))};
     return files;
 }
@@ -228,10 +228,10 @@ void tellMissing(const ZarrArray& array, std::uint64_t missing, std::uint64_t al
     const std::string fill = keptNumberText(array.number, array.fill);
     found.remarks.push_back(
         array.fillIsSaid
-            ? Message::say("%1 of its %2 chunks are not there: as the format has it, their values are the fill value "
-                           "%3.",
-                           missing, all, fill)
-            : Message::say("%1 of its %2 chunks are not there, and it has no fill value: %3 is assumed.", missing, all,
+            ? Message::say(
+                  "%1 of its %2 chunks are missing: as the format specifies, their values are the fill value %3.",
+                  missing, all, fill)
+            : Message::say("%1 of its %2 chunks are missing, and it has no fill value: %3 is assumed.", missing, all,
                            fill));
 }
 

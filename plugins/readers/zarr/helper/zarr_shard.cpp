@@ -62,7 +62,7 @@ Result<std::optional<std::span<const std::byte>>> ShardIndex::chunk(const std::v
     if (~offset == 0 && ~length == 0)
         return std::optional<std::span<const std::byte>>();
     if (offset > file_.size() || length > file_.size() - offset)
-        return damagedShard(Message::say("the index of its chunks leads beyond its end"));
+        return damagedShard(Message::say("the index of its chunks points beyond its end"));
     return std::optional(file_.subspan(offset, length));
 }
 

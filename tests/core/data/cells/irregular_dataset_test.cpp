@@ -290,12 +290,12 @@ private slots:
         auto dataset = datasetOf(complex, values);
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->pointCount(), 12);
-        QVERIFY(remarksOf(*dataset).contains("4 points on the place of another one"));
+        QVERIFY(remarksOf(*dataset).contains("4 points at the same place as another"));
         QVERIFY(!remarksOf(*dataset).contains("different values"));
         values.values[8] += 1;
         dataset = datasetOf(complex, values);
         QVERIFY(dataset.ok());
-        QVERIFY(remarksOf(*dataset).contains("1 place had different values"));
+        QVERIFY(remarksOf(*dataset).contains("1 place had several different values"));
         QCOMPARE(dataset->values.at(1), 2.5);
         complex.positions[8][0] = -0.0; // the same place as 0
         complex.positions[0][0] = 0.0;
@@ -334,7 +334,7 @@ private slots:
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->tetrahedra->size(), 1);
         QVERIFY(remarksOf(*dataset).contains("1 cell is a vertex"));
-        QVERIFY(remarksOf(*dataset).contains("2 cells name a corner twice"));
+        QVERIFY(remarksOf(*dataset).contains("2 cells use a corner twice"));
         QVERIFY(remarksOf(*dataset).contains("1 cell without volume was"));
         QVERIFY(remarksOf(*dataset).contains("2 points belong to no cell"));
     }
@@ -355,7 +355,7 @@ private slots:
         dataset = datasetOf(complex, linearValues(complex));
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(totalVolume6(*dataset), 6.0 * 27);
-        QVERIFY(remarksOf(*dataset).contains("6 tetrahedra were there twice"));
+        QVERIFY(remarksOf(*dataset).contains("6 tetrahedra appeared twice"));
     }
 
     /// C10: parts that touch in an edge, a point or a place of a face are taken as they are, whether a mask made them
@@ -445,7 +445,7 @@ private slots:
         QVERIFY(!dataset.ok());
         const QString text = QString::fromStdString(dataset.error().text());
         QVERIFY2(text.contains("cells are faulty, more than 0.1%. The first is cell"), qPrintable(text));
-        QVERIFY2(text.endsWith("or let more cells be left out, as with '--faulty 5%'."), qPrintable(text));
+        QVERIFY2(text.endsWith("or allow more cells to be left out, as with '--faulty 5%'."), qPrintable(text));
 
         // As many as one says.
         complex.mostFaulty = 0.05;
@@ -508,7 +508,7 @@ private slots:
         QVERIFY2(taken.ok(), taken ? "" : taken.error().text().c_str());
         QCOMPARE(totalVolume6(*taken), referenceVolume6(CellShape::Hexahedron));
         QVERIFY(checkIrregular(*taken).ok());
-        QVERIFY2(remarksOf(*taken).contains("A part of 8 of the 24 points."), qPrintable(remarksOf(*taken)));
+        QVERIFY2(remarksOf(*taken).contains("Part of the data: 8 of the 24 points."), qPrintable(remarksOf(*taken)));
 
         // Around the others they are refused, and counted without the third one.
         complex.region = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(3, 3, 3));
@@ -571,13 +571,13 @@ private slots:
         QTest::newRow("three at a face") << complex << "more than two cells share one of its faces.";
         complex = singleCell(CellShape::Hexahedron);
         complex.corners[3] = 8;
-        QTest::newRow("range") << complex << "Cells name points that do not exist (1 in all, the first is cell 0)";
+        QTest::newRow("range") << complex << "Cells refer to points that do not exist (1 in all, the first is cell 0)";
         complex = singleCell(CellShape::Hexahedron);
         complex.shapes[0] = CellShape::Polyhedron;
-        QTest::newRow("polyhedron") << complex << "Faces of polyhedra have more points than are named";
+        QTest::newRow("polyhedron") << complex << "Faces of polyhedra have more points than are listed";
         complex = singleCell(CellShape::Hexahedron);
         complex.shapes[0] = CellShape::Prism;
-        QTest::newRow("corner count") << complex << "another number of corners";
+        QTest::newRow("corner count") << complex << "the number of corners";
         complex = singleCell(CellShape::Hexahedron);
         complex.positions[2][1] = notANumber;
         QTest::newRow("place") << complex << "not finite";

@@ -125,7 +125,7 @@ private slots:
         const QString wrong = mistakes(mesh, 27 + 18, 64 + 147 - 16);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
         QVERIFY(says(*mesh, "Its 2 zones were put into one mesh, in which no two of them share a face."));
-        QVERIFY2(says(*mesh, "Faces of zones that lie against another zone whose points there are others: 45."),
+        QVERIFY2(says(*mesh, "Faces of zones that meet another zone with different points there: 45."),
                  qPrintable(remarksOf(*mesh)));
     }
 
@@ -142,9 +142,8 @@ private slots:
                                                            zone({3, 9, 3}, ring(20, 8))});
         QVERIFY2(joined.ok(), joined ? "" : joined.error().text().c_str());
         QCOMPARE(joined->remarks.size(), std::size_t(2));
-        QCOMPARE(joined->remarks[1].text(), "Faces of zones that lie against another zone whose points there are "
-                                            "others: 40. The mesh has a seam there, across which it does not hang "
-                                            "together.");
+        QCOMPARE(joined->remarks[1].text(), "Faces of zones that meet another zone with different points there: 40. "
+                                            "The mesh has a seam there, and is not connected across it.");
     }
 
     void apart()

@@ -258,7 +258,7 @@ private slots:
         const QString wrong = mistakes(dataset, 32.0 * cells);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
         QCOMPARE(dataset->pointCount(), joined.positions.size());
-        QVERIFY(says(*dataset, "on the place of another one were merged"));
+        QVERIFY(says(*dataset, "at the same place as another were merged"));
     }
 
     /// Concave cells with straight corners in their faces.
@@ -509,12 +509,12 @@ private slots:
         QTest::addColumn<QString>("text");
         CellComplex complex = oneCell(cubePlaces(), cubeFaces());
         complex.corners[0] = 1000;
-        QTest::newRow("too many points") << complex << "Faces of polyhedra have more points than are named (1 in all";
+        QTest::newRow("too many points") << complex << "Faces of polyhedra have more points than are listed (1 in all";
         complex.corners[0] = std::uint64_t(-1);
-        QTest::newRow("far too many") << complex << "Faces of polyhedra have more points than are named (1 in all";
+        QTest::newRow("far too many") << complex << "Faces of polyhedra have more points than are listed (1 in all";
         complex = oneCell(cubePlaces(), cubeFaces());
         complex.corners[2] = 8;
-        QTest::newRow("no such point") << complex << "Cells name points that do not exist (1 in all";
+        QTest::newRow("no such point") << complex << "Cells refer to points that do not exist (1 in all";
         complex = oneCell(cubePlaces(), cubeFaces());
         complex.positions[5][1] = std::nan("");
         QTest::newRow("no place") << complex << "not finite";

@@ -137,13 +137,13 @@ void ChecksumsTest::sumsThatCannotBeAreRefused_data()
     QTest::addColumn<quint64>("elements"); // of the section; all that there are if more
     QTest::addColumn<QString>("says");
     constexpr quint64 all = ~quint64(0);
-    QTest::newRow("no power of two") << quint64(1000) << all << "chunks of 1000 bytes cannot be";
-    QTest::newRow("small") << quint64(32) << all << "chunks of 32 bytes cannot be";
-    QTest::newRow("large") << quint64(1ull << 31) << all << "chunks of 2147483648 bytes cannot be";
+    QTest::newRow("no power of two") << quint64(1000) << all << "chunks of 1000 bytes are impossible";
+    QTest::newRow("small") << quint64(32) << all << "chunks of 32 bytes are impossible";
+    QTest::newRow("large") << quint64(1ull << 31) << all << "chunks of 2147483648 bytes are impossible";
     QTest::newRow("smaller") << quint64(128 << 10) << all << "section 'chunk checksums' has";
     QTest::newRow("larger") << quint64(1 << 30) << all << "section 'chunk checksums' has";
     QTest::newRow("fewer") << quint64(256 << 10) << quint64(9) << "has 72 bytes instead of";
-    QTest::newRow("none") << quint64(256 << 10) << quint64(0) << "chunks of 0 bytes cannot be";
+    QTest::newRow("none") << quint64(256 << 10) << quint64(0) << "chunks of 0 bytes are impossible";
 }
 
 void ChecksumsTest::sumsThatCannotBeAreRefused()

@@ -95,8 +95,7 @@ private slots:
             QVERIFY(*field == *parseErrorField(means));
             const auto missed = parseErrorField(text);
             QVERIFY(!missed.ok());
-            QVERIFY2(missed.error().text().find(", but there is ';") != std::string::npos,
-                     missed.error().text().c_str());
+            QVERIFY2(missed.error().text().find(", but found ';") != std::string::npos, missed.error().text().c_str());
         }
     }
 
@@ -109,7 +108,7 @@ private slots:
         QTest::newRow("name") << "min(1, ball(1))"
                               << "character 8: expected a number or one of box";
         QTest::newRow("too few") << "box(1,2,3;"
-                                 << "character 10: expected ',', but there is ';'";
+                                 << "character 10: expected ',', but found ';'";
         QTest::newRow("open") << "sum(1, 2"
                               << "character 9: expected ')', but the text ends";
         QTest::newRow("one operand") << "sum(values())"
@@ -123,11 +122,11 @@ private slots:
         QTest::newRow("infinite") << "box(inf"
                                   << "character 5: expected a finite number";
         QTest::newRow("huge") << "1e999"
-                              << "less than 308 digits";
+                              << "fewer than 308 digits";
         QTest::newRow("no normal") << "halfspace(0,0,0,1;1,2)"
                                    << "not all 0";
         QTest::newRow("logarithm of zero") << "values(log10(0):1)"
-                                           << "character 14: expected a number above 0, but there is '0):1)'";
+                                           << "character 14: expected a number above 0, but found '0):1)'";
         QTest::newRow("open logarithm") << "isovalues(log10(1; 1, 2)"
                                         << "character 18: expected ')'";
         QTest::newRow("logarithm of nothing") << "isovalues(log10; 1, 2)"

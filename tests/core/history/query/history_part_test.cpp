@@ -311,16 +311,16 @@ private slots:
             "star offsets of site 29");
         row(
             "last offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets).back() += 1; },
-            "do not fit its tetrahedra");
+            "do not match its tetrahedra");
         row(
             "first offset", [](FileParts& f) { f.elements<std::uint64_t>(SectionId::StarOffsets)[0] = 1; },
-            "do not fit its tetrahedra");
+            "do not match its tetrahedra");
         row(
             "mesh size", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::MeshSizes).back() += 1; },
-            "that they should have");
+            "do not have the expected");
         row(
             "never destroyed", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::Destroyers)[0] = Model::never; },
-            "that they should have");
+            "do not have the expected");
         row(
             "no destroyer", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::Destroyers).back() = ~0u - 1; },
             "does not come after it");
@@ -330,7 +330,7 @@ private slots:
             "does not come after it");
         row(
             "point", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::SitePoints)[12] = 7 * 6 * 5; },
-            "no point of its lattice");
+            "not a point of its lattice");
         row(
             "no mesh", [](FileParts& f) { std::ranges::fill(f.elements<float>(SectionId::SiteRunningKeys), 0.0f); },
             "first sites");

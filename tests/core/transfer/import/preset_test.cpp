@@ -190,8 +190,8 @@ void PresetTest::badFilesAreRefused_data()
     row("no curves", "[{\"Name\": \"bare\"}]", "neither colours nor opacities");
     row("categories", "[{\"Name\": \"cats\", \"IndexedColors\": [0, 0, 1]}]", "categories");
     row("cut points", "[{\"RGBPoints\": [0, 1, 1]}]", "4 for each point");
-    row("text for a number", "[{\"RGBPoints\": [0, 1, 1, \"x\"]}]", "no number");
-    row("too large a number", "[{\"RGBPoints\": [1e999, 1, 1, 1]}]", "no number");
+    row("text for a number", "[{\"RGBPoints\": [0, 1, 1, \"x\"]}]", "not a number");
+    row("too large a number", "[{\"RGBPoints\": [1e999, 1, 1, 1]}]", "not a number");
     row("channel", "[{\"Name\": \"loud\", \"RGBPoints\": [0, 1, 2, 1]}]", "'loud'");
     row("descending", "[{\"RGBPoints\": [1, 0, 0, 0, 0.5, 1, 1, 1]}]", "0.5 comes after 1");
     row("colour space", "[{\"ColorSpace\": \"Lab/CIEDE2000\", \"RGBPoints\": [0, 0, 0, 0]}]", "CIEDE2000");

@@ -305,7 +305,7 @@ private slots:
         std::ofstream(workFolder() / "thesis.txt") << "all of it";
         const Result<BuildReport> report = build(smoothDataset(10), "4", 0);
         QVERIFY(!report.ok());
-        QVERIFY(QString::fromStdString(report.error().text()).contains("it holds something else"));
+        QVERIFY(QString::fromStdString(report.error().text()).contains("it is used for something else"));
         QVERIFY(std::filesystem::exists(workFolder() / "thesis.txt"));
     }
 

@@ -110,7 +110,7 @@ void TransferTableTest::whatIsWrongChangesNothing_data()
     QTest::newRow("no number") << int{Value} << "ten";
     QTest::newRow("infinity") << int{Value} << "inf";
     QTest::newRow("no opacity") << int{Opacity} << "x";
-    QTest::newRow("no colour") << int{Colour} << "no such colour";
+    QTest::newRow("not a colour") << int{Colour} << "no such colour";
     QTest::newRow("group 10") << int{Group} << "10";
     QTest::newRow("group -1") << int{Group} << "-1";
     QTest::newRow("half a group") << int{Group} << "1.5";

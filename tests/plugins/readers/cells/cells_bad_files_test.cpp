@@ -44,14 +44,14 @@ private slots:
         const auto row = [](const char* name, const char* what, const char* by, const char* says) {
             QTest::newRow(name) << what << by << says;
         };
-        row("no XML", "<VTKFile", "<File", "no VTK XML file");
+        row("no XML", "<VTKFile", "<File", "not a VTK XML file");
         row("another kind", "UnstructuredGrid\" v", "ImageData\" v", "ImageData");
         row("type of garbage", "UnstructuredGrid\" v", "Unstruct\1\33[2J\" v", "Unstruct\\x01\\x1b[2J");
         row("array of garbage", "\"heat\" format=\"ascii\"", "\"h\7\" format=\"hex\"", "'h\\x07'");
         row("format of garbage", "\"heat\" format=\"ascii\"", "\"heat\" format=\"\33[m\"", "format '\\x1b[m'");
         row("components of garbage", "NumberOfComponents=\"3\"", "NumberOfComponents=\"\33[m\"", "\\x1b[m components");
         row("another packer", "byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order",
-            "packed by vtkLZ4DataCompressor, and only zlib is read. Save it with zlib");
+            "compressed with vtkLZ4DataCompressor, and only zlib is supported. Save it with zlib");
         row("no piece", "<Piece NumberOfPoints", "<Part NumberOfPoints", "no piece");
         row("no counts", "NumberOfCells=\"2\"", "", "how many points");
         row("negative count", "NumberOfPoints=\"6\"", "NumberOfPoints=\"-6\"", "how many points");
@@ -66,10 +66,10 @@ private slots:
         row("huge offset", ">5 9<", ">5 900000000000<", "too short");
         row("negative corner", "0 1 2 3 4 1 5 2 4", "0 1 2 3 4 1 5 2 -4", "'-4'");
         row("corner beyond", "0 1 2 3 4 1 5 2 4", "0 1 2 3 4 1 6 2 4", "corner 6 of 6");
-        row("corner counts", ">14 10<", ">12 10<", "another number of corners");
+        row("corner counts", ">14 10<", ">12 10<", "the number of corners");
         row("polyhedron", ">14 10<", ">14 42<", "polyhedra");
-        row("another shape", ">14 10<", ">14 78<", "a shape that TAn does not know: Bezier tetrahedra");
-        row("no shape", ">14 10<", ">14 250<", "a shape that TAn does not know: number 250");
+        row("another shape", ">14 10<", ">14 78<", "a shape that TAn does not support: Bezier tetrahedra");
+        row("no shape", ">14 10<", ">14 250<", "a shape that TAn does not support: number 250");
         row("time steps", "<UnstructuredGrid", "<UnstructuredGrid TimeValues=\"0 0.5\"", "several time steps");
         row("cut behind a piece", "</Piece>\n</UnstructuredGrid>\n</VTKFile>", "</Piece>", "damaged or cut short");
         row("cut behind appended data", "</VTKFile>", "<AppendedData encoding=\"raw\">_123",
@@ -109,7 +109,7 @@ private slots:
         row("huge counts", "4 1 1 0 0", "99999999999999 1 1 0 0", "too short");
         row("too large counts", "4 1 1 0 0", "99999999999999999999999 1 1 0 0", "line 1");
         row("more points", "4 1 1 0 0", "5 1 1 0 0", "line 6");
-        row("point twice", "2 1 0 0", "1 1 0 0", "there twice");
+        row("point twice", "2 1 0 0", "1 1 0 0", "appears twice");
         row("short point", "2 1 0 0", "2 1 0", "three coordinates");
         row("no number", "3 0 1 0", "3 0 x 0", "line 4");
         row("unknown shape", "tet", "cone", "shape");

@@ -302,7 +302,7 @@ private slots:
         QVERIFY2(quadratic.ok(), quadratic ? "" : quadratic.error().text().c_str());
         QCOMPARE(*linear->tetrahedra, *quadratic->tetrahedra);
         QCOMPARE(linear->remarks.size(), quadratic->remarks.size() + 1);
-        QVERIFY(linear->remarks[0].text().starts_with("1 cell is called linear"));
+        QVERIFY(linear->remarks[0].text().starts_with("1 cell is declared linear"));
     }
 
     void longIntegers()

@@ -139,7 +139,7 @@ private slots:
         row("tetrahedron, order 1", cellText(71, simplex), 4, 1.0 / 6);
         row("tetrahedron, order 2", cellText(71, withMiddles(simplex, simplexEdges)), 10, 1.0 / 6);
         row("tetrahedron, order 3", cellText(71, withOthers(simplex, 20)), 4, 1.0 / 6,
-            "Of the Lagrange cells of order 3 (1) only the corners were used");
+            "For the Lagrange cells of order 3 (1) only the corners were used");
         row("hexahedron, order 1", cellText(72, cube), 8, 1);
         row("hexahedron, order 2", cellText(72, cube27), 27, 1);
         std::vector<std::size_t> exchanged(27);
@@ -147,20 +147,20 @@ private slots:
             exchanged[i] = i == 18 ? 19 : i == 19 ? 18 : i;
         row("hexahedron, order 2, of an old file", cellText(72, cube27, "1.0", exchanged), 27, 1);
         row("hexahedron, order 4", cellText(72, withOthers(cube, 125)), 8, 1,
-            "Of the Lagrange cells of order 4 (1) only the corners were used");
+            "For the Lagrange cells of order 4 (1) only the corners were used");
         row("hexahedron of several orders", cellText(72, withOthers(cube, 12)), 8, 1,
-            "Of the Lagrange cells that are not of one order in all directions (1) only the corners were used");
+            "For the Lagrange cells whose order differs by direction (1) only the corners were used");
         row("wedge, order 1", cellText(73, wedge), 6, 0.5);
         row("wedge, order 2, 15 nodes", cellText(73, withMiddles(wedge, wedgeEdges)), 15, 0.5);
         const Places wedge18 = withMiddles(wedge, wedgeEdges, {{.5, 0, .5}, {.5, .5, .5}, {0, .5, .5}});
         row("wedge, order 2, 18 nodes", cellText(73, wedge18), 15, 0.5,
-            "Nodes in the faces of quadratic cells were not used: those of 1 cells.");
+            "Nodes in the faces of quadratic cells were not used: in 1 cells.");
         VtuText degrees = cellText(73, wedge18);
         degrees.cellData = array("HigherOrderDegrees", "Float64", "1 1 5", "NumberOfComponents=\"3\"");
-        row("wedge of several orders", degrees, 6, 0.5, "not of one order in all directions (1)");
+        row("wedge of several orders", degrees, 6, 0.5, "whose order differs by direction (1)");
         row("pyramid, order 1", cellText(74, pyramid), 5, 1.0 / 3);
         row("pyramid, order 2", cellText(74, withOthers(pyramid, 14)), 5, 1.0 / 3,
-            "Of the Lagrange cells of order 2 (1) only the corners were used");
+            "For the Lagrange cells of order 2 (1) only the corners were used");
         row("biquadratic wedge", cellText(32, wedge18), 15, 0.5, "Nodes in the faces of quadratic cells");
         row("biquadratic hexahedron",
             cellText(33, withMiddles(cube, cubeEdges, {{.5, 0, .5}, {1, .5, .5}, {.5, 1, .5}, {0, .5, .5}})), 20, 1,
@@ -218,10 +218,10 @@ private slots:
             const auto mesh = read(text.text());
             return mesh ? QString() : QString::fromStdString(mesh.error().text());
         };
-        QVERIFY(mistake(cellText(79, cube)).contains("does not know: Bezier hexahedra. Divide"));
-        QVERIFY(mistake(cellText(78, simplex)).contains("does not know: Bezier tetrahedra. Divide"));
-        QVERIFY(mistake(cellText(41, simplex)).contains("does not know: convex point sets. Divide"));
-        QVERIFY(mistake(cellText(250, simplex)).contains("does not know: number 250. Divide"));
+        QVERIFY(mistake(cellText(79, cube)).contains("does not support: Bezier hexahedra. Divide"));
+        QVERIFY(mistake(cellText(78, simplex)).contains("does not support: Bezier tetrahedra. Divide"));
+        QVERIFY(mistake(cellText(41, simplex)).contains("does not support: convex point sets. Divide"));
+        QVERIFY(mistake(cellText(250, simplex)).contains("does not support: number 250. Divide"));
         QVERIFY(mistake(cellText(72, simplex)).contains("a cell has 4 points, and its shape needs 8"));
         QVERIFY(mistake(cellText(32, wedge)).contains("a cell has 6 points, and its shape needs 18"));
         QVERIFY(mistake(cellText(42, cube)).contains("it has polyhedra, but not their faces"));
@@ -391,7 +391,7 @@ private slots:
         const auto mesh = read(text);
         QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
         QCOMPARE(mesh->source.leftOut.size(), std::size_t(1));
-        QCOMPARE(mesh->source.leftOut[0].text(), std::string("It says that it is of the time 0.25."));
+        QCOMPARE(mesh->source.leftOut[0].text(), std::string("It states the time 0.25."));
         QVERIFY(probe(text)->leftOut == mesh->source.leftOut);
     }
 

@@ -110,7 +110,7 @@ private slots:
         const auto dataset = asLoaded<CellsReader>().read(path, {}, {});
         QVERIFY(dataset.ok());
         QCOMPARE(dataset->remarks.size(), 2);
-        QVERIFY(dataset->remarks[0].text().starts_with("1 cell names a corner twice"));
+        QVERIFY(dataset->remarks[0].text().starts_with("1 cell uses a corner twice"));
         QVERIFY(dataset->remarks[1].text().starts_with("12924 cells had inverted orientation and were corrected"));
     }
 };

@@ -219,7 +219,7 @@ private slots:
         const Dataset dataset = expect(second, steps<double>(60, 60, 1), TakenPart::TimeStep, time.toStdString());
         QCOMPARE(takenOf(dataset.source.taken, TakenPart::Channel), channel.toStdString());
         expect({}, steps<double>(60, 0, 1), TakenPart::Array, "");
-        refuse({{"time", std::int64_t(3)}}, "and number 3 was asked for.");
+        refuse({{"time", std::int64_t(3)}}, "and number 3 was requested.");
     }
 
     void fewEntriesAtTheEndAreComponents()
@@ -289,7 +289,8 @@ private slots:
         const Dataset zeros = read({{"array", std::string("/zeros")}});
         QCOMPARE(zeros.values.at(1), 2.);
         QCOMPARE(zeros.values.at(63), 0.);
-        QCOMPARE(takenOf(zeros.source.taken, TakenPart::Fill), std::string("0 in 7 of 8 chunks, which nobody wrote ?"));
+        QCOMPARE(takenOf(zeros.source.taken, TakenPart::Fill),
+                 std::string("0 in 7 of 8 chunks, which were never written ?"));
         const Dataset given = read({{"array", std::string("/given")}});
         QCOMPARE(given.values.at(1), 2.);
         QCOMPARE(given.values.notFiniteCount(), std::uint64_t(56));

@@ -250,7 +250,7 @@ private slots:
         const auto bare = builtHdf5Reader().read(path(), {}, {});
         QVERIFY(bare.ok());
         QCOMPARE(bare->lattice.spacing, Eigen::Vector3d(1, 1, 1));
-        QVERIFY(textOf(bare->remarks).find("does not tell its spacing") != std::string::npos);
+        QVERIFY(textOf(bare->remarks).find("does not state its spacing") != std::string::npos);
     }
 
 private:
@@ -269,7 +269,7 @@ private:
     {
         const auto dataset = builtHdf5Reader().read(path(), {{"spacing", std::string("1x1x1")}}, {});
         QVERIFY(!dataset.ok());
-        QVERIFY(dataset.error().text().find("it tells its spacing itself") != std::string::npos);
+        QVERIFY(dataset.error().text().find("it states its spacing itself") != std::string::npos);
     }
 
     Hdf5Folder folder_;

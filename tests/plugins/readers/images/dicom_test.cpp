@@ -146,7 +146,7 @@ private slots:
         QVERIFY(dataset->domain == DomainClass::Curvilinear);
         QVERIFY(distance(*dataset) < 1e-3);
         QVERIFY2(allText(dataset->remarks).find("1 slice is missing between the others.") != std::string::npos &&
-                     allText(dataset->remarks).find("behind slice 3") != std::string::npos,
+                     allText(dataset->remarks).find("after slice 3") != std::string::npos,
                  allText(dataset->remarks).c_str());
     }
 
@@ -218,7 +218,7 @@ private slots:
         QCOMPARE(takenOf(bone->source.taken, TakenPart::Series),
                  std::string("series: 2 of 2: Bone (SeriesNumber 5, CT, 6 pictures)"));
         QCOMPARE(allText(bone->source.leftOut),
-                 std::string("Beside it lies series 1: Thorax, native (SeriesNumber 2, CT, 6 pictures).\n"));
+                 std::string("Next to it is series 1: Thorax, native (SeriesNumber 2, CT, 6 pictures).\n"));
         const auto none = readFile(one, {{"series", std::string("5")}});
         QVERIFY(!none.ok());
         QVERIFY2(none.error().text().find("1: Thorax, native (SeriesNumber 2, CT, 6 pictures); 2: Bone (Series") !=
@@ -288,7 +288,7 @@ private slots:
         folder.write("twice.dcm", dicomFile(twice.elements([](const Eigen::Vector3d&) { return 0; })));
         const auto dataset = readFile(path);
         QVERIFY(!dataset.ok());
-        QVERIFY2(dataset.error().text().find("lie on one place") != std::string::npos, dataset.error().text().c_str());
+        QVERIFY2(dataset.error().text().find("lie at one place") != std::string::npos, dataset.error().text().c_str());
     }
 
     void valuesAreScaled()

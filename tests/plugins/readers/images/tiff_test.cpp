@@ -188,7 +188,7 @@ private slots:
             const auto none = readFile(path, wrong);
             QVERIFY(!none.ok() && none.error().kind == ErrorKind::WrongUsage);
             const char* told =
-                wrong.contains("channel") ? "'DAPI', 'GFP'" : "it has one time step, and number 2 was asked for";
+                wrong.contains("channel") ? "'DAPI', 'GFP'" : "it has one time step, and number 2 was requested";
             QVERIFY2(none.error().text().find(told) != std::string::npos, none.error().text().c_str());
         }
     }

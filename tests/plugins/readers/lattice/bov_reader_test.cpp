@@ -113,7 +113,7 @@ private slots:
         const auto skipped = read(bov("BYTE_OFFSET: 3\n"), "abc" + numbers + "the end");
         QVERIFY2(skipped, text_);
         QVERIFY(distanceFromWorld(*skipped, 1) < 1e-5);
-        QVERIFY(sentences(skipped->source.leftOut).contains("7 bytes behind"));
+        QVERIFY(sentences(skipped->source.leftOut).contains("7 bytes after"));
         QVERIFY(!folder_.write("brick0000.values", numbers).empty());
         for (const char* const brick : {"", "DATA_BRICKLETS: 4 5 6\n"}) {
             const auto pattern = read(bov(QByteArray("DATA_FILE: brick%04d.values\n") + brick), "");
@@ -220,7 +220,7 @@ private slots:
     {
         QVERIFY(!folder_.write("volume.values", countingBytes<float>(std::endian::little)).empty());
         const auto path = folder_.write("volume.bov", bov(""));
-        QCOMPARE(refusalFault(path, {"tells its spacing itself"}, {{"spacing", std::string("1x1x1")}}), QByteArray());
+        QCOMPARE(refusalFault(path, {"states its spacing itself"}, {{"spacing", std::string("1x1x1")}}), QByteArray());
         QCOMPARE(refusalFault(path, {"'--type'"}, {{"type", std::string("float")}}), QByteArray());
         QVERIFY(readFormat(path, text_, {{"unit", std::string("m")}, {"array", std::string("density")}}));
     }

@@ -189,8 +189,8 @@ private slots:
     {
         const WorldVolume world;
         const QByteArray file = cubeHeader(world, {}) + world.lastFastest(textNumber);
-        QCOMPARE(refusal(file, {"tells its spacing itself"}, {{"spacing", std::string("1x1x1")}}), QByteArray());
-        QCOMPARE(refusal(file, {"tells its unit itself"}, {{"unit", std::string("nm")}}), QByteArray());
+        QCOMPARE(refusal(file, {"states its spacing itself"}, {{"spacing", std::string("1x1x1")}}), QByteArray());
+        QCOMPARE(refusal(file, {"states its unit itself"}, {{"unit", std::string("nm")}}), QByteArray());
         QCOMPARE(refusal(file, {"one number for each sample"}, {{"component", std::string("1")}}), QByteArray());
     }
 

@@ -303,7 +303,7 @@ private slots:
         row("an offset beyond the end",
             grid + dxArray(120, "float", "lsb binary data 18446744073709551615\n") + dxField, {"only 0 bytes"});
         row("no place", grid + dxArray(120, "float", "") + dxField, {"where its data are"});
-        row("nothing behind 'data'", grid + dxArray(120, "byte", "binary data"), {"behind 'data'"});
+        row("nothing behind 'data'", grid + dxArray(120, "byte", "binary data"), {"after 'data'"});
         row("a place that is none", grid + dxArray(120, "float", "data here\n") + dxField, {"'here'"});
         row("items that are none", grid + "object 3 class array items many data follows\n" + text, {"'many'"});
         row("a file that is not there", grid + dxArray(120, "float", "data file missing.bin,0\n") + dxField,

@@ -177,7 +177,7 @@ private slots:
         const auto both =
             read(worldImage(turned(1, 0), spacing, origin, {}, "Position = 0 0 0\nElementSize = 9 9 9\n"));
         QVERIFY(both.ok() && distanceFromWorld(*both, 10) < 1e-4);
-        QVERIFY(says(both->source.leftOut, "Offset was taken, and Position (0 0 0) was not"));
+        QVERIFY(says(both->source.leftOut, "Offset was used, and Position (0 0 0) was not"));
     }
 
     /// Few digits in a header make lengths that are not quite 1; places are those of the numbers. ITK mirrors where
@@ -215,7 +215,7 @@ private slots:
         QCOMPARE(dataset->lengthUnit, std::string("um"));
         QCOMPARE(dataset->remarks.size(), std::size_t(contradicts ? 1 : 0));
         if (contradicts)
-            QVERIFY(says(dataset->remarks, "'RPI', which by its matrix is 'RAI'"));
+            QVERIFY(says(dataset->remarks, "'RPI', but by its matrix it is 'RAI'"));
     }
 
     void theUserSaysWhatTheFileDoesNot()
@@ -378,7 +378,7 @@ private slots:
         QByteArray bare = metaHeader("") + samples;
         bare.remove(bare.indexOf("BinaryDataByteOrderMSB"), QByteArray("BinaryDataByteOrderMSB = False\n").size());
         QVERIFY(says(read(bare)->remarks, "little endian"));
-        QVERIFY(says(read(metaHeader("") + samples + "xyz")->source.leftOut, "3 bytes behind its samples"));
+        QVERIFY(says(read(metaHeader("") + samples + "xyz")->source.leftOut, "3 bytes after its samples"));
     }
 
     void refusalsAreTrue_data()
@@ -416,9 +416,9 @@ private slots:
         row("another header size", "HeaderSize = -2\n", "HeaderSize is '-2'");
         row("a missing file", "", "its data file 'no where.raw' is missing", "no where.raw");
         row("no file", "", "its data file '' is missing", "");
-        row("a file with a zero in its name", "", "characters that no name should have", QByteArray("a\0b", 3));
+        row("a file with a zero in its name", "", "characters that no name should contain", QByteArray("a\0b", 3));
         row("a series of too few", "", "for each of its 5 layers", "slice%d.raw 1 4 1");
-        row("a series without a number", "", "no name with a number", "slice%s.raw 1 5 1");
+        row("a series without a number", "", "not a name with a number", "slice%s.raw 1 5 1");
         row("a series without end", "DimSize = 3 4 2000000000\n", "names 2000000000 files", "slice%d.raw");
         row("a list of too few", "", "names 0", "LIST");
         QTest::newRow("no image") << QByteArray("ObjectType = Tube\nNDims = 3\nElementDataFile = LOCAL\n")

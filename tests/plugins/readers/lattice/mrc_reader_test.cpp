@@ -145,7 +145,7 @@ private slots:
         const auto both = read(mrcHeader(fields) + worldOf(Eigen::Matrix3d::Identity(), origin));
         QVERIFY(both.ok() && distanceFromWorld(*both, 10) < 1e-5);
         QCOMPARE(takenOf(both->source.taken, TakenPart::Frame), std::string("frame: ORIGIN (a guess)"));
-        QVERIFY(says(both->source.leftOut, "(7, 0, 0) the first sample would lie at 7, 0, 0; its ORIGIN was taken"));
+        QVERIFY(says(both->source.leftOut, "(7, 0, 0) the first sample would lie at 7, 0, 0; its ORIGIN was used"));
         fields.origin = {7, 0, 0}; // they agree
         QVERIFY(read(mrcHeader(fields) + testSamples(SampleType::Float32))->source.leftOut.empty());
         fields.start = {};
@@ -156,7 +156,8 @@ private slots:
         const auto contents = probe(mrcHeader(fields) + testSamples(SampleType::Float32));
         QVERIFY(contents.ok() && takenOf(contents->taken, TakenPart::Frame) == "frame: ORIGIN");
         fields.origin = {std::numeric_limits<float>::quiet_NaN(), 0, 0};
-        QVERIFY(says(read(mrcHeader(fields) + testSamples(SampleType::Float32))->source.leftOut, "no finite number"));
+        QVERIFY(
+            says(read(mrcHeader(fields) + testSamples(SampleType::Float32))->source.leftOut, "not a finite number"));
     }
 
     void everyModeInBothOrders()
@@ -242,7 +243,7 @@ private slots:
         }
         const auto noAxes = read(mrcHeader({.axes = {0, 0, 0}, .stamp = QByteArray(4, '\0')}) + samples);
         QVERIFY(noAxes.ok() && noAxes->lattice.isAlongAxes());
-        QVERIFY(says(read(mrcHeader({.axes = {1, 1, 3}}) + samples)->source.leftOut, "which cannot be"));
+        QVERIFY(says(read(mrcHeader({.axes = {1, 1, 3}}) + samples)->source.leftOut, "which is impossible"));
         QVERIFY(says(read(mrcHeader({.angles = {10, 10, 170}}) + samples)->source.leftOut, "which no cell has"));
         const auto noAngles = read(mrcHeader({.angles = {0, 0, 0}}) + samples);
         QVERIFY(noAngles.ok() && noAngles->lattice.isAlongAxes() && noAngles->source.leftOut.empty());
@@ -281,7 +282,7 @@ private slots:
             mrcHeader({.mode = 1, .extension = QByteArray(80, ' ')}) + testSamples(SampleType::Int16);
         for (qsizetype size = 0; size<file.size(); size += size> 1000 ? 1 : 7)
             QVERIFY2(!read(file.first(size)).ok(), QByteArray::number(size));
-        QVERIFY(says(read(file + "xyz")->source.leftOut, "3 bytes behind its samples"));
+        QVERIFY(says(read(file + "xyz")->source.leftOut, "3 bytes after its samples"));
     }
 
     void packedMapsOpen()

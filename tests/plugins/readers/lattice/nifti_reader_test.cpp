@@ -138,7 +138,7 @@ private slots:
         const auto bare = read(niftiHeader(flat) + worldOf(steps, {0, 0, 0}));
         QVERIFY2(bare.ok(), bare.ok() ? "" : bare.error().text().c_str());
         QVERIFY(distanceFromWorld(*bare, 10) < 1e-4);
-        QVERIFY(bare->space.empty() && says(bare->source.leftOut, "sform leads nowhere"));
+        QVERIFY(bare->space.empty() && says(bare->source.leftOut, "sform is unusable"));
         QCOMPARE(takenOf(bare->source.taken, TakenPart::Frame),
                  std::string("frame: distances alone (pixdim) (a guess)"));
         flat.qform = 2;
@@ -363,13 +363,13 @@ private slots:
         row("more than any file", {.version = 2, .dim = {7, 3, 4, 5, 1 << 30, 1 << 30, 1 << 30, 1 << 30}},
             "more samples than any file");
         row("huge", {.version = 2, .dim = {3, 1LL << 62, 4, 5, 1, 1, 1, 1}}, "points");
-        QTest::newRow("text") << QByteArray(400, 'x') << QByteArray("does not begin as the headers of NIfTI");
+        QTest::newRow("text") << QByteArray(400, 'x') << QByteArray("does not begin like a header of NIfTI");
         QTest::newRow("short") << QByteArray("n+1") << QByteArray("it has 3 bytes");
         QByteArray early = niftiHeader({}) + samples;
         early.replace(108, 4, numberBytes(100.F));
         QTest::newRow("samples in the header") << early << QByteArray("begin at byte 100");
         early.replace(108, 4, numberBytes(std::numeric_limits<float>::quiet_NaN()));
-        QTest::newRow("samples nowhere") << early << QByteArray("where they cannot be");
+        QTest::newRow("samples nowhere") << early << QByteArray("which is impossible");
     }
     void refusalsAreTrue()
     {
@@ -388,7 +388,7 @@ private slots:
         for (qsizetype size = 0; size < file.size(); ++size)
             QVERIFY2(!read(file.first(size)).ok(), QByteArray::number(size));
         const auto longer = read(file + "xyz");
-        QVERIFY(longer.ok() && says(longer->source.leftOut, "3 bytes behind its samples were not read."));
+        QVERIFY(longer.ok() && says(longer->source.leftOut, "3 bytes after its samples were not read."));
         QVERIFY(probe(file + "xyz")->leftOut == longer->source.leftOut);
     }
 

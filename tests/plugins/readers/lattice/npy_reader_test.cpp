@@ -107,7 +107,7 @@ private slots:
             QByteArray taken;
         };
         const QByteArray guess = "places: the array's dimensions are x, y, z; give '--axes zyx' if they are z, y, x, "
-                                 "as those of stacks of images are (a guess)\n";
+                                 "as in stacks of images (a guess)\n";
         const ParameterValues firstIsX = {{"axes", std::string("xyz")}};
         const std::vector<Way> ways = {
             {"(35, 18, 21)", lastFastest, false, {}, guess},
@@ -245,7 +245,7 @@ private slots:
             read(npy(dictionaryOf("|u1", "(3, 4, 5)", true), counting<std::uint8_t>(std::endian::little) + "second"));
         QVERIFY2(dataset, text_);
         QVERIFY(holdsTestSamples(dataset->values));
-        QVERIFY(sentences(dataset->source.leftOut).contains("6 bytes behind"));
+        QVERIFY(sentences(dataset->source.leftOut).contains("6 bytes after"));
     }
 
     void refuses_data()
@@ -270,7 +270,7 @@ private slots:
         row("a later version", npy(dictionaryOf("|u1", "(5, 4, 3)"), numbers, 4), {"version 4"});
         row("a header that is cut", npy(dictionaryOf("|u1", "(5, 4, 3)"), "").left(50), {"cut short"});
         row("an endless header", QByteArray("\x93NUMPY\x02\x00\xff\xff\xff\xff{", 13), {"cut short"});
-        type("objects", "|O", {"objects of Python", "astype"});
+        type("objects", "|O", {"Python objects", "astype"});
         type("texts", "<U5", {"'<U5'", "astype"});
         type("dates", "<M8[ns]", {"'<M8[ns]'"});
         type("long doubles", "<f16", {"'<f16'", "astype"});
@@ -313,7 +313,8 @@ private slots:
     {
         const auto path = write(npy(dictionaryOf("|u1", "(5, 4, 3)"), counting<std::uint8_t>(std::endian::little)));
         QCOMPARE(refusalFault(path, {"'--size'"}, {{"size", std::string("3x4x5")}}), QByteArray());
-        QCOMPARE(refusalFault(path, {"'pressure'", "single one"}, {{"array", std::string("pressure")}}), QByteArray());
+        QCOMPARE(refusalFault(path, {"'pressure'", "only one array"}, {{"array", std::string("pressure")}}),
+                 QByteArray());
         QCOMPARE(refusalFault(path, {"one number for each sample"}, {{"component", std::string("1")}}), QByteArray());
         QCOMPARE(refusalFault(path, {"Give three numbers"}, {{"spacing", std::string("1x2")}}), QByteArray());
         QVERIFY(readFormat(path, text_, {{"array", std::string()}, {"component", std::string("magnitude")}}));

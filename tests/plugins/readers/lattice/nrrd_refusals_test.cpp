@@ -62,7 +62,7 @@ void NrrdRefusalsTest::ofFiles_data()
         row(name, nrrdHeader("").chopped(1) + lastLines, words);
     };
     row("empty", "", {"empty"});
-    row("no NRRD", "P5 3 4 255\n", {"no NRRD file"});
+    row("no NRRD", "P5 3 4 255\n", {"not an NRRD file"});
     row("a later version", "NRRD0006\n\n", {"version", "NRRD0006"});
     row("no version", "NRRD000\n\n", {"version"});
     row("no end of the header", "NRRD0004\n" + QByteArray("# long\n").repeated(200000), {"header does not end"});
@@ -82,7 +82,7 @@ void NrrdRefusalsTest::ofFiles_data()
 
     fields("unknown type", "type: quaternion\n", {"'quaternion'", "uint8"});
     fields("block", "type: block\nblock size: 4\n", {"block"});
-    fields("unknown endian", "type: short\nendian: middle\n", {"middle", "little and big"});
+    fields("unknown endian", "type: short\nendian: middle\n", {"middle", "little or big"});
     fields("hex", "encoding: hex\n", {"'hex'", "gzip"});
     fields("bzip2", "encoding: bzip2\n", {"'bzip2'", "gzip"});
     list("list of files that is empty", "data file: LIST\n", {"names of 0 files", "line of its own"});
@@ -91,7 +91,7 @@ void NrrdRefusalsTest::ofFiles_data()
     list("list of files of too many", "data file: LIST 4\n", {"from 1 to 3"});
     list("list of a name that cannot be", "data file: LIST 3\nsamples.\x01w\n", {"'samples.\\x01w'", "Correct it"});
     fields("control characters in a name", "data file: samples.\x01w\n", {"'samples.\\x01w'", "Correct it"});
-    fields("pattern of too few files", "data file: slice%03d.raw 1 4 1\n", {"names 4 files", "sizes ask for"});
+    fields("pattern of too few files", "data file: slice%03d.raw 1 4 1\n", {"names 4 files", "sizes require"});
     fields("pattern of endless files", "data file: slice%03d.raw 1 1000000000 1\n", {"names 1000000000 files"});
     fields("pattern of more files than there are", "sizes: 3 4 300000\ndata file: slice%d.raw 1 300000 1\n",
            {"names 300000 files", "fewer"});
@@ -123,7 +123,7 @@ void NrrdRefusalsTest::ofFiles_data()
     fields("some spacings", "spacings: 1 nan 1\n", {"some axes"});
     fields("zero spacing", "spacings: 1 0 1\n", {"positive"});
     fields("spacing not a number", "spacings: 1 1mm 1\n", {"spacings: 1 1mm 1"});
-    fields("spacing too small", "spacings: 1 1 1e-30\naxis mins: 0 0 1e10\n", {"fall together"});
+    fields("spacing too small", "spacings: 1 1 1e-30\naxis mins: 0 0 1e10\n", {"coincide"});
     fields("spacing too large", "spacings: 1 1 1e308\n", {"finite"});
     fields("directions alike", "space directions: (1,0,0) (1,0,0) (0,0,1)\n", {"in a plane"});
     fields("directions in a plane", "space directions: (1,0,0) (1,1,0) (2,-3,0)\n", {"in a plane"});
@@ -134,8 +134,7 @@ void NrrdRefusalsTest::ofFiles_data()
     fields("directions too long", "space directions: (1e308,1e308,0) (0,1,0) (0,0,1)\n", {"finite"});
     fields("directions too short", "space directions: (1e-320,1e-320,0) (0,1,0) (0,0,1)\nspace origin: (1,1,1)\n",
            {"too large or small"});
-    fields("origin too far", "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1e17,0,0)\n",
-           {"fall together"});
+    fields("origin too far", "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1e17,0,0)\n", {"coincide"});
     fields("directions of a plane", "space directions: (1,0) (0,1) (1,1)\n", {"three numbers"});
     fields("too few directions", "space directions: (1,0,0) (0,1,0)\n", {"3 axes"});
     fields("some directions", "space directions: (1,0,0) none (0,0,1)\n", {"some axes"});

@@ -295,7 +295,7 @@ private slots:
             QVERIFY(distanceFromLinear(*dataset, 0) < 1e-12);
             QCOMPARE(takenOf(dataset->source.taken, TakenPart::Fill),
                      isNamed ? std::string("-1")
-                             : "9.96921e+36, with which the NetCDF library fills what nobody wrote ?");
+                             : "9.96921e+36, with which the NetCDF library fills what was never written ?");
             const auto nothing = builtNetCdfReader().read(path(), {{"array", std::string("step")}}, {});
             QVERIFY(!nothing.ok());
             QVERIFY2(nothing.error().text().find("finite") != std::string::npos, nothing.error().text().c_str());
@@ -413,8 +413,8 @@ private slots:
         QTest::addColumn<int>("which");
         QTest::addColumn<QString>("words");
         QTest::newRow("no values") << 0 << "it is a mesh without results";
-        QTest::newRow("a node that is not there") << 1 << "names number 9, and there are 8";
-        QTest::newRow("a shape that is not known") << 2 << "of a shape that TAn does not know: FOO";
+        QTest::newRow("a node that is not there") << 1 << "contains number 9, and there are 8";
+        QTest::newRow("a shape that is not known") << 2 << "of a shape that TAn does not support: FOO";
         QTest::newRow("values that are not there") << 3 << "has no values of it";
     }
     void refusals()

@@ -48,14 +48,14 @@ private slots:
     {
         QTest::addColumn<int>("which");
         QTest::addColumn<QString>("words");
-        QTest::newRow("not NetCDF") << 0 << "does not begin as NetCDF files do";
+        QTest::newRow("not NetCDF") << 0 << "does not begin like a NetCDF file";
         QTest::newRow("two dimensions") << 1 << "'sst' (time, lat, lon)";
         QTest::newRow("one level") << 2 << "'t' (level, lat, lon)";
         QTest::newRow("text") << 3 << "'names' (z, y, x)";
         QTest::newRow("UGRID") << 4 << "conventions UGRID";
         QTest::newRow("MPAS") << 5 << "conventions MPAS";
         QTest::newRow("no time step") << 6 << "nothing was written along its dimension 'time'";
-        QTest::newRow("coordinates alone") << 7 << "no variables but coordinates";
+        QTest::newRow("coordinates alone") << 7 << "no variables other than coordinates";
         QTest::newRow("empty") << 8 << "it is empty";
     }
     void reasonsAreTrue()

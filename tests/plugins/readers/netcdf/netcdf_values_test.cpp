@@ -192,7 +192,7 @@ private slots:
             QCOMPARE(holesOf(*dataset), isUnfilled != 0 ? std::vector<int>() : std::vector<int>{8});
             QCOMPARE(takenOf(dataset->source.taken, TakenPart::Fill),
                      isUnfilled != 0 ? std::string()
-                                     : "9.96921e+36, with which the NetCDF library fills what nobody wrote ?");
+                                     : "9.96921e+36, with which the NetCDF library fills what was never written ?");
         }
     }
 

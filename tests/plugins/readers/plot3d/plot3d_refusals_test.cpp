@@ -46,7 +46,7 @@ void Plot3dRefusalsTest::refuses_data()
     const auto row = [&](const char* name, const QByteArray& gridFile, const QByteArray& solutionFile,
                          const char* says) { QTest::newRow(name) << gridFile << solutionFile << QString(says); };
     row("empty", {}, solution, "is empty");
-    row("a sentence", "This is a grid.", solution, "no PLOT3D file");
+    row("a sentence", "This is a grid.", solution, "not a PLOT3D file");
     row("cut short", grid.chopped(1), solution, "cut short");
     row("cut solution", grid, solution.chopped(1), "cut short");
     row("another's solution", grid, testFile({.marks = true, .multiGrid = true, .grids = 2}, true), "another grid");
@@ -87,8 +87,8 @@ void Plot3dRefusalsTest::refuses_data()
         file.endRecord();
         return file.bytes();
     };
-    row("no number", filled(3, false, NAN, false), solution, "position of point (0, 3, 2)");
-    row("infinite", filled(3, false, INFINITY, false), solution, "position of point (0, 3, 2)");
+    row("no number", filled(3, false, NAN, false), solution, "point (0, 3, 2) has an invalid");
+    row("infinite", filled(3, false, INFINITY, false), solution, "point (0, 3, 2) has an invalid");
     row("one place", filled(3, false, 2, true), solution, "no cell has a volume");
     const auto sized = [](std::initializer_list<std::int32_t> numbers) {
         Plot3dBytes file(Plot3dStyle{});
@@ -97,15 +97,15 @@ void Plot3dRefusalsTest::refuses_data()
         file.endRecord();
         return file.bytes() + QByteArray(720, '\1');
     };
-    row("negative size", sized({-3, 4, 5}), solution, "no PLOT3D file");
-    row("no points", sized({3, 0, 5}), solution, "no PLOT3D file");
+    row("negative size", sized({-3, 4, 5}), solution, "not a PLOT3D file");
+    row("no points", sized({3, 0, 5}), solution, "not a PLOT3D file");
     row("overflow of the product", sized({0x7fffffff, 0x7fffffff, 0x7fffffff}), solution, "PLOT3D");
     row("more bytes than 64 bits count", sized({0x10000, 0x10000, 0x7fffffff}), solution, "PLOT3D");
     row("gigabytes that are not there", sized({1000, 1000, 1000}), solution, "cut short");
     row("thousands of millions of grids", sized({0x7fffffff, 3, 4, 5}), solution, "PLOT3D");
-    row("a negative number of grids", sized({-1, 3, 4, 5}), solution, "no PLOT3D file");
-    row("one byte", "x", solution, "no PLOT3D file");
-    row("nothing but zeros", QByteArray(400, '\0'), solution, "no PLOT3D file");
+    row("a negative number of grids", sized({-1, 3, 4, 5}), solution, "not a PLOT3D file");
+    row("one byte", "x", solution, "not a PLOT3D file");
+    row("nothing but zeros", QByteArray(400, '\0'), solution, "not a PLOT3D file");
     row("nothing varies", grid, filled(5, true, 0, true), "nothing to see");
 }
 

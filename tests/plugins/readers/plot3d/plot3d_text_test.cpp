@@ -143,21 +143,21 @@ private slots:
         const QByteArray lines = grid.left(grid.indexOf('\n', grid.size() / 2) + 1);
         row("cut after a line", lines, solution, "grid of 3 x 4 x 5 points, which takes 183 numbers or more, and has");
         row("cut after a line, what to do", lines, solution, "it is cut short. Copy the file again.");
-        row("cut within a number", grid.left(grid.lastIndexOf('.')), solution, "right behind its last number");
+        row("cut within a number", grid.left(grid.lastIndexOf('.')), solution, "directly after its last number");
         row("cut solution", grid, solution.left(solution.indexOf('\n', 400) + 1), "takes 307 numbers");
         row("a number too many", grid + "1\n", solution, "fits no kind of PLOT3D file");
-        row("a word", with(grid, " 0.125", " 0.1Z5"), solution, "'0.1Z5' in line 3 is no number");
+        row("a word", with(grid, " 0.125", " 0.1Z5"), solution, "'0.1Z5' in line 3 is not a number");
         row("two numbers in one", with(grid, " 0.125", " 0.12-5.5"), solution, "'0.12-5.5'");
         row("too large a number", with(grid, " 0.125", " 1e999"), solution, "'1e999'");
         row("no count", with(grid, " 0.125", " 0*0.125"), solution, "'0*0.125'");
         row("a null", with(grid, " 0.125", " 1*"), solution, "'1*'");
-        row("no position", with(grid, " 0.125", " nan"), solution, "position of point");
+        row("no position", with(grid, " 0.125", " nan"), solution, "has an invalid or extremely large position");
         row("another's solution", grid, testText({.multiGrid = true, .grids = 2}, true), "another grid");
         row("two-dimensional", "3 2\n1 2 3 1 2 3 1 1 1 2 2 2\n", solution, "two-dimensional");
-        row("sizes that are none", "3.5 4 5\n" + QByteArray("1 ").repeated(180) + "\n", solution, "no PLOT3D file");
-        row("a huge size", "3000000000 4 5\n1 2 3\n", solution, "no PLOT3D file");
-        row("sizes without an end", "1000000 1000 1000\n1 2 3\n", solution, "no PLOT3D file");
-        row("one number", "7\n", solution, "no PLOT3D file");
+        row("sizes that are none", "3.5 4 5\n" + QByteArray("1 ").repeated(180) + "\n", solution, "not a PLOT3D file");
+        row("a huge size", "3000000000 4 5\n1 2 3\n", solution, "not a PLOT3D file");
+        row("sizes without an end", "1000000 1000 1000\n1 2 3\n", solution, "not a PLOT3D file");
+        row("one number", "7\n", solution, "not a PLOT3D file");
         row("more grids than sizes", "9999 3 4 5\n", solution, "only the beginning of a grid");
     }
     void refuses()

@@ -155,8 +155,8 @@ private slots:
         row("ERDDAP",
             "time,latitude,longitude,depth,sea_temp\nUTC,degrees_north,degrees_east,m,degree_C\n" + rows("tyxzv", ","),
             "array: sea_temp; places: longitude, latitude, depth; unit of the values: degree_C", "",
-            "Its coordinates are in different units (degrees_east, degrees_north, m) and are taken as they stand. Its "
-            "depths ('depth') are taken for z as they stand: if they are positive, the data stand on their head.");
+            "Its coordinates are in different units (degrees_east, degrees_north, m) and are used as they are. Its "
+            "depths ('depth') are used for z as they are: if they are positive, the data are upside down.");
         row("R", "\"x\" \"y\" \"z\" \"v\"\n" + rows("jxyzv", " "), "array: v; places: x, y, z");
         row("a trailing comma", "x,y,z,v,\n" + rows("xyzve", ","), "array: v; places: x, y, z");
         row("a trailing comma of rows", "x,y,z,v\n" + rows("xyzve", ","), "array: v; places: x, y, z");
@@ -328,9 +328,8 @@ private slots:
                                       : asLoaded<PointReader>().read(path, {}, {}).error();
             QCOMPARE(error.kind, ErrorKind::WrongUsage); // the window asks
             QCOMPARE(QString::fromStdString(error.text()).section("points.csv': ", 1),
-                     QString("which of its columns are x, y and z? It has 'id', 'easting', "
-                             "'northing', 'Cu_ppm'. Name three of them by '--positions', or in Import "
-                             "Options, as in --positions 1,2,3."));
+                     QString("which of its columns are x, y and z? It has 'id', 'easting', 'northing', 'Cu_ppm'. Name "
+                             "three of them with '--positions', or in Import Options, as in --positions 1,2,3."));
         }
         const auto texts = asLoaded<PointReader>().read(write("Name,City,Age,Street\na,b,3,c\nd,e,4,f\n"), {}, {});
         QVERIFY(
@@ -407,13 +406,11 @@ private slots:
             const auto read = asLoaded<PointReader>().read(write(text, "a.pts"), {}, {});
             return read ? QString() : QString::fromStdString(read.error().text()).section("a.pts': ", 1);
         };
-        QCOMPARE(
-            mistake("60\n" + rows("xyzv", " ", 0, 59)),
-            "line 1 says that 60 points follow, and there are 59. The copy may be incomplete: copy the file again.");
-        QCOMPARE(mistake("59\n" + rows("xyzv", " ")), "line 1 says that 59 points follow, and there are more.");
+        QCOMPARE(mistake("60\n" + rows("xyzv", " ", 0, 59)),
+                 "line 1 announces 60 points, and there are 59. The copy may be incomplete: copy the file again.");
+        QCOMPARE(mistake("59\n" + rows("xyzv", " ")), "line 1 announces 59 points, and there are more.");
         QCOMPARE(mistake("20\n" + rows("xyzv", " ", 0, 20) + "40\n" + rows("xyzv", " ", 20, 50)),
-                 "line 22 says that 40 points follow, and there are 30. The copy may be incomplete: copy the file "
-                 "again.");
+                 "line 22 announces 40 points, and there are 30. The copy may be incomplete: copy the file again.");
         const auto two = asLoaded<PointReader>().read(
             write("20\n" + rows("xyzv", " ", 0, 20) + "40\n" + rows("xyzv", " ", 20), "a.pts"), {}, {});
         QCOMPARE(textOf(two->remarks), "The points of its 2 parts were put together.");

@@ -126,13 +126,13 @@ private slots:
         QTest::newRow("text") << QByteArray("x,y,z,v\n#\n1,2,3,hot\n") << "line 3, v: 'hot' is not a finite number";
         QTest::newRow("nan") << QByteArray("1,2,3,4\n1,2,nan,4\n") << "line 2, column 3: 'nan' is not a finite number";
         QTest::newRow("infinite") << QByteArray("x,y,z,v\n1,2,3,1e999\n") << "line 2, v: '1e999'";
-        QTest::newRow("missing") << QByteArray("x,y,z,v\n1,2,,4\n") << "line 2, z: there is no number";
+        QTest::newRow("missing") << QByteArray("x,y,z,v\n1,2,,4\n") << "line 2, z: a number is missing";
         QTest::newRow("decimal comma") << QByteArray("x;y;z;v\n1,5;2;3;4\n")
                                        << "line 2, x: '1,5' is not a number. "
                                           "Numbers need a decimal point";
         QTest::newRow("open quote") << QByteArray("x,y,z,v\n1,2,3,\"4\n") << "line 2 has a double quote";
         QTest::newRow("huge") << QByteArray("x,y,z,v\n1e200,2,3,4\n") << "too large for a position";
-        QTest::newRow("binary") << QByteArray("x,y\0,z,v\n", 9) << "is not a text";
+        QTest::newRow("binary") << QByteArray("x,y\0,z,v\n", 9) << "is not text";
         QTest::newRow("chemical") << QByteArray("3\nwater 1 2 3 4\nO 0 0 0\nH 0 1 0\nH 1 0 0\n")
                                   << "is a chemical structure";
         QTest::newRow("chemical, no comment")
@@ -201,8 +201,8 @@ private slots:
         QCOMPARE(dataset->values.at(0), 10.0);
         QCOMPARE(dataset->values.at(1), 8.0);
         QCOMPARE(dataset->remarks.size(), std::size_t(1));
-        QCOMPARE(dataset->remarks[0].text(), std::string("4 points on the place of another one were merged with it. 1 "
-                                                         "place had different values and got their mean."));
+        QCOMPARE(dataset->remarks[0].text(), std::string("4 points at the same place as another were merged with it. 1 "
+                                                         "place had several different values and got their mean."));
     }
 
     void numbersDoNotFollowTheLocale()

@@ -145,8 +145,10 @@ private slots:
         const auto later = builtVtkReader().read(folder / "case.foam", {{"time", std::int64_t(2)}}, {});
         verifyRow(later, 3, 10);
         QCOMPARE(takenOf(later->source.taken), QString("array: T; time step: 2 of 2, time 5; unit of the values: K"));
-        QCOMPARE(leftOutOf(later->source.leftOut), QString("The patches of its boundary are not read: walls. Its zones "
-                                                           "of cells are not told apart: rotor."));
+        QCOMPARE(
+            leftOutOf(later->source.leftOut),
+            QString(
+                "The patches of its boundary are not read: walls. Its zones of cells are not distinguished: rotor."));
         const auto byControl = builtVtkReader().read(folder / "system/controlDict", {}, {});
         verifyRow(byControl, 3, 1);
         QCOMPARE(takenOf(byControl->source.taken),
@@ -331,15 +333,15 @@ private slots:
         QTest::newRow("of the case, by its variable") << "#include \"$FOAM_CASE/constant/more\"\n" << QString();
         QTest::newRow("in a comment") << "// #include \"/etc/passwd\"\n" << QString();
         QTest::newRow("above") << "#include \"../../more\"\n"
-                               << "does not lie in its folder";
+                               << "is not in its folder";
         QTest::newRow("above, if it is there") << "#includeIfPresent \"../../more\"\n"
-                                               << "does not lie in its folder";
+                                               << "is not in its folder";
         QTest::newRow("behind a comment") << "#include /* \"no\" */ \"../../more\"\n"
-                                          << "does not lie in its folder";
+                                          << "is not in its folder";
         QTest::newRow("in somebody's folder") << "#include \"$HOME/more\"\n"
-                                              << "does not lie in its folder";
+                                              << "is not in its folder";
         QTest::newRow("a device") << "#include \"/dev/zero\"\n"
-                                  << "does not lie in its folder";
+                                  << "is not in its folder";
         QTest::newRow("a pipe") << "pipe"
                                 << "not a regular file";
     }
@@ -361,7 +363,8 @@ private slots:
             QVERIFY(!dataset.ok());
             QVERIFY2(QString::fromStdString(dataset.error().text()).contains(told), dataset.error().text().c_str());
         } else if (!dataset.ok()) { // what it includes, VTK may refuse; that lies in the case
-            QVERIFY2(dataset.error().text().find("does not lie") == std::string::npos, dataset.error().text().c_str());
+            QVERIFY2(dataset.error().text().find("is not in its folder") == std::string::npos,
+                     dataset.error().text().c_str());
         }
     }
 

@@ -182,10 +182,10 @@ private slots:
         row("cut in a header", cubeHead + "ZONE T=\"one\", I=2, J=", "('one') ends within its header");
         row("a value too few", cubeHead + zone + cubeBlocks + "1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7\n",
             "ends before the last of its 8 values of 'T'");
-        row("a value too many", cubeHead + zone + full + "9\n", "more numbers than its 1 zones ask for");
+        row("a value too many", cubeHead + zone + full + "9\n", "more numbers than its 1 zones require");
         row("a word among the values", cubeHead + zone + cubeBlocks + "1 2 three 4",
-            "no number in place of one of its 8 values of 'P'");
-        row("no end of line", cubeHead + zone + full.substr(0, full.size() - 1), "put an end of line behind it");
+            "something other than a number among its 8 values of 'P'");
+        row("no end of line", cubeHead + zone + full.substr(0, full.size() - 1), "add an end of line");
         row("repeated too often", cubeHead + zone + cubeBlocks + "8*1 9*2\n", "more numbers than it should");
         row("no variables", "TITLE = \"x\"\n" + zone + full, "before its VARIABLES");
         row("no place", "VARIABLES = \"A\" \"Y\" \"Z\"\n" + zone + full, "is called X");
@@ -194,13 +194,13 @@ private slots:
         for (int i = 0; i < 50'001; ++i)
             zones += "ZONE I=1\n0 0 0 1\n";
         row("zones without end", zones, "more than 50000 zones");
-        row("no size", cubeHead + "ZONE F=BLOCK\n" + full, "does not say how many points");
+        row("no size", cubeHead + "ZONE F=BLOCK\n" + full, "does not state how many points");
         row("a size of nothing", cubeHead + "ZONE I=0, J=2, K=2, F=BLOCK\n" + full, "'I = 0'");
         row("a huge size", cubeHead + "ZONE I=2000000000, J=2000000000, K=2000000000, F=BLOCK\n" + full,
-            "does not say how many points");
+            "does not state how many points");
         row("a size that is not there", cubeHead + "ZONE I=1000000, J=1000, K=1000, F=BLOCK\n" + full,
             "ends before the last");
-        row("an unknown packing", cubeHead + "ZONE I=2, J=2, K=2, F=PILE\n" + full, "packed as 'PILE'");
+        row("an unknown packing", cubeHead + "ZONE I=2, J=2, K=2, F=PILE\n" + full, "the unknown packing 'PILE'");
         row("a strand without a number", cubeHead + "ZONE I=2, J=2, K=2, F=BLOCK, STRANDID=first\n" + full,
             "'STRANDID = FIRST'");
         row("a time without a number", cubeHead + "ZONE I=2, J=2, K=2, F=BLOCK, SOLUTIONTIME=noon\n" + full,

@@ -113,11 +113,11 @@ private slots:
             QTest::newRow(what) << QByteArray(name) << content << QByteArray(told);
         };
         row("missing", "a.pvd", pvd(dataSet("0", "no.vti")), "its file 'no.vti' is missing");
-        row("above", "a.pvd", pvd(dataSet("0", "below/../../a.vti")), "does not lie in its folder");
-        row("absolute", "a.pvd", pvd(dataSet("0", "/etc/passwd")), "does not lie in its folder");
+        row("above", "a.pvd", pvd(dataSet("0", "below/../../a.vti")), "is not in its folder");
+        row("absolute", "a.pvd", pvd(dataSet("0", "/etc/passwd")), "is not in its folder");
         row("above, as JSON", "a.series", "{\"files\": [{\"name\": \"../a.vti\", \"time\": 0}]}",
-            "does not lie in its folder");
-        row("no name", "a.pvd", pvd(dataSet("0", "")), "does not lie in its folder");
+            "is not in its folder");
+        row("no name", "a.pvd", pvd(dataSet("0", "")), "is not in its folder");
         row("no number", "a.pvd", pvd(dataSet("noon", "a.vti")), "the time 'noon'");
         row("infinite", "a.pvd", pvd(dataSet("inf", "a.vti")), "the time 'inf'");
         row("nothing", "a.pvd", pvd(""), "names none");
@@ -128,7 +128,7 @@ private slots:
         row("cut XML", "a.pvd", pvd(dataSet("0", "a.vti")).chopped(12), "its XML ends or breaks");
         row("itself", "a.pvd", pvd(dataSet("0", "a.pvd")), "its file 'a.pvd'");
         row("twice", "a.pvd", pvd(dataSet("0", "good.vti") + dataSet("0", "good.vti")), "twice for one time");
-        row("another format", "a.pvd", pvd(dataSet("0", "letter.txt")), "of none of VTK's own formats");
+        row("another format", "a.pvd", pvd(dataSet("0", "letter.txt")), "not of VTK's own formats");
         row("a cut file", "a.pvd", pvd(dataSet("0", "cut.vti")), "its file 'cut.vti'");
     }
     void whatIsWrongIsTold()

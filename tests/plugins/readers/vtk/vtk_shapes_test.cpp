@@ -206,7 +206,7 @@ private slots:
     {
         const auto dataset = builtVtkReader().read(folder_.write("set.vtk", oneCell(41, boxCorners)), {}, {});
         QVERIFY(!dataset.ok());
-        QVERIFY2(dataset.error().text().find("does not know: ConvexPointSet.") != std::string::npos,
+        QVERIFY2(dataset.error().text().find("does not support: ConvexPointSet.") != std::string::npos,
                  dataset.error().text().c_str());
     }
 

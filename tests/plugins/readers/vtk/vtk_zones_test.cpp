@@ -207,7 +207,7 @@ private slots:
         QVERIFY(grid->domain == DomainClass::RegularLattice);
         QCOMPARE(grid->pointCount(), std::uint64_t(27));
         QCOMPARE(takenOf(grid->source.taken), QString("array: c; block: a (a guess)"));
-        QVERIFY2(says(grid->source.leftOut, "Its grids make no mesh together, and only the first one is read."),
+        QVERIFY2(says(grid->source.leftOut, "Its grids do not make a mesh together, and only the first one is read."),
                  qPrintable(leftOutOf(grid->source.leftOut)));
     }
 

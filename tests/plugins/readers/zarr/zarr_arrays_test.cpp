@@ -224,7 +224,7 @@ private slots:
             const bool isLost = i >= 4 && j >= 3 && k >= 4;
             QCOMPARE(dataset->values.at(point), isLost ? 7 : value(int(i), int(j), int(k)));
         }
-        QVERIFY(zarrTexts(dataset->remarks).find("1 of its 12 chunks are not there") != std::string::npos);
+        QVERIFY(zarrTexts(dataset->remarks).find("1 of its 12 chunks are missing") != std::string::npos);
     }
 
     /// Chunks of chunks in one file, one of which nobody wrote.

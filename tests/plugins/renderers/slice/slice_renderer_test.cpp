@@ -170,21 +170,21 @@ private slots:
         row("0,0,2,1", "");
         row("-1,0,0,-0.5", "");
         row("1,1,1,3", "");
-        row("w=0.5", "'w=0.5' is no plane");
-        row("X=0.5", "'X=0.5' is no plane");
-        row("x", "'x' is no plane");
-        row("x=", "'x=' is no plane");
-        row("=0.5", "'=0.5' is no plane");
-        row("x=0,5", "'x=0,5' is no plane");
-        row("x=0.5=2", "is no plane");
-        row("x=inf", "'x=inf' is no plane");
-        row("1,2,3", "'1,2,3' is no plane");
-        row("0,0,0,1", "'0,0,0,1' is no plane");
-        row("1,0,0,0.5,1", "is no plane");
-        row("z=0.5;y=much", "'y=much' is no plane");
-        row("z=1.01", "'z=1.01' misses the data, which reach from 0 to 1");
+        row("w=0.5", "'w=0.5' is not a plane");
+        row("X=0.5", "'X=0.5' is not a plane");
+        row("x", "'x' is not a plane");
+        row("x=", "'x=' is not a plane");
+        row("=0.5", "'=0.5' is not a plane");
+        row("x=0,5", "'x=0,5' is not a plane");
+        row("x=0.5=2", "is not a plane");
+        row("x=inf", "'x=inf' is not a plane");
+        row("1,2,3", "'1,2,3' is not a plane");
+        row("0,0,0,1", "'0,0,0,1' is not a plane");
+        row("1,0,0,0.5,1", "is not a plane");
+        row("z=0.5;y=much", "'y=much' is not a plane");
+        row("z=1.01", "'z=1.01' misses the data, which extend from 0 to 1");
         row("z=-3", "'z=-3' misses");
-        row("1,1,1,3.1", "'1,1,1,3.1' misses the data, which reach from 0 to 3");
+        row("1,1,1,3.1", "'1,1,1,3.1' misses the data, which extend from 0 to 3");
     }
     void textsThatAreNoPlanes()
     {

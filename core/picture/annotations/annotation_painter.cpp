@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/annotations/annotation_painter.h"
+
+#include "core/picture/annotations/annotation_layout.h"
+#include "core/picture/annotations/placed_text.h"
+#include "core/picture/drawing/canvas.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr double leastScale = 0.75;
+constexpr double chequer = 5;
+constexpr double solidPart = 12; ///< of the bar's width: what is left shows the opacity
+
+/// What all parts are painted with.
+struct Brush {
+    const Canvas& canvas;
+    const Fonts& fonts;
+    AnnotationInk ink;
+};
+
+void paintLabel(const Brush& brush, const PlacedText& label, TextAlignment alignment = TextAlignment::Left,
+                const TextStyle& style = annotationText)
+{
+    paintPlacedText(brush.canvas, brush.fonts, label.text, label.place, brush.ink, alignment, style);
+}
+
+void paintLine(const Brush& brush, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Ink& ink, double width)
+{
+    strokeLine(brush.canvas, from, to, width + 2, brush.ink.rim);
+    strokeLine(brush.canvas, from, to, width, ink);
+}
+
+void paintChequers(const Canvas& canvas, const Rectangle& place)
+{
+    fill(canvas, place, {240, 240, 240});
+    for (int row = 0; row * chequer < place.height; ++row)
+        for (int column = row % 2; column * chequer < place.width; column += 2) {
+            const double x = column * chequer, y = row * chequer;
+            fill(canvas,
+                 {place.left + x, place.top + y, std::min(chequer, place.width - x),
+                  std::min(chequer, place.height - y)},
+                 {176, 176, 176});
+        }
+}
+
+Ink inkOf(const TransferSample& sample, double opacity)
+{
+    return inkOf(Colour{static_cast<float>(sample.colour[0]), static_cast<float>(sample.colour[1]),
+                        static_cast<float>(sample.colour[2])},
+                 opacity);
+}
+
+/// Left the colours alone, right as opaque as they are: a colour of little opacity could not be told otherwise. Each
+/// row of pixels has the colour of its middle.
+void paintTransfer(const Canvas& canvas, const TransferFunction& transfer, const BarAxis& axis, const Rectangle& bar)
+{
+    const double solid = bar.left + solidPart, scale = canvas.scale();
+    paintChequers(canvas, {solid, bar.top, bar.right() - solid, bar.height});
+    const double last = std::min(bar.bottom() * scale, double(canvas.pixels().height));
+    for (double row = std::floor(std::max(0.0, bar.top * scale)); row < last; ++row) {
+        const double top = std::max(bar.top, row / scale), bottom = std::min(bar.bottom(), (row + 1) / scale);
+        const double share = (bar.bottom() - (top + bottom) / 2) / bar.height;
+        const TransferSample sample = evaluate(transfer, axis.valueAt(share));
+        fill(canvas, Rectangle{bar.left, top, solidPart, bottom - top}, inkOf(sample, 1));
+        fill(canvas, Rectangle{solid, top, bar.right() - solid, bottom - top},
+             inkOf(sample, -std::expm1(-sample.extinction * transfer.unitDistance)));
+    }
+}
+
+/// A line across the bar and a pointer at its left, in the surface's colour.
+void paintIsovalue(const Brush& brush, const Isovalue& isovalue, const AxisMark& mark, const Rectangle& bar)
+{
+    const Ink colour = inkOf(Colour{isovalue.red, isovalue.green, isovalue.blue});
+    const Ink around = brush.ink.dark ? Ink{0, 0, 0} : Ink{255, 255, 255};
+    const double y = mark.position, tip = bar.left - 1;
+    strokeLine(brush.canvas, {bar.left + 1, y}, {bar.right() - 1, y}, 4, around, LineEnd::Square);
+    strokeLine(brush.canvas, {bar.left, y}, {bar.right(), y}, 2, colour, LineEnd::Square);
+    const std::array<Eigen::Vector2d, 3> corners{{{tip, y}, {tip - 7, y - 5}, {tip - 7, y + 5}}};
+    const Path pointer = polygonPath(corners);
+    fill(brush.canvas, pointer, colour);
+    stroke(brush.canvas, pointer, 1, brush.ink.line);
+}
+
+/// The colours, or the ground for the marks of surfaces, in a frame.
+void paintBar(const Brush& brush, const AnnotationContent& content, const ColourBarLayout& layout)
+{
+    if (content.transfer) {
+        paintTransfer(brush.canvas, *content.transfer, layout.axis, layout.bar);
+    } else {
+        Ink ground = brush.ink.line;
+        ground.alpha = 31; // an eighth
+        fill(brush.canvas, layout.bar, brush.ink.rim);
+        fill(brush.canvas, layout.bar, ground);
+    }
+    stroke(brush.canvas, rectanglePath(layout.bar.grown(1)), 3, brush.ink.rim);
+    stroke(brush.canvas, rectanglePath(layout.bar), 1, brush.ink.line);
+}
+
+void paintColourBar(const Brush& brush, const AnnotationContent& content, const ColourBarLayout& layout)
+{
+    paintBar(brush, content, layout);
+    for (const AxisMark& tick : layout.ticks) {
+        const double right = layout.bar.right();
+        paintLine(brush, {right, tick.position}, {right + 5, tick.position}, brush.ink.line, 1);
+        paintLabel(brush, tick.label);
+    }
+    for (std::size_t i = 0; i < layout.isovalues.size(); ++i) {
+        if (layout.isovalues[i].beyond)
+            continue;
+        paintIsovalue(brush, (*content.isovalues)[i], layout.isovalues[i], layout.bar);
+        paintLabel(brush, layout.isovalues[i].label);
+    }
+    paintLabel(brush, layout.field);
+}
+
+/// Of the axis of this number, told apart by brightness, too.
+Ink axisInk(std::size_t axis, bool dark)
+{
+    constexpr std::array<Ink, 3> onLight{{{196, 60, 20}, {0, 128, 84}, {0, 92, 184}}};
+    constexpr std::array<Ink, 3> onDark{{{255, 138, 92}, {72, 214, 160}, {112, 182, 255}}};
+    return dark ? onDark[axis] : onLight[axis];
+}
+
+void paintArrow(const Brush& brush, const Eigen::Vector2d& origin, const Eigen::Vector2d& tip, const Ink& ink)
+{
+    const Eigen::Vector2d end = origin + tip;
+    paintLine(brush, origin, end, ink, 2);
+    const double length = tip.norm();
+    if (length < 6)
+        return;
+    const Eigen::Vector2d along = tip / length, aside(-along.y(), along.x());
+    const std::array<Eigen::Vector2d, 3> corners{end + along * 2, end - along * 6 + aside * 3.5,
+                                                 end - along * 6 - aside * 3.5};
+    fill(brush.canvas, polygonPath(corners), ink);
+}
+
+/// The farthest first.
+void paintAxes(const Brush& brush, const AxesLayout& layout)
+{
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::ranges::sort(order, {}, [&](std::size_t axis) { return layout.axes[axis].depth; });
+    for (const std::size_t axis : order) {
+        Brush coloured = brush;
+        coloured.ink.line = axisInk(axis, brush.ink.dark);
+        paintArrow(brush, layout.origin, layout.axes[axis].tip, coloured.ink.line);
+        paintLabel(coloured, layout.axes[axis].label, TextAlignment::Centre);
+    }
+}
+
+void paintScaleBar(const Brush& brush, const ScaleBarLayout& layout)
+{
+    const Eigen::Vector2d half(0, 3.5);
+    for (const Eigen::Vector2d& end : {layout.from, layout.to})
+        paintLine(brush, end - half, end + half, brush.ink.line, 1.5);
+    paintLine(brush, layout.from, layout.to, brush.ink.line, 2);
+    paintLabel(brush, layout.label, TextAlignment::Centre);
+}
+
+void paintLayout(const Brush& brush, const AnnotationContent& content, const AnnotationLayout& layout)
+{
+    if (layout.colourBar)
+        paintColourBar(brush, content, *layout.colourBar);
+    if (layout.axes)
+        paintAxes(brush, *layout.axes);
+    if (layout.scaleBar)
+        paintScaleBar(brush, *layout.scaleBar);
+    if (layout.accuracy)
+        paintLabel(brush, *layout.accuracy);
+    if (layout.title)
+        paintLabel(brush, *layout.title, TextAlignment::Left, annotationTitle);
+}
+
+} // namespace
+
+Status paintAnnotations(const PixelView& picture, const AnnotationContent& content, double scale)
+{
+    if (std::ranges::none_of(content.state.places, &AnnotationPlace::shown))
+        return {};
+    const auto fonts = content.fonts ? Result(content.fonts) : openFonts();
+    if (!fonts)
+        return fonts.error();
+    const Canvas canvas(picture, scale);
+    const Size size{picture.width / scale, picture.height / scale};
+    const AnnotationLayout layout = layOutAnnotations(content, size, textMeasure(**fonts));
+    paintLayout({canvas, **fonts, annotationInk(content.background)}, content, layout);
+    return {};
+}
+
+double annotationScale(const Eigen::Vector2i& picture, const Eigen::Vector2i& view)
+{
+    const double shorter = std::max(1, view.minCoeff());
+    return std::max(leastScale, picture.minCoeff() / shorter);
+}
+
+} // namespace tetra

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/annotations/annotation_parts.h"
+#include "core/picture/annotations/bar_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr double barWidth = 20;
+constexpr double labelGap = 9;       ///< from the bar to its labels, with the tick between
+constexpr double markWidth = 9;      ///< left of the bar, for the isovalues' marks
+constexpr double widestField = 150;  ///< the name of the values
+constexpr double linesPerTick = 2.2; ///< heights of a line from one tick to the next, or more
+constexpr int mostTicks = 9;
+
+std::vector<double> ticksFor(const BarAxis& axis, double height, const TextMeasure& measure)
+{
+    const int most = std::clamp(static_cast<int>(height / (linesPerTick * measure.height)), 2, mostTicks);
+    return barTicks(axis, most);
+}
+
+/// Of all labels: the ticks' and the isovalues'.
+double labelWidth(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
+{
+    const NumberSigns& signs = content.language.numbers;
+    double widest = 0;
+    const auto ticks = ticksFor(axis, height, measure);
+    for (const std::string& text : barTickTexts(axis, ticks, signs))
+        widest = std::max(widest, measure.width(text));
+    if (content.isovalues && !content.transfer)
+        for (const Isovalue& isovalue : *content.isovalues)
+            if (axis.contains(isovalue.value))
+                widest = std::max(widest, measure.width(barValueText(axis, isovalue.value, ticks, signs)));
+    return std::ceil(widest);
+}
+
+double positionOf(double value, const BarAxis& axis, const Rectangle& bar)
+{
+    return bar.bottom() - std::clamp(axis.shareOf(value), 0.0, 1.0) * bar.height;
+}
+
+/// Gives marks their labels, in their order, but for those that would touch one that is there already.
+class LabelColumn {
+public:
+    LabelColumn(const Rectangle& bar, const TextMeasure& measure) : left_(bar.right() + labelGap), measure_(measure) {}
+
+    void label(AxisMark& mark, const std::string& text)
+    {
+        const Rectangle place{left_, mark.position - measure_.height / 2, measure_.width(text), measure_.height};
+        if (std::ranges::any_of(taken_, [&](const Rectangle& other) { return other.intersects(place); }))
+            return;
+        taken_.push_back(place);
+        mark.label = {text, place};
+    }
+
+private:
+    double left_;
+    const TextMeasure& measure_;
+    std::vector<Rectangle> taken_;
+};
+
+} // namespace
+
+Size colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
+{
+    const bool hasMarks = content.isovalues && !content.isovalues->empty();
+    if (!(axis.ends.largest > axis.ends.least) || (!content.transfer && !hasMarks))
+        return {};
+    const double width = markWidth + barWidth + labelGap + labelWidth(content, axis, height, measure);
+    const double name = fittedText(content.field, widestField, measure).place.width;
+    return {std::max(width, name), height};
+}
+
+ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis& axis, const Rectangle& place,
+                                const TextMeasure& measure)
+{
+    ColourBarLayout layout;
+    layout.axis = axis;
+    layout.field = fittedText(content.field, std::min(widestField, place.width + 0.5), measure);
+    layout.field.place.left = place.left;
+    layout.field.place.top = place.top;
+    // Half a line at both ends is for the labels there.
+    const double half = std::ceil(measure.height / 2);
+    const double above = layout.field.text.empty() ? half : std::round(1.8 * measure.height);
+    layout.bar = {place.left + markWidth, place.top + above, barWidth, place.height - above - half};
+    LabelColumn labels(layout.bar, measure);
+    const auto ticks = ticksFor(axis, place.height, measure);
+    for (const Isovalue& isovalue : content.isovalues.value_or(std::vector<Isovalue>{})) {
+        AxisMark mark{positionOf(isovalue.value, axis, layout.bar), {}, !axis.contains(isovalue.value)};
+        if (!content.transfer && !mark.beyond) // else the axis is there to tell
+            labels.label(mark, barValueText(axis, isovalue.value, ticks, content.language.numbers));
+        layout.isovalues.push_back(mark);
+    }
+    const auto texts = barTickTexts(axis, ticks, content.language.numbers);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        AxisMark mark{positionOf(ticks[i], axis, layout.bar), {}};
+        labels.label(mark, texts[i]);
+        layout.ticks.push_back(mark);
+    }
+    return layout;
+}
+
+} // namespace tetra

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/picture/drawing/pixels.h"
+#include "core/picture/drawing/rectangle.h"
+
+#include <tan/render.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+struct FT_LibraryRec_;
+
+namespace tetra {
+
+/// What is painted with: 8-bit sRGB. Alpha 255 covers what was there.
+struct Ink {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    std::uint8_t alpha = 255;
+    bool operator==(const Ink&) const = default;
+};
+
+/// `opacity` from 0 to 1; what lies beyond, and colours beyond, count as the end.
+Ink inkOf(const Colour& colour, double opacity = 1);
+
+/// A closed line of straight pieces and cubic curves: each curve has two controls between its ends. Its last point is
+/// joined with its first.
+struct PathPoint {
+    Eigen::Vector2d place{0, 0};
+    bool isControl = false;
+};
+using Path = std::vector<PathPoint>;
+
+Path polygonPath(std::span<const Eigen::Vector2d> corners);
+Path rectanglePath(const Rectangle& rectangle);
+/// The ellipse that touches the rectangle's sides.
+Path ellipsePath(const Rectangle& rectangle);
+
+enum class LineEnd { Flat, Square };
+
+/// Pixels to paint on, in units that are `scale` pixels long. A pixel of which a part is covered takes that part of
+/// the ink, in 255 steps; curves are painted as straight pieces that leave them by a tenth of a pixel at most. What
+/// lies outside is left away. For one thread at a time; the pixels outlive it.
+class Canvas {
+public:
+    Canvas(const PixelView& pixels, double scale);
+
+    const PixelView& pixels() const noexcept { return pixels_; }
+    double scale() const noexcept { return scale_; }
+    /// FreeType's, which knows the shapes.
+    FT_LibraryRec_* library() const noexcept { return library_.get(); }
+
+private:
+    struct Closing {
+        void operator()(FT_LibraryRec_* library) const noexcept;
+    };
+    PixelView pixels_;
+    double scale_;
+    std::unique_ptr<FT_LibraryRec_, Closing> library_;
+};
+
+/// O(pixels in it).
+void fill(const Canvas& canvas, const Rectangle& rectangle, const Ink& ink);
+/// What the path winds around.
+void fill(const Canvas& canvas, const Path& path, const Ink& ink);
+/// A line along the path, half of it on either side, with bevelled corners.
+void stroke(const Canvas& canvas, const Path& path, double width, const Ink& ink);
+void strokeLine(const Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
+                const Ink& ink, LineEnd end = LineEnd::Flat);
+/// What the path winds around becomes another picture, whose upper left pixel lies at (left, top), in pixels; as far as
+/// that reaches.
+void replaceWithin(const Canvas& canvas, const Path& path, const Picture& content, int left, int top);
+
+} // namespace tetra

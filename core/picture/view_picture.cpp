@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/view_picture.h"
+
+#include "core/base/guarded.h"
+#include "core/base/text.h"
+#include "core/history/whole_elsewhere.h"
+#include "core/picture/annotations/annotation_painter.h"
+#include "core/picture/rendering_modes.h"
+#include "core/picture/shown_error.h"
+#include "core/view/appearance.h"
+#include "plugins/api/scene_parameters.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
+#include <tan/view.h>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr std::uint64_t largestMesh = 100'000; // tetrahedra
+constexpr int volumeParts = 256;
+constexpr double everyError = 1e9; ///< %
+
+/// The finest that is small, or the coarsest if that is not.
+std::uint32_t sitesOfCoarseMesh(const Model& model)
+{
+    const auto size = meshSizeWithin(model, {}, largestMesh);
+    return size ? size->sites : meshSizeAt(model, {.error = everyError}).sites;
+}
+
+/// That mesh; of a model at a server as large a one as that.
+Result<std::shared_ptr<const TetrahedralMesh>> coarseMesh(const std::shared_ptr<const Model>& model,
+                                                          const Progress& progress)
+{
+    if (model->elsewhere() == nullptr) {
+        auto mesh = extractPrefix(*model, sitesOfCoarseMesh(*model), progress);
+        if (!mesh)
+            return mesh.error();
+        return std::make_shared<const TetrahedralMesh>(*std::move(mesh));
+    }
+    MeshQuery query;
+    query.warping = model->description().warpingWeight > 0 ? 0 : anyWarping;
+    query.budget = std::max(largestMesh, meshSizeAt(*model, {.error = anyError}).tetrahedra);
+    const auto mesh = MeshExtractor(model).extract(query, progress);
+    return mesh ? Result<std::shared_ptr<const TetrahedralMesh>>(meshOf(*mesh)) : mesh.error();
+}
+
+constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
+constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
+
+} // namespace
+
+FieldExtent roughExtentOf(const Model& model)
+{
+    return {model.description().range, model.description().bounds};
+}
+
+Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Progress& progress)
+{
+    const auto look = [&]() -> Result<FieldExtent> {
+        FieldExtent field = roughExtentOf(*model);
+        const auto mesh = coarseMesh(model, progress);
+        if (!mesh)
+            return mesh.error();
+        field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
+        field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
+        return field;
+    };
+    return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), look,
+                   visibleText(model->path().native()));
+}
+
+FieldExtent knownExtentOf(const std::shared_ptr<const Model>& model, const Progress& progress)
+{
+    const auto field = extentOf(model, progress);
+    return field ? *field : roughExtentOf(*model);
+}
+
+TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, const Model& model,
+                               const FieldExtent& field, const QueryState& query)
+{
+    return startingAppearance(modes, seenWith(field, query, model), model.description().domain).transfer;
+}
+
+ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
+                       double aspectRatio)
+{
+    const QueryState query = startingQuery(model, startingError(model));
+    return {.query = query,
+            .appearance = startingAppearance(modes, seenWith(field, query, model), model.description().domain),
+            .isovalues = startingIsovalues(modes, field),
+            .camera = fitted(Camera(), model.description().bounds, aspectRatio)};
+}
+
+const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id)
+{
+    const auto found = std::ranges::find(modes, id, &Provided<Renderer>::id);
+    return found != modes.end() ? found->plugin : nullptr;
+}
+
+SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
+                     const std::vector<Parameter>& parameters, const ViewValue& view)
+{
+    SceneRequest request{model, renderer, meshQuery(view.query, *model, presentView(view)),
+                         rendererValues(parameters, view.appearance, view.isovalues), view.camera};
+    request.faultyCells = showsFaultyCells(view.appearance);
+    return request;
+}
+
+std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMesh& mesh, const ParameterValues& values,
+                                        const Scene& scene)
+{
+    std::vector<double> isovalues;
+    if (const auto found = values.find(isovaluesId); found != values.end())
+        if (const auto* all = std::get_if<std::vector<Isovalue>>(&found->second))
+            for (const Isovalue& isovalue : *all)
+                if (isovalue.visible)
+                    isovalues.push_back(isovalue.value);
+    const TransferFunction* transfer = nullptr;
+    if (const auto found = values.find(transferId); found != values.end() && hasVolume(scene))
+        transfer = std::get_if<TransferFunction>(&found->second);
+    return shownErrorRemarks(field, mesh.query, mesh.scale, isovalues, transfer);
+}
+
+Colour usualBackground(bool isDark)
+{
+    return isDark ? darkBackground : lightBackground;
+}
+
+PictureOrder pictureOrder(const ViewPicture& picture)
+{
+    const double scale = annotationScale(picture.size, picture.viewSize);
+    PictureOrder order;
+    order.scene = picture.scene;
+    order.camera = picture.annotations.camera;
+    order.background = picture.annotations.background;
+    order.width = picture.size.x();
+    order.height = picture.size.y();
+    order.transparent = picture.transparent;
+    order.dotsPerInch = picture.dotsPerInch;
+    order.lineScale = std::max(1.0, scale);
+    order.lensWriting = {picture.annotations.language.numbers, picture.annotations.fonts};
+    if (std::ranges::any_of(picture.annotations.state.places, &AnnotationPlace::shown))
+        order.finish = [content = picture.annotations, scale](Picture& drawn) {
+            return paintAnnotations(pixelsOf(drawn), content, scale);
+        };
+    return order;
+}
+
+} // namespace tetra
