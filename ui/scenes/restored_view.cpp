@@ -76,6 +76,11 @@ void fitPlaces(SessionDocument& kept, const ViewValue& start, const Model& model
         differences.push_back({"clip", Message::say("Nothing is clipped: the clip planes are for another domain.")});
     if (dropPlanes(slicesId, view))
         differences.push_back({"slices", Message::say("The slices are as at first: theirs are for another domain.")});
+    if (!view.tools.empty()) {
+        differences.push_back(
+            {"tools", Message::say("What tools have in the picture is left out: it is for another domain.")});
+        view.tools.clear();
+    }
     if (!view.animation.keys.empty()) {
         differences.push_back(
             {"animation", Message::say("The film has no key frames: their cameras are for another domain.")});
@@ -191,6 +196,7 @@ void dropPlacesAndValues(SessionDocument& kept, const ViewValue& start)
     view.appearance.transfer = {};
     view.appearance.settings.erase(clipId);
     view.appearance.settings.erase(slicesId);
+    view.tools.clear();
     std::erase_if(view.appearance.settings,
                   [](const auto& setting) { return std::holds_alternative<TransferFunction>(setting.second); });
     view.isovalues = start.isovalues;

@@ -145,7 +145,7 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     if (!document.hasCamera)
         ours.remove("camera");
     QJsonObject found = document.found;
-    for (const char* ofOthers : {"background", "camera", "file", "viewSize"})
+    for (const char* ofOthers : {"background", "camera", "file", "tools", "viewSize"})
         found.remove(ofOthers);
     QJsonObject foundModel = found.value("model").toObject();
     for (const char* path : {relativeKey, absoluteKey})
