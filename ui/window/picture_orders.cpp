@@ -3,7 +3,11 @@
 
 #include "ui/annotations/annotation_painter.h"
 #include "ui/scenes/view_picture.h"
+#include "ui/tools/tool_painter.h"
+#include "ui/tools/tool_stage.h"
 #include "ui/viewport/viewport.h"
+
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -21,13 +25,30 @@ ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, cons
     return picture;
 }
 
+/// After the annotations what tools keep, as large beside it as in the view.
+void addTools(PictureOrder& order, const ViewPicture& picture, Workbench& workbench)
+{
+    const double scale = annotationScale(picture.size, picture.viewSize);
+    const Camera& camera = picture.annotations.camera;
+    auto drawings = keptDrawings(workbench.host().tools(), workbench, camera, QSizeF(picture.size) / scale);
+    if (drawings.empty())
+        return;
+    const ToolInk ink{camera, picture.annotations.background, picture.annotations.font, {}, {}};
+    order.finish = [before = order.finish, drawings = std::move(drawings), ink, scale](QImage& image) {
+        if (before)
+            before(image);
+        paintTools(image, drawings, ink, scale);
+    };
+}
+
 } // namespace
 
-PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
+PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
     ViewPicture picture = pictureOf(workbench, viewport, settings);
     picture.scene = viewport.scene();
     PictureOrder order = pictureOrder(picture);
+    addTools(order, picture, workbench);
     if (const LensState& lens = workbench.session().view().lens; lens.isOn() && workbench.session().model())
         order.lens = std::make_shared<const LensOrder>(LensOrder{lens, workbench.scenes().sceneRequest()});
     return order;
