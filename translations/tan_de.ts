@@ -156,10 +156,6 @@
         <translation>Version und Lizenz</translation>
     </message>
     <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
-    </message>
-    <message>
         <source>Save &amp;Mesh…</source>
         <translation>&amp;Netz speichern …</translation>
     </message>
@@ -375,6 +371,14 @@
         <source>Save Soli&amp;ds…</source>
         <translation>Körper speic&amp;hern …</translation>
     </message>
+    <message>
+        <source>Tool Bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -504,6 +508,10 @@
         <source>Change Lens</source>
         <translation>Lupe ändern</translation>
     </message>
+    <message>
+        <source>Change Tool</source>
+        <translation>Werkzeug ändern</translation>
+    </message>
 </context>
 <context>
     <name>Desktop</name>
@@ -601,6 +609,14 @@
     <message>
         <source>The camera settings as numbers. In the picture: drag to turn, Shift+drag to move, use the wheel to zoom.</source>
         <translation>Die Kamera in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>What the chosen tool can do and what it measures. In the picture: click a place, drag a handle; Return selects the next handle, and arrow keys move it.</source>
+        <translation>Was das gewählte Werkzeug kann und was es misst. Im Bild: eine Stelle anklicken, einen Griff ziehen; die Eingabetaste wählt den nächsten Griff, und Pfeiltasten bewegen ihn.</translation>
     </message>
 </context>
 <context>
@@ -3180,6 +3196,10 @@ Verwerfung %2</translation>
         <source>Save Solids</source>
         <translation>Körper speichern</translation>
     </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
 </context>
 <context>
     <name>tetra::Message</name>
@@ -5698,10 +5718,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>&quot;%1&quot; is &quot;%2&quot;, which is not a version like &quot;1.2.3&quot;</source>
         <translation>„%1“ ist „%2“, und das ist keine Version wie „1.2.3“</translation>
-    </message>
-    <message>
-        <source>&quot;kind&quot; is &quot;%1&quot;, which is not one of builder, renderer, reader, writer, editor</source>
-        <translation>„kind“ ist „%1“, und das ist keines von builder, renderer, reader, writer und editor</translation>
     </message>
     <message>
         <source>&quot;requires&quot; is not a list</source>
@@ -11887,6 +11903,186 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>%1 (in space up to %2)</source>
         <translation>%1 (im Raum bis %2)</translation>
     </message>
+    <message>
+        <source>What tools have in the picture is left out: it is for another domain.</source>
+        <translation>Was Werkzeuge im Bild haben, wird weggelassen: Es gilt für ein anderes Gebiet.</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>&quot;kind&quot; is &quot;%1&quot;, which is not one of builder, renderer, reader, writer, editor, tool</source>
+        <translation>„kind“ ist „%1“, und das ist keines von builder, renderer, reader, writer, editor und tool</translation>
+    </message>
+    <message>
+        <source>what it keeps is too long</source>
+        <translation>was es behalten will, ist zu lang</translation>
+    </message>
+    <message>
+        <source>what it keeps is no text</source>
+        <translation>was es behalten will, ist kein Text</translation>
+    </message>
+    <message>
+        <source>Clip plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Move Plane</source>
+        <translation>Ebene bewegen</translation>
+    </message>
+    <message>
+        <source>Turn Plane</source>
+        <translation>Ebene drehen</translation>
+    </message>
+    <message>
+        <source>This rendering mode has neither clip planes nor slices.</source>
+        <translation>Diese Darstellungsart hat weder Schnittebenen noch Schnitte.</translation>
+    </message>
+    <message>
+        <source>Centre of the plane</source>
+        <translation>Mitte der Ebene</translation>
+    </message>
+    <message>
+        <source>Direction of the plane</source>
+        <translation>Richtung der Ebene</translation>
+    </message>
+    <message>
+        <source>Add Plane</source>
+        <translation>Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What is moved: a plane that cuts the picture open, or one that shows the data.</source>
+        <translation>Was bewegt wird: eine Ebene, die das Bild aufschneidet, oder eine, die die Daten zeigt.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Which of the planes is moved.</source>
+        <translation>Welche der Ebenen bewegt wird.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Across the plane, along x, y and z; of a clip plane towards what is shown.</source>
+        <translation>Senkrecht zur Ebene, entlang x, y und z; bei einer Schnittebene zu dem hin, was gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Place along it</source>
+        <translation>Stelle entlang der Richtung</translation>
+    </message>
+    <message>
+        <source>How far the plane lies from the origin in its direction, in the data&apos;s unit of length.</source>
+        <translation>Wie weit die Ebene in ihrer Richtung vom Ursprung entfernt liegt, in der Längeneinheit der Daten.</translation>
+    </message>
+    <message>
+        <source>Choose Plane</source>
+        <translation>Ebene wählen</translation>
+    </message>
+    <message>
+        <source>Cut through the middle of the data, across the axis that one looks along</source>
+        <translation>Durch die Mitte der Daten schneiden, quer zu der Achse, entlang der man blickt</translation>
+    </message>
+    <message>
+        <source>Flip Plane</source>
+        <translation>Ebene umkehren</translation>
+    </message>
+    <message>
+        <source>Show what was cut away, and cut away what was shown</source>
+        <translation>Zeigen, was abgeschnitten war, und abschneiden, was gezeigt wurde</translation>
+    </message>
+    <message>
+        <source>Align with Axis</source>
+        <translation>An Achse ausrichten</translation>
+    </message>
+    <message>
+        <source>Turn the plane across the nearest axis; Shift does so while it is turned</source>
+        <translation>Die Ebene quer zur nächsten Achse drehen; beim Drehen tut das die Umschalttaste</translation>
+    </message>
+    <message>
+        <source>Remove Plane</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the plane that is moved</source>
+        <translation>Die Ebene entfernen, die bewegt wird</translation>
+    </message>
+    <message>
+        <source>%1 units of the file</source>
+        <translation>%1 Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Place %1 of ruler %2</source>
+        <translation>Stelle %1 von Lineal %2</translation>
+    </message>
+    <message>
+        <source>Measure Distance</source>
+        <translation>Abstand messen</translation>
+    </message>
+    <message>
+        <source>Measure Angle</source>
+        <translation>Winkel messen</translation>
+    </message>
+    <message>
+        <source>Move Ruler</source>
+        <translation>Lineal bewegen</translation>
+    </message>
+    <message>
+        <source>Ruler %1</source>
+        <translation>Lineal %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2, %3 between them</source>
+        <translation>%1 und %2, dazwischen %3</translation>
+    </message>
+    <message>
+        <source>New Ruler</source>
+        <translation>Neues Lineal</translation>
+    </message>
+    <message>
+        <source>Begin another ruler at the next click, without an angle</source>
+        <translation>Beim nächsten Klick ein weiteres Lineal beginnen, ohne Winkel</translation>
+    </message>
+    <message>
+        <source>Remove Ruler</source>
+        <translation>Lineal entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected ruler, or else the last one</source>
+        <translation>Das gewählte Lineal entfernen, sonst das letzte</translation>
+    </message>
+    <message>
+        <source>Remove All Rulers</source>
+        <translation>Alle Lineale entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all rulers from the picture</source>
+        <translation>Alle Lineale aus dem Bild entfernen</translation>
+    </message>
+    <message>
+        <source>Remove Rulers</source>
+        <translation>Lineale entfernen</translation>
+    </message>
+    <message>
+        <source>Complete Ruler</source>
+        <translation>Lineal abschließen</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -13004,6 +13200,44 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ToolActions</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ToolPanel</name>
+    <message>
+        <source>No tool plugin could be loaded.</source>
+        <translation>Kein Werkzeug-Plugin konnte geladen werden.</translation>
+    </message>
+    <message>
+        <source>Choose a tool in the menu Tools: to measure, say, or to cut.</source>
+        <translation>Wählen Sie im Menü Werkzeuge ein Werkzeug, etwa zum Messen oder Schneiden.</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>What the tool tells of the places in the picture</source>
+        <translation>Was das Werkzeug über die Stellen im Bild sagt</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the readings as text, for a table</source>
+        <translation>Die Messwerte als Text kopieren, für eine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

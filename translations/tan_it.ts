@@ -156,10 +156,6 @@
         <translation>Versione e licenza</translation>
     </message>
     <message>
-        <source>Tools</source>
-        <translation>Strumenti</translation>
-    </message>
-    <message>
         <source>Save &amp;Mesh…</source>
         <translation>Salva &amp;mesh…</translation>
     </message>
@@ -375,6 +371,14 @@
         <source>Save Soli&amp;ds…</source>
         <translation>Salva &amp;geometrie solide…</translation>
     </message>
+    <message>
+        <source>Tool Bar</source>
+        <translation>Barra degli strumenti</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Strumenti</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -504,6 +508,10 @@
         <source>Change Lens</source>
         <translation>Modifica lente</translation>
     </message>
+    <message>
+        <source>Change Tool</source>
+        <translation>Modifica strumento</translation>
+    </message>
 </context>
 <context>
     <name>Desktop</name>
@@ -601,6 +609,14 @@
     <message>
         <source>The camera settings as numbers. In the picture: drag to turn, Shift+drag to move, use the wheel to zoom.</source>
         <translation>La camera in numeri. Nell&apos;immagine: trascinare per ruotare, Maiusc e trascinare per spostare, la rotella ingrandisce.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Strumenti</translation>
+    </message>
+    <message>
+        <source>What the chosen tool can do and what it measures. In the picture: click a place, drag a handle; Return selects the next handle, and arrow keys move it.</source>
+        <translation>Ciò che lo strumento scelto può fare e ciò che misura. Nell&apos;immagine: fare clic su un punto, trascinare una maniglia; Invio seleziona la maniglia successiva e i tasti freccia la muovono.</translation>
     </message>
 </context>
 <context>
@@ -3180,6 +3196,10 @@ deformazione %2</translation>
         <source>Save Solids</source>
         <translation>Salva solidi</translation>
     </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
 </context>
 <context>
     <name>tetra::Message</name>
@@ -5698,10 +5718,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>&quot;%1&quot; is &quot;%2&quot;, which is not a version like &quot;1.2.3&quot;</source>
         <translation>«%1» è «%2», che non è una versione come «1.2.3»</translation>
-    </message>
-    <message>
-        <source>&quot;kind&quot; is &quot;%1&quot;, which is not one of builder, renderer, reader, writer, editor</source>
-        <translation>«kind» è «%1», che non è nessuno di builder, renderer, reader, writer, editor</translation>
     </message>
     <message>
         <source>&quot;requires&quot; is not a list</source>
@@ -11887,6 +11903,186 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>%1 (in space up to %2)</source>
         <translation>%1 (nello spazio fino a %2)</translation>
     </message>
+    <message>
+        <source>What tools have in the picture is left out: it is for another domain.</source>
+        <translation>Ciò che gli strumenti hanno nell&apos;immagine è tralasciato: vale per un altro dominio.</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>strumento</translation>
+    </message>
+    <message>
+        <source>&quot;kind&quot; is &quot;%1&quot;, which is not one of builder, renderer, reader, writer, editor, tool</source>
+        <translation>«kind» è «%1», che non è nessuno di builder, renderer, reader, writer, editor, tool</translation>
+    </message>
+    <message>
+        <source>what it keeps is too long</source>
+        <translation>ciò che conserva è troppo lungo</translation>
+    </message>
+    <message>
+        <source>what it keeps is no text</source>
+        <translation>ciò che conserva non è un testo</translation>
+    </message>
+    <message>
+        <source>Clip plane</source>
+        <translation>Piano di taglio</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Sezione</translation>
+    </message>
+    <message>
+        <source>Move Plane</source>
+        <translation>Sposta piano</translation>
+    </message>
+    <message>
+        <source>Turn Plane</source>
+        <translation>Ruota piano</translation>
+    </message>
+    <message>
+        <source>This rendering mode has neither clip planes nor slices.</source>
+        <translation>Questa modalità di visualizzazione non ha né piani di taglio né sezioni.</translation>
+    </message>
+    <message>
+        <source>Centre of the plane</source>
+        <translation>Centro del piano</translation>
+    </message>
+    <message>
+        <source>Direction of the plane</source>
+        <translation>Direzione del piano</translation>
+    </message>
+    <message>
+        <source>Add Plane</source>
+        <translation>Aggiungi piano</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What is moved: a plane that cuts the picture open, or one that shows the data.</source>
+        <translation>Ciò che si muove: un piano che taglia l&apos;immagine, o uno che mostra i dati.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Piano</translation>
+    </message>
+    <message>
+        <source>Which of the planes is moved.</source>
+        <translation>Quale dei piani si muove.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direzione</translation>
+    </message>
+    <message>
+        <source>Across the plane, along x, y and z; of a clip plane towards what is shown.</source>
+        <translation>Perpendicolare al piano, lungo x, y e z; di un piano di taglio verso ciò che si mostra.</translation>
+    </message>
+    <message>
+        <source>Place along it</source>
+        <translation>Posizione lungo la direzione</translation>
+    </message>
+    <message>
+        <source>How far the plane lies from the origin in its direction, in the data&apos;s unit of length.</source>
+        <translation>Quanto il piano dista dall&apos;origine nella sua direzione, nell&apos;unità di lunghezza dei dati.</translation>
+    </message>
+    <message>
+        <source>Choose Plane</source>
+        <translation>Scegli piano</translation>
+    </message>
+    <message>
+        <source>Cut through the middle of the data, across the axis that one looks along</source>
+        <translation>Tagliare a metà i dati, perpendicolarmente all&apos;asse lungo cui si guarda</translation>
+    </message>
+    <message>
+        <source>Flip Plane</source>
+        <translation>Inverti piano</translation>
+    </message>
+    <message>
+        <source>Show what was cut away, and cut away what was shown</source>
+        <translation>Mostrare ciò che era tagliato e tagliare ciò che si mostrava</translation>
+    </message>
+    <message>
+        <source>Align with Axis</source>
+        <translation>Allinea a un asse</translation>
+    </message>
+    <message>
+        <source>Turn the plane across the nearest axis; Shift does so while it is turned</source>
+        <translation>Ruotare il piano perpendicolarmente all&apos;asse più vicino; Maiusc lo fa durante la rotazione</translation>
+    </message>
+    <message>
+        <source>Remove Plane</source>
+        <translation>Rimuovi piano</translation>
+    </message>
+    <message>
+        <source>Remove the plane that is moved</source>
+        <translation>Rimuovere il piano che si muove</translation>
+    </message>
+    <message>
+        <source>%1 units of the file</source>
+        <translation>%1 unità del file</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Place %1 of ruler %2</source>
+        <translation>Punto %1 del righello %2</translation>
+    </message>
+    <message>
+        <source>Measure Distance</source>
+        <translation>Misura distanza</translation>
+    </message>
+    <message>
+        <source>Measure Angle</source>
+        <translation>Misura angolo</translation>
+    </message>
+    <message>
+        <source>Move Ruler</source>
+        <translation>Sposta righello</translation>
+    </message>
+    <message>
+        <source>Ruler %1</source>
+        <translation>Righello %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2, %3 between them</source>
+        <translation>%1 e %2, con %3 tra loro</translation>
+    </message>
+    <message>
+        <source>New Ruler</source>
+        <translation>Nuovo righello</translation>
+    </message>
+    <message>
+        <source>Begin another ruler at the next click, without an angle</source>
+        <translation>Iniziare un altro righello al prossimo clic, senza angolo</translation>
+    </message>
+    <message>
+        <source>Remove Ruler</source>
+        <translation>Rimuovi righello</translation>
+    </message>
+    <message>
+        <source>Remove the selected ruler, or else the last one</source>
+        <translation>Rimuovere il righello selezionato, o altrimenti l&apos;ultimo</translation>
+    </message>
+    <message>
+        <source>Remove All Rulers</source>
+        <translation>Rimuovi tutti i righelli</translation>
+    </message>
+    <message>
+        <source>Remove all rulers from the picture</source>
+        <translation>Rimuovere tutti i righelli dall&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Remove Rulers</source>
+        <translation>Rimuovi righelli</translation>
+    </message>
+    <message>
+        <source>Complete Ruler</source>
+        <translation>Completa righello</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -13004,6 +13200,44 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Cancel</source>
         <translation>Annulla</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ToolActions</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::ToolPanel</name>
+    <message>
+        <source>No tool plugin could be loaded.</source>
+        <translation>Nessun plugin di strumenti ha potuto essere caricato.</translation>
+    </message>
+    <message>
+        <source>Choose a tool in the menu Tools: to measure, say, or to cut.</source>
+        <translation>Scegliere uno strumento nel menu Strumenti: per misurare, ad esempio, o per tagliare.</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Letture</translation>
+    </message>
+    <message>
+        <source>What the tool tells of the places in the picture</source>
+        <translation>Ciò che lo strumento dice dei punti nell&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copia</translation>
+    </message>
+    <message>
+        <source>Copy the readings as text, for a table</source>
+        <translation>Copiare le letture come testo, per una tabella</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@ void loadAll(PluginHost& host)
     host.readers();
     host.writers();
     host.editors();
+    host.tools();
 }
 
 } // namespace

@@ -318,6 +318,29 @@ Result<std::filesystem::path> modelOf(const Arguments& arguments, const SessionD
                      "', nor one with that name near the session. Give its path with '--model FILE'."};
 }
 
+/// What tools show over the picture in the window: it is not drawn here. Nothing where they show nothing.
+std::optional<SessionDifference> undrawnTools(PluginHost& host, const ViewValue& view, const Model& model)
+{
+    const std::vector<Parameter> parameters; // of the mode: what tools measure does not depend on them
+    std::string names;
+    for (const auto& [id, value] : view.tools) {
+        const auto tool = host.tool(id);
+        if (tool) {
+            const ToolDrawing shown = tool->plugin->drawing({.view = view,
+                                                             .model = model.description(),
+                                                             .value = value,
+                                                             .parameters = parameters,
+                                                             .camera = view.camera});
+            if (shown.lines.empty() && shown.points.empty() && shown.texts.empty())
+                continue;
+        }
+        names += (names.empty() ? "'" : ", '") + (tool ? tool->name : id) + "'";
+    }
+    if (names.empty())
+        return std::nullopt;
+    return SessionDifference{"tools", "What the window shows of these tools is not drawn: " + names + "."};
+}
+
 /// What of the session the picture will not show; an error if that is not to be.
 Result<std::vector<SessionDifference>> differencesOf(const Invocation& invocation, const SessionDocument& document,
                                                      RestoredView restored, const FoundModel& found)
@@ -326,6 +349,8 @@ Result<std::vector<SessionDifference>> differencesOf(const Invocation& invocatio
     if (const auto other = differentModel(document, *found.model);
         other && found.isWhole && !invocation.arguments.has("model"))
         differences.insert(differences.begin(), *other);
+    if (auto tools = undrawnTools(invocation.host, restored.document.view, *found.model))
+        differences.push_back(*std::move(tools));
     std::string texts; // with what the session's file says, so that a terminal must not see them as they are
     for (const SessionDifference& difference : differences)
         texts += (texts.empty() ? "" : " ") + difference.text.text();

@@ -77,6 +77,11 @@ void fitPlaces(SessionDocument& kept, const ViewValue& start, const Model& model
     if (dropPlanes(slicesId, view))
         differences.push_back(
             {"slices", Message::say("The slices have their default position: the saved ones are for another domain.")});
+    if (!view.tools.empty()) {
+        differences.push_back(
+            {"tools", Message::say("What tools have in the picture is left out: it is for another domain.")});
+        view.tools.clear();
+    }
     if (!view.animation.keys.empty()) {
         differences.push_back(
             {"animation", Message::say("The film has no key frames: their cameras are for another domain.")});
@@ -193,6 +198,7 @@ void dropPlacesAndValues(SessionDocument& kept, const ViewValue& start)
     view.appearance.transfer = {};
     view.appearance.settings.erase(clipId);
     view.appearance.settings.erase(slicesId);
+    view.tools.clear();
     std::erase_if(view.appearance.settings,
                   [](const auto& setting) { return std::holds_alternative<TransferFunction>(setting.second); });
     view.isovalues = start.isovalues;

@@ -14,8 +14,8 @@ namespace tetra {
 
 /// A part of a look that a model cannot have.
 struct SessionDifference {
-    /// "model", "camera", "focus", "window", "clip", "slices", "animation", "isovalues", "transfer", "values" or
-    /// "mode".
+    /// "model", "camera", "focus", "window", "clip", "slices", "animation", "isovalues", "transfer", "values",
+    /// "mode" or "tools".
     std::string part;
     Message text; ///< a sentence: what is shown instead, and why
 };

@@ -137,6 +137,28 @@ void readFilm(const JsonFields& fields, Animation& animation)
     animation = corrected(std::move(animation));
 }
 
+JsonValue toolsToJson(const ToolValues& tools)
+{
+    JsonObject members;
+    for (const auto& [id, text] : tools)
+        if (!text.empty())
+            members.append(id, text);
+    return members;
+}
+
+void readTools(const JsonFields& fields, ToolValues& tools)
+{
+    if (fields.members() == nullptr)
+        return;
+    tools.clear(); // each is whole: none is what is missing
+    for (const auto& [id, written] : *fields.members()) {
+        std::string text;
+        fields.read(id, text);
+        if (!text.empty())
+            tools[id] = std::move(text);
+    }
+}
+
 } // namespace
 
 void readView(const JsonFields& fields, ViewValue& view)
@@ -150,6 +172,7 @@ void readView(const JsonFields& fields, ViewValue& view)
     if (fields.has("background"))
         view.background = readColour(fields, "background", {});
     readLens(fields.fields("lens"), view.lens);
+    readTools(fields.fields("tools"), view.tools);
 }
 
 std::string viewToText(const ViewValue& view)
@@ -163,6 +186,8 @@ std::string viewToText(const ViewValue& view)
                        {"lens", lensToJson(view.lens)}};
     if (view.background)
         members.append("background", toJson(*view.background));
+    if (JsonValue tools = toolsToJson(view.tools); !tools.object()->empty())
+        members.append("tools", std::move(tools));
     return indentedJson(byName(std::move(members)));
 }
 

@@ -15,7 +15,8 @@ namespace {
 template <class View> auto viewParts(View& view)
 {
     return std::tie(view.query, view.appearance.mode, view.appearance.transfer, view.appearance.settings,
-                    view.isovalues, view.annotations, view.animation, view.camera, view.background, view.lens);
+                    view.isovalues, view.annotations, view.animation, view.camera, view.background, view.lens,
+                    view.tools);
 }
 
 constexpr auto partCount = std::tuple_size_v<decltype(viewParts(std::declval<const ViewValue&>()))>;

@@ -24,7 +24,7 @@ public:
 private:
     /// Each part is of a type of its own, in the order of ViewPart.
     using Part = std::variant<QueryState, std::string, TransferFunction, ParameterValues, std::vector<Isovalue>,
-                              AnnotationState, Animation, Camera, std::optional<Colour>, LensState>;
+                              AnnotationState, Animation, Camera, std::optional<Colour>, LensState, ToolValues>;
     std::vector<Part> parts_; ///< in that order
 };
 

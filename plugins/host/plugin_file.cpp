@@ -22,14 +22,14 @@ constexpr std::size_t mostBytesOfNotes = 1 << 20;
 /// Of the note that plugins of Qt have; those for earlier versions of TAn are such.
 constexpr std::string_view ownerOfQtNotes{"qt-project!\0", 12};
 
-Error refused(Message text)
+Error notTaken(Message text)
 {
     return {ErrorKind::BadInput, std::move(text)};
 }
 
 Error noPlugin(const Message& why)
 {
-    return refused(Message::say("It is not a plugin, or is damaged: %1 Install it again, or remove the file.", why));
+    return notTaken(Message::say("It is not a plugin, or is damaged: %1 Install it again, or remove the file.", why));
 }
 
 /// A part of the file, if all of it is there.
@@ -102,6 +102,30 @@ Result<std::string> textOf(std::string_view content)
     return std::string(*text);
 }
 
+/// The word that ends where `marker` begins in `text`; empty without one.
+std::string_view wordBefore(std::string_view text, std::string_view marker)
+{
+    const auto end = text.find(marker);
+    if (end == std::string_view::npos)
+        return {};
+    const auto before = text.substr(0, end).find_last_of(" (");
+    return text.substr(before + 1, end - before - 1); // npos + 1 is 0
+}
+
+std::string_view wordAfter(std::string_view text, std::string_view marker)
+{
+    const auto begin = text.find(marker);
+    if (begin == std::string_view::npos)
+        return {};
+    const std::string_view rest = text.substr(begin + marker.size());
+    return rest.substr(0, rest.find_first_of(" ,)"));
+}
+
+Message advice(std::string_view own, const Message& general)
+{
+    return own.empty() ? general : Message::of(std::string(own), {});
+}
+
 } // namespace
 
 Message builtForEarlierTan()
@@ -125,7 +149,7 @@ Result<std::string> pluginText(std::span<const std::byte> library)
             return textOf(note.substr(mark + pluginNoteMark.size()));
     for (const std::string_view note : *notes)
         if (note.find(ownerOfQtNotes) != std::string_view::npos)
-            return refused(builtForEarlierTan());
+            return notTaken(builtForEarlierTan());
     return noPlugin(Message::say("it has no metadata."));
 }
 
@@ -135,6 +159,22 @@ Result<std::string> pluginText(const std::filesystem::path& library)
     if (!file && file.error().kind == ErrorKind::OutOfResource)
         return file.error();
     return file ? pluginText((*file)->bytes()) : noPlugin(file.error().message);
+}
+
+Message explainLoadError(std::string_view systemText, std::string_view remedy)
+{
+    if (const std::string library(wordBefore(systemText, ": cannot open shared object file")); !library.empty())
+        return Message::say("The library %1 is missing. %2", library,
+                            advice(remedy, Message::say("Install the package that contains it (on Debian, '%1' names "
+                                                        "it), or remove the plugin.",
+                                                        "apt-file search " + library)));
+    if (const std::string symbol(wordAfter(systemText, "undefined symbol: ")); !symbol.empty())
+        return Message::say("It needs the function %1, which no library here provides: it was built for another "
+                            "version of TAn or of a library. %2",
+                            symbol,
+                            advice(remedy, Message::say("Rebuild it, or install the version for this program.")));
+    return Message::say("It could not be loaded: %1 %2", systemText,
+                        advice(remedy, Message::say("Install it again, or remove it.")));
 }
 
 } // namespace tetra

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace tetra {
 
@@ -22,5 +23,9 @@ Result<std::string> pluginText(std::span<const std::byte> library);
 
 /// The sentence about a plugin of an earlier TAn.
 Message builtForEarlierTan();
+
+/// Puts what the system said when a plugin could not be loaded into words: names the missing library or symbol, and
+/// what to do. `remedy` is the plugin's own advice, or empty.
+Message explainLoadError(std::string_view systemText, std::string_view remedy);
 
 } // namespace tetra

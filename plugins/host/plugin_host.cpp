@@ -4,7 +4,6 @@
 #include "core/base/folder.h"
 #include "core/base/system_error.h"
 #include "plugins/host/dependency_order.h"
-#include "plugins/host/load_error.h"
 #include "plugins/host/plugin_file.h"
 #include "plugins/host/plugin_folders.h"
 
@@ -384,6 +383,7 @@ Status PluginHost::open(Entry& entry)
     case PluginKind::Writer: entry.guard = guarded(*static_cast<const Writer*>(object), std::move(target)); break;
     case PluginKind::Renderer: entry.guard = guarded(*static_cast<const Renderer*>(object), std::move(target)); break;
     case PluginKind::Editor: entry.guard = static_cast<const Editor*>(object); break;
+    case PluginKind::Tool: entry.guard = guarded(*static_cast<const Tool*>(object), std::move(target)); break;
     }
     entry.status.state = PluginState::Loaded;
     return {};

@@ -4,6 +4,7 @@
 #include "plugins/api/builder.h"
 #include "plugins/api/reader.h"
 #include "plugins/api/renderer.h"
+#include "plugins/api/tool.h"
 #include "plugins/api/writer.h"
 #include "plugins/host/compatibility.h"
 #include "plugins/host/plugin_guards.h"
@@ -81,12 +82,14 @@ public:
     std::vector<Provided<Reader>> readers() { return all<Reader>(PluginKind::Reader); }
     std::vector<Provided<Writer>> writers() { return all<Writer>(PluginKind::Writer); }
     std::vector<Provided<Editor>> editors() { return all<Editor>(PluginKind::Editor); }
+    std::vector<Provided<Tool>> tools() { return all<Tool>(PluginKind::Tool); }
 
     /// One plugin; loads it. The error says why it cannot be had, or which ones there are.
     Result<Provided<Builder>> builder(const std::string& id) { return one<Builder>(PluginKind::Builder, id); }
     Result<Provided<Renderer>> renderer(const std::string& id) { return one<Renderer>(PluginKind::Renderer, id); }
     Result<Provided<Editor>> editor(const std::string& id) { return one<Editor>(PluginKind::Editor, id); }
     Result<Provided<Reader>> reader(const std::string& id) { return one<Reader>(PluginKind::Reader, id); }
+    Result<Provided<Tool>> tool(const std::string& id) { return one<Tool>(PluginKind::Tool, id); }
 
     /// `tell` hears of each failure that the caller is not given as an error: of a plugin that turns out to be unusable
     /// when all of its kind are loaded, and of one that throws where it has no Result to give. From any thread, so that

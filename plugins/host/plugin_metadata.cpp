@@ -3,6 +3,7 @@
 
 #include "core/base/json.h"
 #include "plugins/api/metadata.h"
+#include "plugins/api/tool.h"
 
 #include <algorithm>
 #include <array>
@@ -20,11 +21,12 @@ struct KindEntry {
     std::string_view name() const noexcept { return text; }
 };
 
-constexpr std::array<KindEntry, 5> kinds = {{{PluginKind::Builder, Message::marked("builder"), interfaceId<Builder>},
+constexpr std::array<KindEntry, 6> kinds = {{{PluginKind::Builder, Message::marked("builder"), interfaceId<Builder>},
                                              {PluginKind::Renderer, Message::marked("renderer"), interfaceId<Renderer>},
                                              {PluginKind::Reader, Message::marked("reader"), interfaceId<Reader>},
                                              {PluginKind::Writer, Message::marked("writer"), interfaceId<Writer>},
-                                             {PluginKind::Editor, Message::marked("editor"), interfaceId<Editor>}}};
+                                             {PluginKind::Editor, Message::marked("editor"), interfaceId<Editor>},
+                                             {PluginKind::Tool, Message::marked("tool"), interfaceId<Tool>}}};
 
 Error malformed(const Message& what)
 {
@@ -66,7 +68,7 @@ Result<PluginKind> parseKind(const std::string& text)
     const auto entry = std::ranges::find(kinds, std::string_view(text), &KindEntry::name);
     if (entry == kinds.end())
         return malformed(
-            Message::say("\"kind\" is \"%1\", which is not one of builder, renderer, reader, writer, editor", text));
+            Message::say("\"kind\" is \"%1\", which is not one of builder, renderer, reader, writer, editor, tool", text));
     return entry->kind;
 }
 

@@ -12,9 +12,9 @@
 
 namespace tetra {
 
-enum class PluginKind { Builder, Renderer, Reader, Writer, Editor };
+enum class PluginKind { Builder, Renderer, Reader, Writer, Editor, Tool };
 
-/// "builder", "renderer", "reader", "writer", "editor".
+/// "builder", "renderer", "reader", "writer", "editor", "tool".
 std::string_view pluginKindName(PluginKind kind) noexcept;
 
 /// The same, for the user.

@@ -7,6 +7,8 @@
 #include <QPainterPath>
 #include <QPalette>
 
+#include <utility>
+
 namespace tetra {
 namespace {
 
@@ -106,7 +108,7 @@ QPainterPath outline(Glyph glyph)
 
 class GlyphEngine : public QIconEngine {
 public:
-    explicit GlyphEngine(Glyph glyph) : glyph_(glyph) {}
+    explicit GlyphEngine(QPainterPath path) : path_(std::move(path)) {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
     {
@@ -117,7 +119,7 @@ public:
         painter->scale(rect.width() / gridSize, rect.height() / gridSize);
         painter->setPen(QPen(QApplication::palette().color(group, QPalette::WindowText), 1.7, Qt::SolidLine,
                              Qt::RoundCap, Qt::RoundJoin));
-        painter->drawPath(outline(glyph_));
+        painter->drawPath(path_);
         painter->restore();
     }
 
@@ -130,10 +132,10 @@ public:
         return pixmap;
     }
 
-    QIconEngine* clone() const override { return new GlyphEngine(glyph_); }
+    QIconEngine* clone() const override { return new GlyphEngine(path_); }
 
 private:
-    Glyph glyph_;
+    QPainterPath path_;
 };
 
 void fillTriangle(QPainter& painter, QPointF a, QPointF b, QPointF c, const QColor& colour)
@@ -147,7 +149,15 @@ void fillTriangle(QPainter& painter, QPointF a, QPointF b, QPointF c, const QCol
 
 QIcon glyphIcon(Glyph glyph)
 {
-    return QIcon(new GlyphEngine(glyph));
+    return QIcon(new GlyphEngine(outline(glyph)));
+}
+
+QIcon lineIcon(const QList<QPolygonF>& lines)
+{
+    QPainterPath path;
+    for (const QPolygonF& line : lines)
+        path.addPolygon(line);
+    return QIcon(new GlyphEngine(path));
 }
 
 QIcon programIcon()

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QIcon>
+#include <QList>
+#include <QPolygonF>
 
 namespace tetra {
 
@@ -28,6 +30,9 @@ enum class Glyph {
 /// Drawn when it is painted, so that it is sharp at any size and scale and has the text colour of a light or a dark
 /// palette.
 QIcon glyphIcon(Glyph glyph);
+
+/// The same of lines on a square of 24 units.
+QIcon lineIcon(const QList<QPolygonF>& lines);
 
 /// The program's own sign: a tetrahedron.
 QIcon programIcon();

@@ -13,7 +13,7 @@ import sys
 from page_commands import examples_built
 
 SOURCE, PREFIX, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
-NOT_SHOWN = ("editor", "projection", "slice")
+NOT_SHOWN = ("editor", "projection", "slice", "tool")
 # Without a build type plugins are optimised; of this one nothing is known.
 QUICKLY = "-DCMAKE_BUILD_TYPE=Quick -DCMAKE_CXX_FLAGS_QUICK=-O0"
 

@@ -4,6 +4,7 @@
 #include "tests/examples/example_plugins.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/tools/tool_desk.h"
 #include "ui/viewport/value_pick.h"
 
 #include <tan/verify.h>
@@ -14,6 +15,7 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -115,6 +117,7 @@ private slots:
     void theSliceIsSeenPickedAndSaved();
     void theProjectionShowsTheLargestValues();
     void theBandOfTheShellsIsEditedInItsDock();
+    void valuesArePinnedByTheTool();
     void isosurfacesAreWrittenByTheWriter();
     void aGridIsReadAndBuiltWithinABudget();
 
@@ -224,8 +227,8 @@ void ExampleWindowTest::allOfThemAreLoaded()
         if (status.metadata.id.starts_with("example.") && status.state == PluginState::Loaded)
             loaded << QString::fromStdString(status.metadata.id);
     loaded.sort();
-    QCOMPARE(loaded, QStringList({"example.band-editor", "example.budget", "example.grid-text", "example.off",
-                                  "example.projection", "example.shells", "example.slice"}));
+    QCOMPARE(loaded, QStringList({"example.band-editor", "example.budget", "example.grid-text", "example.notes",
+                                  "example.off", "example.projection", "example.shells", "example.slice"}));
 }
 
 void ExampleWindowTest::theSliceIsSeenPickedAndSaved()
@@ -312,6 +315,39 @@ void ExampleWindowTest::theBandOfTheShellsIsEditedInItsDock()
     waitForPicture();
     QVERIFY(isovaluesSeen() == wholeRange);
     QCOMPARE(low.value(), low.minimum());
+}
+
+/// Seen beside the pointer, kept where one clicks, dragged to another place.
+void ExampleWindowTest::valuesArePinnedByTheTool()
+{
+    auto& desk = find<ToolDesk>("viewport.toolDesk");
+    Viewport& viewport = window_->viewport();
+    choose("volume");
+    find<QAction>("action.tool.example.notes").trigger();
+    waitForPicture();
+    const QPoint middle = viewport.rect().center();
+    QVERIFY(desk.drawings().back().texts.empty());
+    QMouseEvent hover(QEvent::MouseMove, middle, viewport.mapToGlobal(middle), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&viewport, &hover);
+    QTRY_COMPARE(desk.drawings().back().texts.size(), std::size_t(1));
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(session().view().tools.contains("example.notes"));
+    const auto handles = [&] { return desk.drawings().back().handles; };
+    QCOMPARE(handles().size(), std::size_t(1));
+    const auto pixelOf = [&](const Eigen::Vector3d& place) { return viewport.projection().pixelOf(place)->toPoint(); };
+    QVERIFY((pixelOf(handles().front().place) - middle).manhattanLength() <= 1);
+    const std::string pinned = session().view().tools.at("example.notes");
+    QTest::keyClick(&viewport, Qt::Key_Return); // to the pin, which is moved by keys only where a value is seen
+    QCOMPARE(desk.selected(), std::string("0"));
+    QTest::mousePress(&viewport, Qt::LeftButton, {}, middle);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, middle + QPoint(20, 12));
+    QTRY_VERIFY(!desk.dragging());
+    QVERIFY(session().view().tools.at("example.notes") != pinned);
+    QVERIFY((pixelOf(handles().front().place) - middle - QPoint(20, 12)).manhattanLength() <= 2);
+    session().undoStack().undo();
+    QCOMPARE(session().view().tools.at("example.notes"), pinned);
+    session().undoStack().undo();
+    QVERIFY(session().view().tools.empty());
 }
 
 void ExampleWindowTest::isosurfacesAreWrittenByTheWriter()

@@ -149,6 +149,7 @@ const std::vector<Room>& rooms()
           "plugins/readers/lattice/arrays", "plugins/readers/lattice/text", "plugins/readers/lattice/nrrd",
           "plugins/readers/lattice/nifti", "plugins/readers/lattice/metaimage", "plugins/readers/lattice/mrc",
           "plugins/readers/lattice/raw"}},
+        {"plugins/tools", {"core/include", "plugins/api"}},
         {"plugins/writers", {"core/include", "plugins/api"}},
         {"ui/work", {"core"}},
         {"ui/animation", {"core"}},
@@ -165,9 +166,12 @@ const std::vector<Room>& rooms()
         {"ui/panels",
          {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui/work", "ui/animation", "ui/session",
           "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets", "ui/viewport"}},
+        {"ui/tools",
+         {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui/session", "ui/scenes", "ui/opening",
+          "ui/workbench", "ui/widgets", "ui/viewport", "ui/panels"}},
         {"ui/window",
          {"core", "plugins/api", "plugins/host", "plugins/widgets", "ui/work", "ui/animation", "ui/session",
-          "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets", "ui/viewport", "ui/panels"}},
+          "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets", "ui/viewport", "ui/panels", "ui/tools"}},
         {"ui/desktop.h", {}},
         {"ui/desktop.cpp",
          {"core", "plugins/widgets", "ui/work", "ui/session", "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets",
@@ -199,8 +203,8 @@ const Room* roomOf(std::string_view path)
 /// The folder inside which files may include each other: the room, or for a plugin its own folder inside the room.
 std::string homeOf(std::string_view path, const Room& room)
 {
-    constexpr std::array<std::string_view, 5> kinds = {"plugins/builders", "plugins/renderers", "plugins/editors",
-                                                       "plugins/readers", "plugins/writers"};
+    constexpr std::array<std::string_view, 6> kinds = {"plugins/builders", "plugins/renderers", "plugins/editors",
+                                                       "plugins/readers", "plugins/tools", "plugins/writers"};
     if (std::ranges::find(kinds, room.folder) == kinds.end())
         return std::string(room.folder);
     const auto end = path.find('/', room.folder.size() + 1);

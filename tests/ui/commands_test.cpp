@@ -21,7 +21,7 @@ private:
     static Drivers drivers()
     {
         return allOf({fileCommands(), viewCommands(), regionAndHelpCommands(), transferCommands(), colourCommands(),
-                      pickCommands()});
+                      pickCommands(), toolCommands()});
     }
     QStringList commandNames();
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/control_list.h"
 #include "tests/ui/driving/driving_test.h"
+#include "ui/tools/tool_desk.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -21,7 +22,7 @@ private:
     static Drivers drivers()
     {
         return allOf({accuracyControls(), lookControls(), transferControls(), regionControls(), animationControls(),
-                      buildControls()});
+                      buildControls(), toolControls()});
     }
     QStringList controlNames();
 };
@@ -54,6 +55,16 @@ QStringList DockControlsTest::controlNames()
     auto& builder = window.find<QComboBox>("build.builder");
     for (int index = 0; index < builder.count(); ++index) {
         builder.setCurrentIndex(index);
+        addNames(names, window);
+    }
+    ViewValue view = window.now();
+    view.appearance.mode = "isosurface";
+    view.tools["ruler"] = "0,0,0 1,0,0";
+    view.appearance.settings["clip"] = std::string("1,0,0,4");
+    window.session().setView(view);
+    auto& tools = window.find<ToolDesk>("viewport.toolDesk");
+    for (const auto& tool : tools.tools()) {
+        tools.choose(tool.id);
         addNames(names, window);
     }
     names.removeDuplicates();

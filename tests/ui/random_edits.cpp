@@ -54,7 +54,8 @@ double RandomEdits::value()
 
 void RandomEdits::editOnce()
 {
-    switch (below(13)) {
+    switch (below(14)) {
+    case 13: return editTools();
     case 12:
         return session_.setLens({static_cast<LensState::Shape>(below(3)), number(-0.1, 1.1), number(-0.1, 1.1),
                                  number(0, 0.6), number(0, 20), number(-1, 110)});
@@ -240,6 +241,22 @@ void RandomEdits::editAnimation()
     default: animation = withKey(animation, frameOf(session_.view())); break;
     }
     session_.setAnimation(animation);
+}
+
+/// Also of a plugin that is not there, and what is as good as nothing.
+void RandomEdits::editTools()
+{
+    ViewValue view = session_.view();
+    const char* const ids[] = {"ruler", "plane", "example.gone"};
+    std::string& text = view.tools[ids[below(3)]];
+    switch (below(4)) {
+    case 0: text.clear(); break;
+    case 1: text = "1,2,3 4,5,6; " + std::to_string(below(100)); break;
+    default: text += "x \"ü\" "; break;
+    }
+    if (text.size() > 60)
+        text.clear();
+    session_.setView(std::move(view));
 }
 
 /// Some of them a series of keys.

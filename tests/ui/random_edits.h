@@ -32,6 +32,7 @@ private:
     void editAnnotations();
     void editAnimation();
     void editCamera();
+    void editTools();
     void dragOrNot();
     FocusState anyFocus();
     WindowState anyWindow();

@@ -68,6 +68,8 @@ SessionDocument randomDocument(std::mt19937& random)
     for (unsigned count = random() % 4; count > 0; --count)
         document.view.isovalues.push_back(
             {unit(random), channel(random), channel(random), channel(random), channel(random), random() % 2 == 0});
+    if (random() % 2 == 0)
+        document.view.tools = {{"ruler", "1,2,3 4,5,6"}, {"example.gone", "{\"ü\":  [1, 2]}"}};
     document.hasCamera = random() % 2 == 0;
     if (document.hasCamera)
         document.view.camera = Camera{randomVector(random), 0.1 + unit(random), 30, 20, 10, UpAxis::MinusY, 40,
@@ -224,6 +226,7 @@ void SessionDocumentTest::whatIsNotKnownIsKept()
     std::mt19937 random(2);
     SessionDocument document = randomDocument(random);
     document.view.background = Colour{1, 0, 0};
+    document.view.tools = {{"ruler", "1,2,3"}, {"example.gone", "4"}};
     QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(document, "/"))).object();
     root["ofTomorrow"] = QJsonValue(QJsonArray({QJsonValue(1), QJsonValue("two")}));
     QJsonObject mesh = root["mesh"].toObject();
@@ -233,10 +236,12 @@ void SessionDocumentTest::whatIsNotKnownIsKept()
     QVERIFY(read);
     read->view.background.reset();
     read->view.appearance.settings.clear();
+    read->view.tools.erase("ruler");
     const QJsonObject written = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(*read, "/"))).object();
     QCOMPARE(written["ofTomorrow"], root["ofTomorrow"]);
     QCOMPARE(written["mesh"].toObject()["alsoOfTomorrow"].toBool(), true);
     QVERIFY(!written.contains("background"));
+    QCOMPARE(written["tools"].toObject(), (QJsonObject{{"example.gone", "4"}}));
     QVERIFY(written["look"].toObject()["settings"].toObject().isEmpty());
 }
 

@@ -97,6 +97,7 @@ ViewValue corrected(ViewValue view, const ViewValue& before, const Model& model)
     view.background = corrected(view.background);
     if (edited & ViewPart::Lens)
         view.lens = corrected(view.lens, before.lens);
+    std::erase_if(view.tools, [](const auto& tool) { return tool.second.empty(); });
     return view;
 }
 
@@ -174,7 +175,9 @@ QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& af
         return tr("Change Animation");
     if (parts & ViewPart::Camera)
         return tr("Move Camera");
-    return parts & ViewPart::Lens ? tr("Change Lens") : tr("Change Background");
+    if (parts & ViewPart::Lens)
+        return tr("Change Lens");
+    return parts & ViewPart::Tools ? tr("Change Tool") : tr("Change Background");
 }
 
 Session::Session(QObject* parent) : QObject(parent) {}

@@ -104,7 +104,7 @@ void ValuePick::followMouse(const QMouseEvent& event)
     switch (event.type()) {
     case QEvent::MouseButtonPress:
         pressed_.reset();
-        if (event.button() == Qt::LeftButton && event.modifiers() == Qt::NoModifier)
+        if (clickable_ && event.button() == Qt::LeftButton && event.modifiers() == Qt::NoModifier)
             pressed_ = event.position();
         break;
     case QEvent::MouseMove:

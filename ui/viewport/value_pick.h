@@ -32,6 +32,8 @@ public:
     /// At the pointer, or in the middle of the picture if the pointer is elsewhere.
     void pickAtPointer();
     void forget();
+    /// Whether clicks pick: not while they mean something else.
+    void setClickable(bool clickable) { clickable_ = clickable; }
     /// Whether a value that was asked for is still being looked for.
     bool busy() const noexcept { return wanted_ || seen_.busy(); }
 
@@ -54,6 +56,7 @@ private:
     std::optional<QPointF> pressed_; ///< the button, there, and not moved since
     std::optional<QPointF> wanted_;  ///< to be picked when the picture is up to date
     ScenePick seen_;
+    bool clickable_ = true;
 };
 
 } // namespace tetra

@@ -216,7 +216,7 @@ void addHelpMenu(QMainWindow& window, Actions& actions)
 
 void addToolBar(QMainWindow& window, Actions& actions)
 {
-    QToolBar* bar = window.addToolBar(ActionTexts::tr("Tools"));
+    QToolBar* bar = window.addToolBar(ActionTexts::tr("Tool Bar"));
     bar->setObjectName("toolBar");
     bar->toggleViewAction()->setObjectName("action.toolBar");
     actions.panels->addAction(bar->toggleViewAction());
@@ -270,6 +270,7 @@ Actions makeActions(QMainWindow& window, QUndoStack& undoStack)
     addEditMenu(window, undoStack, actions);
     addViewMenu(window, actions);
     actions.region = addMenu(window, "region", ActionTexts::tr("&Region"));
+    actions.tools = addMenu(window, "tools", ActionTexts::tr("&Tools"));
     addHelpMenu(window, actions);
     addToolBar(window, actions);
     addNeeds(actions);

@@ -55,6 +55,7 @@ struct Actions {
     QMenu* modes = nullptr;       ///< for those of ModeActions
     QMenu* annotations = nullptr; ///< for those of AnnotationActions
     QMenu* region = nullptr;      ///< for those of RegionActions
+    QMenu* tools = nullptr;       ///< for those of ToolActions
     QMenu* picked = nullptr;      ///< for those of PickActions
     QToolBar* toolBar = nullptr;
 };

@@ -14,6 +14,7 @@
 #include "ui/panels/statistics_panel.h"
 #include "ui/panels/view_panel.h"
 #include "ui/session/message_text.h"
+#include "ui/tools/tool_panel.h"
 #include "ui/widgets/mnemonics.h"
 
 #include <QCoreApplication>
@@ -103,7 +104,8 @@ void takeBackSize(QMainWindow& window, const QSize& size)
 
 } // namespace
 
-Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport, ValuePick& pick)
+Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport, ValuePick& pick,
+                ToolDesk& tools)
 {
     const auto add = [&](const char* name, const QString& title, const QString& help, QWidget* content) {
         auto* dock = new QDockWidget(title);
@@ -165,6 +167,10 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
         add("animation", DockTexts::tr("Animation"),
             DockTexts::tr("Films of the model: a turntable, or a path through key frames of your choice."),
             docks.animationPanel);
+    docks.tools = add("tools", DockTexts::tr("Tools"),
+                      DockTexts::tr("What the chosen tool can do and what it measures. In the picture: click a place, "
+                                    "drag a handle; Return selects the next handle, and arrow keys move it."),
+                      new ToolPanel(tools));
     giveMnemonics(menu);
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
         separateMnemonics(*dock->widget(), *window.menuBar());
@@ -196,15 +202,17 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.tabifyDockWidget(before, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
     window.tabifyDockWidget(docks.region, docks.animation);
+    window.tabifyDockWidget(docks.animation, docks.tools);
     std::vector<QDockWidget*> all = docks.editors;
     all.insert(all.end(), {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics, docks.isovalues,
-                           docks.focus, docks.region, docks.animation});
+                           docks.focus, docks.region, docks.animation, docks.tools});
     for (QDockWidget* dock : all) {
         dock->setFloating(false);
         dock->show();
     }
     docks.build->setVisible(showBuild);
     docks.animation->hide();
+    docks.tools->hide();
     docks.isovalues->raise();
     docks.accuracy->raise();
     takeBackSize(window, size);

@@ -16,6 +16,7 @@ class BuildPanel;
 class FocusPanel;
 class RenderingPanel;
 class StatisticsPanel;
+class ToolDesk;
 class ValuePick;
 class Viewport;
 
@@ -32,6 +33,7 @@ struct Docks {
     QDockWidget* focus = nullptr;
     QDockWidget* region = nullptr;
     QDockWidget* animation = nullptr;    ///< hidden at first
+    QDockWidget* tools = nullptr;        ///< likewise, until a tool is chosen
     std::vector<QDockWidget*> editors{}; ///< of the editor plugins
     AnimationPanel* animationPanel = nullptr;
     BuildPanel* buildPanel = nullptr;
@@ -40,8 +42,9 @@ struct Docks {
     StatisticsPanel* statisticsPanel = nullptr;
 };
 
-/// Makes them and puts their actions into `menu`. Workbench, viewport and pick outlive the window's widgets.
-Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport, ValuePick& pick);
+/// Makes them and puts their actions into `menu`. All others outlive the window's widgets.
+Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport, ValuePick& pick,
+                ToolDesk& tools);
 
 /// Puts all docks where they are at first; the one for builds is seen only with a dataset to build of. The window keeps
 /// its size. On a small screen all are tabs of one place.

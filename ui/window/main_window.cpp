@@ -11,6 +11,8 @@
 #include "ui/panels/statistics_panel.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
+#include "ui/tools/tool_actions.h"
+#include "ui/tools/tool_overlay.h"
 #include "ui/viewport/annotation_overlay.h"
 #include "ui/viewport/lens_tool.h"
 #include "ui/viewport/picture_notice.h"
@@ -34,6 +36,7 @@
 #include "ui/window/leaving.h"
 #include "ui/window/mode_actions.h"
 #include "ui/window/orientation_actions.h"
+#include "ui/window/palette_commands.h"
 #include "ui/window/pick_actions.h"
 #include "ui/window/picture_dialog.h"
 #include "ui/window/picture_orders.h"
@@ -128,10 +131,11 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     new WheelGuard(*viewport_, this);
     resize(firstSize.boundedTo(screen()->availableSize() - frameOfWindows));
     setCentralWidget(makeCentre());
-    docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_, *pick_);
+    docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_, *pick_, *tools_);
     layOutDocks(*this, docks_, workbench_.opening().datasets().dataset() != nullptr);
     connectActions();
     connectRegions();
+    connectTools();
     connectWorkbench();
     connectMessages();
     connectFollowing();
@@ -164,6 +168,8 @@ QWidget* MainWindow::makeCentre()
     pick_ = new ValuePick(workbench_, *viewport_);
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
+    tools_ = new ToolDesk(workbench_, *viewport_, viewport_);
+    new ToolOverlay(*tools_, *viewport_);
     notice_ = new PictureNotice(*viewport_);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
@@ -390,6 +396,17 @@ void MainWindow::connectRegions()
     connect(regions_, &RegionActions::lensSwitchedOn, viewport_, takeKeys);
     connect(regions_, &RegionActions::focusSwitchedOn, viewport_, takeKeys);
     connect(regions_, &RegionActions::windowSwitchedOn, viewport_, takeKeys);
+}
+
+void MainWindow::connectTools()
+{
+    auto* actions = new ToolActions(*tools_, workbench_, *actions_.tools, *actions_.toolBar);
+    for (QAction* action : actions->actions())
+        setNeed(*action, tr("Open a model first"));
+    actions_.tools->menuAction()->setVisible(!actions->actions().empty());
+    connect(actions, &ToolActions::switchedOn, docks_.tools, [this] { raiseDock(*docks_.tools); });
+    connect(actions, &ToolActions::switchedOn, viewport_, [this] { viewport_->setFocus(); });
+    connect(tools_, &ToolDesk::chosenChanged, pick_, [this] { pick_->setClickable(tools_->chosen().empty()); });
 }
 
 void MainWindow::connectWorkbench()

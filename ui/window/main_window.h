@@ -25,6 +25,7 @@ class LensTool;
 class RegionActions;
 class StatusLine;
 class TaskLine;
+class ToolDesk;
 class ValuePick;
 class PictureNotice;
 class Viewport;
@@ -61,6 +62,7 @@ private:
     void connectWorkbench();
     void connectMessages();
     void connectRegions();
+    void connectTools();
     void connectPictures();
     void savePicture();
     void copyPicture();
@@ -99,6 +101,7 @@ private:
     QStringList sceneFailures_;               ///< that were told and are still so
     bool isOutdated_ = false;                 ///< the picture is that of earlier settings
     ValuePick* pick_ = nullptr;
+    ToolDesk* tools_ = nullptr;
     QStackedWidget* pages_;
     ImportDialog* import_ = nullptr;   ///< once a file needed it
     PictureDialog* picture_ = nullptr; ///< once it was asked for

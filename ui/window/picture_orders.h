@@ -7,8 +7,8 @@
 
 namespace tetra {
 
-/// What is seen, as a picture without a target.
-PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
+/// What is seen, as a picture without a target; with what tools keep, but not their handles.
+PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
 
 /// The session's film, without a target.
 FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);

@@ -50,6 +50,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -260,6 +261,10 @@ inline constexpr double largestLensRadius = 0.5;
 /// Within these limits and within the picture; what is not a number is as it was `before`.
 TAN_API LensState corrected(LensState lens, const LensState& before);
 
+/// What the tools of plugins keep in a view, each by the id of its plugin: texts that they alone understand, not large,
+/// as each step of undo keeps them. They stay whether or not the plugin is there.
+using ToolValues = std::map<std::string, std::string>;
+
 /// What of a view can move in a film.
 struct FilmFrame {
     Camera camera;
@@ -326,6 +331,7 @@ struct ViewValue {
     Camera camera{};
     std::optional<Colour> background{}; ///< none: the one that fits the desktop's colours
     LensState lens{};                   ///< over the picture
+    ToolValues tools{};                 ///< an empty text is as good as none, and is not kept
     bool operator==(const ViewValue&) const = default;
 };
 
@@ -341,6 +347,7 @@ enum class ViewPart : std::uint32_t {
     Camera = 128,
     Background = 256,
     Lens = 512,
+    Tools = 1024,
     Appearance = Mode | Transfer | Settings,
     Scene = Query | Appearance | Isovalues, ///< what the scene is made of
 };
@@ -410,11 +417,13 @@ TAN_API ViewValue viewAtFrame(const ViewValue& view, int frame);
 ///     {"mesh": {"error": 1, "focus": {...}, ...}, "look": {"mode": "volume", "transfer": {...}, "settings": {...}},
 ///      "isovalues": [...], "annotations": {"axes": {"shown": true, "corner": "bottomLeft"}, ...},
 ///      "animation": {...}, "camera": {...}, "background": [0, 0, 0.5],
-///      "lens": {"shape": "circle", "x": 0.5, "y": 0.5, "radius": 0.25, "magnification": 3, "error": 0.25}}
+///      "lens": {"shape": "circle", "x": 0.5, "y": 0.5, "radius": 0.25, "magnification": 3, "error": 0.25},
+///      "tools": {"ruler": "..."}}
 ///
 /// Cameras and transfer functions are in the forms that their own files have. Settings keep their type:
-/// {"integer": 3}, {"number": 0.5}, true, "text". A background that nobody chose is left out. Members are in the order
-/// of their names, numbers the shortest that are read as the same again, whatever the locale.
+/// {"integer": 3}, {"number": 0.5}, true, "text". A background that nobody chose is left out, and so are tools that
+/// keep nothing. Members are in the order of their names, numbers the shortest that are read as the same again,
+/// whatever the locale.
 TAN_API std::string viewToText(const ViewValue& view);
 
 /// What the text leaves open is as in `usual`; of a camera, what fits a box of side 1. Members that are not known are

@@ -147,6 +147,8 @@ ViewValue anyView(Random& random)
                  anyNumber(random),
                  anyNumber(random),
                  anyNumber(random)};
+    if (view.isovalues.size() % 2 == 0)
+        view.tools = {{"ruler", "1,2,3 4.5,-6,7"}, {"example.own", "a \"text\" with ü and \\"}};
     return view;
 }
 
@@ -223,6 +225,22 @@ private slots:
                                            "look", "mesh"}));
         view.background.reset();
         QVERIFY(viewToText(view).find("background") == std::string::npos);
+        view.tools = {{"ruler", "1,2,3"}, {"idle", ""}};
+        QCOMPARE(QJsonDocument::fromJson(QByteArray::fromStdString(viewToText(view))).object()["tools"].toObject(),
+                 (QJsonObject{{"ruler", "1,2,3"}}));
+        view.tools.erase("ruler");
+        QVERIFY(viewToText(view).find("tools") == std::string::npos);
+    }
+
+    void toolsOfATextReplaceTheUsualOnes()
+    {
+        ViewValue usual;
+        usual.tools = {{"one", "a"}, {"other", "b"}};
+        QVERIFY(*viewFromText("{}", usual) == usual);
+        QVERIFY(viewFromText(R"({"tools": {"other": "c", "third": ""}})", usual)->tools ==
+                (ToolValues{{"other", "c"}}));
+        const auto wrong = viewFromText(R"({"tools": {"other": 3}})", usual);
+        QVERIFY(!wrong.ok() && wrong.error().text().find("\"tools.other\"") != std::string::npos);
     }
 
     void whatIsMissingIsAsUsual()

@@ -12,7 +12,7 @@ using namespace tetra;
 namespace {
 
 /// One change of each part, in the order of ViewPart.
-const std::array<std::function<void(ViewValue&)>, 10> changes = {
+const std::array<std::function<void(ViewValue&)>, 11> changes = {
     [](ViewValue& view) { view.query.focus.others.emplace_back(Sphere{}); },
     [](ViewValue& view) { view.appearance.mode = "volume"; },
     [](ViewValue& view) { view.appearance.transfer.unitDistance = 2; },
@@ -22,7 +22,8 @@ const std::array<std::function<void(ViewValue&)>, 10> changes = {
     [](ViewValue& view) { view.animation.turntable.frames = 7; },
     [](ViewValue& view) { view.camera.azimuth = 31; },
     [](ViewValue& view) { view.background = Colour{}; },
-    [](ViewValue& view) { view.lens.x = 0.4; }};
+    [](ViewValue& view) { view.lens.x = 0.4; },
+    [](ViewValue& view) { view.tools["ruler"] = "1"; }};
 constexpr unsigned allChanges = (1U << changes.size()) - 1;
 
 /// With those of the changes whose bits are set.

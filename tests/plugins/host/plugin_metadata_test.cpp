@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/api/metadata.h"
+#include "plugins/api/tool.h"
 #include "plugins/host/compatibility.h"
-#include "plugins/host/load_error.h"
+#include "plugins/host/plugin_file.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -188,6 +189,26 @@ private slots:
         QVERIFY(checkCompatible(*parsed, host()));
         json["interface"] = asQString(interfaceId<Renderer>);
         QVERIFY(!checkCompatible(*parse(json), host()));
+    }
+
+    /// One of another number is refused: of an earlier one as such.
+    void aToolImplementsTheInterfaceOfTools()
+    {
+        QJsonObject metadata = own();
+        metadata["kind"] = "tool";
+        QJsonObject json = whole(metadata);
+        json["interface"] = asQString(interfaceId<Tool>);
+        const auto parsed = parse(json);
+        QVERIFY(parsed);
+        QCOMPARE(parsed->kind, PluginKind::Tool);
+        QVERIFY(checkCompatible(*parsed, host()));
+        for (const char* other : {"org.tan.Tool/0", "org.tan.Tool/2", "org.tan.Renderer/4", ""}) {
+            json["interface"] = other;
+            const Status status = checkCompatible(*parse(json), host());
+            QVERIFY2(!status, other);
+            const bool isEarlier = QByteArray(other).endsWith("/0");
+            QVERIFY2((status.error().message == builtForEarlierTan()) == isEarlier, status.error().text().c_str());
+        }
     }
 
     void anEditorSaysWhatItEdits()

@@ -4,6 +4,7 @@
 #include "tests/waiting.h"
 #include "ui/panels/build_panel.h"
 #include "ui/session/files.h"
+#include "ui/tools/tool_desk.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -93,6 +94,7 @@ void DrivenWindow::startAnew()
     find<MessageBar>("messages").clear();
     viewport().setPreview(std::nullopt);
     session().endGesture();
+    find<ToolDesk>("viewport.toolDesk").choose({});
     session().undoStack().setIndex(0);
     resetLayout();
     const bool isThere = opened_ && session().model() == opened_ && workbench.opening().datasets().dataset() &&

@@ -86,6 +86,7 @@ Drivers regionAndHelpCommands();
 Drivers transferCommands();
 Drivers colourCommands();
 Drivers pickCommands();
+Drivers toolCommands();
 
 /// The controls of the docks.
 Drivers accuracyControls(); ///< accuracy and statistics
@@ -94,6 +95,7 @@ Drivers transferControls();
 Drivers regionControls(); ///< focus and region
 Drivers animationControls();
 Drivers buildControls();
+Drivers toolControls(); ///< of the tools of this build
 
 /// Prepares a panel: brings its dock to the front.
 Driver::Step inDock(const QString& dock);

@@ -138,7 +138,7 @@ Drivers dockCommands()
 {
     Drivers drivers;
     for (const QString name : {"build", "accuracy", "rendering", "view", "statistics", "isovalues", "transfer", "focus",
-                               "region", "animation"})
+                               "region", "animation", "tools"})
         drivers.push_back(showing(
             "action.dock." + name, [name](const DrivenWindow& window) { return window.isOpen("dock." + name); },
             [name](DrivenWindow& window) { window.find<QDockWidget>("dock." + name).hide(); }));

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/tool.h"
+#include "plugins/host/plugin_host.h"
+#include "ui/viewport/view_projection.h"
+#include "ui/workbench/workbench.h"
+
+#include <QSizeF>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetra {
+
+/// What a tool is asked with, held: surroundings that refer to it are good as long as it is there and is not changed.
+class ToolStage {
+public:
+    /// `parameters`: of the rendering mode, those that matter. There must be a model.
+    ToolStage(std::string tool, const Session& session, std::vector<Parameter> parameters);
+
+    ToolSurroundings surroundings(const Camera& camera, QSizeF size) const;
+    /// What an answer that was given in these surroundings makes of the present view; nothing if it changes nothing.
+    std::optional<ViewValue> after(const ToolAnswer& answer, const ViewValue& present) const;
+    const ViewValue& view() const noexcept { return view_; }
+
+private:
+    std::string tool_;
+    std::shared_ptr<const Model> model_;
+    ViewValue view_;
+    std::string value_;
+    std::vector<Parameter> parameters_;
+};
+
+/// What is pointed at in a picture, where nobody has looked yet: the place lies in the plane of the picture through the
+/// camera's target.
+ToolPointer pointerAt(const ViewProjection& projection, const Camera& camera, QPointF pixel);
+/// The same with what is seen there.
+ToolPointer withSeen(ToolPointer pointer, const SeenThere& seen);
+/// Where the line of sight through a pixel meets the plane of the picture through a place.
+Eigen::Vector3d inPlaneThrough(const Eigen::Vector3d& place, const ViewProjection& projection, QPointF pixel);
+
+/// What the tools that keep something show in a picture of the session's view, seen by this camera; for pictures that
+/// are saved, so without handles. `tools`: all there are. Empty without a model.
+std::vector<ToolDrawing> keptDrawings(const std::vector<Provided<Tool>>& tools, const Workbench& workbench,
+                                      const Camera& camera, QSizeF size);
+
+} // namespace tetra
