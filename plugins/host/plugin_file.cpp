@@ -3,10 +3,12 @@
 
 #include "plugins/api/plugin_note.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -66,28 +68,61 @@ std::optional<Head> headOf(std::string_view file)
     return head;
 }
 
-/// The parts of the file with notes; none if a part of what is loaded or of the list of sections, which comes last, is
-/// not in the file: loading one that is cut short can end the program.
-std::optional<std::vector<std::string_view>> notesOf(std::string_view file, const Head& head)
+/// What the file consists of; none if a part of it or of the list of sections, which comes last, is not in the file:
+/// loading one that is cut short can end the program.
+std::optional<std::vector<Segment>> segmentsOf(std::string_view file, const Head& head)
 {
-    std::vector<std::string_view> notes;
-    std::size_t total = 0;
+    std::vector<Segment> segments;
     for (std::uint64_t i = 0; i < head.e_phnum; ++i) {
         const auto segment = valueAt<Segment>(file, std::uint64_t(head.e_phoff) + i * sizeof(Segment));
         if (!segment)
             return std::nullopt;
-        if (segment->p_type != PT_LOAD && segment->p_type != PT_NOTE)
-            continue;
-        const auto part = partOf(file, segment->p_offset, segment->p_filesz);
-        if (!part)
+        const bool hasBytes = segment->p_type == PT_LOAD || segment->p_type == PT_NOTE || segment->p_filesz > 0;
+        if (segment->p_type != PT_NULL && hasBytes && !partOf(file, segment->p_offset, segment->p_filesz))
             return std::nullopt;
-        if (segment->p_type == PT_NOTE && part->size() <= mostBytesOfNotes - total) {
-            total += part->size();
-            notes.push_back(*part);
-        }
+        segments.push_back(*segment);
     }
     if (!partOf(file, head.e_shoff, std::uint64_t(head.e_shnum) * head.e_shentsize))
         return std::nullopt;
+    return segments;
+}
+
+bool isLoadedWith(const Segment& loaded, const Segment& table)
+{
+    const std::uint64_t within = table.p_vaddr - loaded.p_vaddr;
+    return loaded.p_type == PT_LOAD && table.p_vaddr >= loaded.p_vaddr && within <= loaded.p_filesz &&
+           table.p_filesz <= loaded.p_filesz - within && table.p_offset == loaded.p_offset + within;
+}
+
+/// Whether the table for the loader is all in what is loaded of the file: it is read in memory, up to its end mark.
+/// Without any the loader refuses the library.
+bool isDynamicTableWhole(std::string_view file, std::span<const Segment> segments)
+{
+    using Entry = ElfW(Dyn);
+    const auto isTable = [](const Segment& segment) { return segment.p_type == PT_DYNAMIC; };
+    const auto table = std::ranges::find_if(segments, isTable);
+    if (table == segments.end())
+        return true;
+    if (std::ranges::count_if(segments, isTable) > 1 || table->p_vaddr % alignof(Entry) != 0 ||
+        std::ranges::none_of(segments, [&](const Segment& loaded) { return isLoadedWith(loaded, *table); }))
+        return false;
+    for (std::uint64_t at = 0; at + sizeof(Entry) <= table->p_filesz; at += sizeof(Entry))
+        if (const auto entry = valueAt<Entry>(file, table->p_offset + at); entry && entry->d_tag == DT_NULL)
+            return true;
+    return false;
+}
+
+/// The parts of the file with notes.
+std::vector<std::string_view> notesOf(std::string_view file, std::span<const Segment> segments)
+{
+    std::vector<std::string_view> notes;
+    std::size_t total = 0;
+    for (const Segment& segment : segments) {
+        if (segment.p_type != PT_NOTE || segment.p_filesz > mostBytesOfNotes - total)
+            continue;
+        total += segment.p_filesz;
+        notes.push_back(*partOf(file, segment.p_offset, segment.p_filesz));
+    }
     return notes;
 }
 
@@ -140,14 +175,17 @@ Result<std::string> pluginText(std::span<const std::byte> library)
     const auto head = headOf(file);
     if (!head)
         return noPlugin(Message::say("it is not a shared library for this machine."));
-    const auto notes = notesOf(file, *head);
-    if (!notes)
+    const auto segments = segmentsOf(file, *head);
+    if (!segments)
         return noPlugin(Message::say("it ends too early."));
+    if (!isDynamicTableWhole(file, *segments))
+        return noPlugin(Message::say("its table for the loader is damaged."));
+    const auto notes = notesOf(file, *segments);
     // Linkers differ in how they pad notes, so they are not gone through: they are searched for ours.
-    for (const std::string_view note : *notes)
+    for (const std::string_view note : notes)
         if (const auto mark = note.find(pluginNoteMark); mark != std::string_view::npos)
             return textOf(note.substr(mark + pluginNoteMark.size()));
-    for (const std::string_view note : *notes)
+    for (const std::string_view note : notes)
         if (note.find(ownerOfQtNotes) != std::string_view::npos)
             return notTaken(builtForEarlierTan());
     return noPlugin(Message::say("it has no metadata."));

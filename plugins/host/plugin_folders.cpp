@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 #include <dlfcn.h>
 #include <sys/stat.h>
@@ -123,8 +124,11 @@ std::vector<std::filesystem::path> foldersWith(std::span<const std::filesystem::
 
 std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& programFolder)
 {
-    return foldersWith(
-        std::array{programFolder / "../lib/tan/plugins", programFolder / TAN_INSTALLED_PLUGINS_FROM_PROGRAM});
+    std::vector<std::filesystem::path> own;
+    for (const char* folder : {"../lib/tan/plugins", TAN_INSTALLED_PLUGINS_FROM_PROGRAM})
+        if (auto place = programFolder / folder; place.is_absolute())
+            own.push_back(std::move(place));
+    return foldersWith(own);
 }
 
 std::vector<std::filesystem::path> pluginFoldersOfLibrary()

@@ -25,7 +25,8 @@ Message whyOthersMayWrite(const std::filesystem::path& place);
 
 /// Where plugins are looked for, the first folder winning: those of the environment variable TAN_PLUGIN_PATH (separated
 /// by ':'), the user's own, then the place where this program's own plugins lie, seen from `programFolder`: as built,
-/// or as installed.
+/// or as installed. Nothing is looked for from the current folder, which may be somebody else's: of a program whose
+/// folder is not known (empty) or is not absolute there are only the others.
 std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& programFolder);
 
 /// The same for programs of others, which may lie anywhere: the place of this library's own plugins is seen from where

@@ -337,7 +337,7 @@ Status PluginHost::load(Entry& entry)
                  Message::say("The plugin \"%1\" cannot be used. %2", entry.status.metadata.id, entry.status.error)};
 }
 
-/// Why the system does not load a library, or does not find the function that a plugin starts with.
+/// Why the system does not load a library.
 Error PluginHost::notLoaded(const Entry& entry)
 {
     const char* const told = ::dlerror();
@@ -360,9 +360,13 @@ Status PluginHost::open(Entry& entry)
     try {
         // Every symbol is looked up now, so that a missing one is an error here and not a crash later.
         void* const library = ::dlopen(fs::absolute(entry.status.path).c_str(), RTLD_NOW | RTLD_LOCAL);
-        void* const entrance = library != nullptr ? ::dlsym(library, "tanPlugin") : nullptr;
-        if (entrance == nullptr)
+        if (library == nullptr)
             return notLoaded(entry);
+        void* const entrance = ::dlsym(library, "tanPlugin");
+        if (entrance == nullptr)
+            return bad(Message::say("It has no function %1, so it is not a complete plugin. Install it again, or ask "
+                                    "its author for a complete one.",
+                                    "tanPlugin"));
         object = reinterpret_cast<const void* (*)(const char*)>(entrance)(interface.c_str());
     } catch (const std::exception& problem) {
         if (const auto lack = lackOfResources(problem))

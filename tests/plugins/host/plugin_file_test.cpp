@@ -173,6 +173,47 @@ private slots:
         refused(withNumber(4, 0));
     }
 
+    /// The loader takes what this says as it is: what leads beside the table ends the program.
+    void theTableForTheLoaderIsWhereItIsLoaded()
+    {
+        const std::string whole = contentOf(TAN_FIXTURES "/good.so");
+        Head head;
+        std::memcpy(&head, whole.data(), sizeof(head));
+        const auto placeOf = [&](std::uint32_t type) {
+            for (std::size_t place = head.e_phoff; place < head.e_phoff + head.e_phnum * sizeof(Segment);
+                 place += sizeof(Segment))
+                if (std::memcmp(whole.data() + place, &type, sizeof(type)) == 0)
+                    return place;
+            return std::string::npos;
+        };
+        const auto refusalWith = [&](std::size_t place, auto field, std::uint64_t number) {
+            Segment segment;
+            std::memcpy(&segment, whole.data() + place, sizeof(segment));
+            segment.*field = static_cast<decltype(Segment::p_offset)>(number);
+            std::string bytes = whole;
+            std::memcpy(bytes.data() + place, &segment, sizeof(segment));
+            return refusalOf(bytes);
+        };
+        const std::size_t table = placeOf(PT_DYNAMIC);
+        QVERIFY(table != std::string::npos);
+        Segment right;
+        std::memcpy(&right, whole.data() + table, sizeof(right));
+        QVERIFY(refusalWith(table, &Segment::p_vaddr, right.p_vaddr).empty());
+        for (const std::uint64_t number :
+             {std::uint64_t(0), std::uint64_t(right.p_vaddr) + 1, std::uint64_t(right.p_vaddr) + 8,
+              std::uint64_t(right.p_vaddr) - 16, std::uint64_t(1) << 40, ~std::uint64_t(7)}) {
+            const std::string refusal = refusalWith(table, &Segment::p_vaddr, number);
+            QVERIFY2(refusal.find("its table for the loader is damaged") != std::string::npos, refusal.c_str());
+        }
+        for (const std::uint64_t number : {std::uint64_t(0), std::uint64_t(sizeof(ElfW(Dyn))), ~std::uint64_t(0)})
+            QVERIFY(!refusalWith(table, &Segment::p_filesz, number).empty());
+        QVERIFY(!refusalWith(table, &Segment::p_offset, right.p_offset + 16).empty());
+        QVERIFY(!refusalWith(table, &Segment::p_offset, whole.size()).empty());
+        const std::size_t unwinding = placeOf(PT_GNU_EH_FRAME); // what has bytes is in the file, whatever it is
+        QVERIFY(unwinding != std::string::npos);
+        QVERIFY(!refusalWith(unwinding, &Segment::p_offset, whole.size()).empty());
+    }
+
     /// As many segments as there can be, each over all of a note that says nothing: it is looked at once.
     void manyLargeNotesAreNotReadForEver()
     {

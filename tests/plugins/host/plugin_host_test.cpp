@@ -216,6 +216,30 @@ private slots:
             QVERIFY2(error.contains(word), qPrintable(error));
     }
 
+    /// What it says of itself is there, what it would begin with is not.
+    void aLibraryWithoutTheFunctionOfPlugins()
+    {
+        const Folder folder;
+        std::ifstream file(fs::path(TAN_FIXTURES) / "good.so", std::ios::binary);
+        std::string bytes(std::istreambuf_iterator<char>(file), {});
+        const std::string name("\0tanPlugin\0", 11), other("\0tanPlugon\0", 11);
+        QVERIFY(bytes.find(name) != std::string::npos);
+        for (std::size_t place = 0; (place = bytes.find(name, place)) != std::string::npos;)
+            bytes.replace(place, other.size(), other);
+        std::ofstream(folder.path() / "incomplete.so", std::ios::binary) << bytes;
+        PluginHost host({.folders = {folder.path()}});
+        COMPARE_STATE(host, "good", "found");
+        QVERIFY(host.readers().empty());
+        COMPARE_STATE(host, "good", "refused");
+        QVERIFY(statusOf(host, "good").error.text().starts_with("It has no function tanPlugin, so it is not a comp"));
+    }
+
+    void folderOfTheProgramIsUnknown()
+    {
+        for (const char* unknown : {"", "bin"})
+            QVERIFY(pluginFolders(unknown).size() < pluginFolders("/nowhere/bin").size());
+    }
+
     void tellsWhyOneOfAllIsMissing()
     {
         const Folder folder({"good", "missing_library", "throwing", "wrong_build"});
