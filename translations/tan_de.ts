@@ -5244,10 +5244,6 @@ Verwerfung %2</translation>
         <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, sodass man sieht, was darin ist; „Werte“ in den Farben, die die Transferfunktion den Werten dort gibt.</translation>
     </message>
     <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
         <source>The opacity of a translucent boundary; 1 hides what is behind it.</source>
         <translation>Die Deckkraft einer durchscheinenden Berandung; 1 verdeckt, was dahinter liegt.</translation>
     </message>
@@ -12082,6 +12078,30 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Complete Ruler</source>
         <translation>Lineal abschließen</translation>
+    </message>
+    <message>
+        <source>Opacity of the boundary</source>
+        <translation>Deckkraft der Berandung</translation>
+    </message>
+    <message>
+        <source>The setting &apos;%1&apos; cannot be used: %2</source>
+        <translation>Die Einstellung „%1“ ist nicht verwendbar: %2</translation>
+    </message>
+    <message>
+        <source>its table for the loader is damaged.</source>
+        <translation>Seine Tabelle für den Lader ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>It has no function %1, so it is not a complete plugin. Install it again, or ask its author for a complete one.</source>
+        <translation>Es hat keine Funktion %1, ist also kein vollständiges Plugin. Installieren Sie es noch einmal, oder bitten Sie seinen Autor um ein vollständiges.</translation>
+    </message>
+    <message>
+        <source>Some values of the model are not finite numbers, so no largest or smallest one can be shown. Choose another mode.</source>
+        <translation>Manche Werte des Modells sind keine endlichen Zahlen, darum lässt sich kein größter oder kleinster zeigen. Wählen Sie einen anderen Modus.</translation>
+    </message>
+    <message>
+        <source>Opacity of slices</source>
+        <translation>Deckkraft der Schnitte</translation>
     </message>
 </context>
 <context>

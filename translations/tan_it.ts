@@ -5244,10 +5244,6 @@ deformazione %2</translation>
         <translation>Mostra dove finisce la mesh, con fori e cavità: «traslucido» in un solo colore chiaro, così che si veda che cosa c&apos;è dentro le sue pareti, oppure con i colori che la funzione di trasferimento dà ai «valori» in quei punti.</translation>
     </message>
     <message>
-        <source>Opacity</source>
-        <translation>Opacità</translation>
-    </message>
-    <message>
         <source>The opacity of a translucent boundary; 1 hides what is behind it.</source>
         <translation>L&apos;opacità di un contorno traslucido; 1 nasconde ciò che sta dietro.</translation>
     </message>
@@ -12082,6 +12078,30 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Complete Ruler</source>
         <translation>Completa righello</translation>
+    </message>
+    <message>
+        <source>Opacity of the boundary</source>
+        <translation>Opacità del contorno</translation>
+    </message>
+    <message>
+        <source>The setting &apos;%1&apos; cannot be used: %2</source>
+        <translation>L’impostazione «%1» non è utilizzabile: %2</translation>
+    </message>
+    <message>
+        <source>its table for the loader is damaged.</source>
+        <translation>la sua tabella per il caricatore è danneggiata.</translation>
+    </message>
+    <message>
+        <source>It has no function %1, so it is not a complete plugin. Install it again, or ask its author for a complete one.</source>
+        <translation>Non ha la funzione %1, quindi non è un plugin completo. Installarlo di nuovo o chiederne uno completo all’autore.</translation>
+    </message>
+    <message>
+        <source>Some values of the model are not finite numbers, so no largest or smallest one can be shown. Choose another mode.</source>
+        <translation>Alcuni valori del modello non sono numeri finiti, perciò non si può mostrare né il più grande né il più piccolo. Scegliere un’altra modalità.</translation>
+    </message>
+    <message>
+        <source>Opacity of slices</source>
+        <translation>Opacità delle sezioni</translation>
     </message>
 </context>
 <context>

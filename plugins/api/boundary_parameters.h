@@ -34,7 +34,7 @@ inline Parameter boundaryOpacityParameter()
 {
     Parameter parameter;
     parameter.id = boundaryOpacityId;
-    parameter.label = Message::marked("Opacity");
+    parameter.label = Message::marked("Opacity of the boundary");
     parameter.explanation = Message::marked("The opacity of a translucent boundary; 1 hides what is behind it.");
     parameter.defaultValue = 0.25;
     parameter.minimum = 0.01;

@@ -125,6 +125,12 @@ inline FieldExtent extentOf(const TetrahedralMesh& mesh, const Eigen::AlignedBox
     return {{smallest, largest}, bounds, {}};
 }
 
+/// The error of a text that is a setting's value. Of several texts, as in a session, it says which one is wrong.
+inline Error ofSetting(const char* id, const Error& error)
+{
+    return {error.kind, Message::say("The setting '%1' cannot be used: %2", id, error.message)};
+}
+
 /// A scene with nothing in it but the domain's outline and the clip planes, as the values of `outline` and `clip` say.
 /// The error is that of a text that is no clip plane.
 inline Result<Scene> startScene(const RendererView& view, const Eigen::AlignedBox3d& bounds)
@@ -133,7 +139,7 @@ inline Result<Scene> startScene(const RendererView& view, const Eigen::AlignedBo
     constexpr float outlineWidth = 1.5f;
     auto planes = parseClipPlanes(view.value<std::string>(clipId));
     if (!planes)
-        return planes.error();
+        return ofSetting(clipId, planes.error());
     Scene scene{.bounds = bounds, .clipPlanes = *std::move(planes)};
     if (view.value<bool>(outlineId))
         scene.drawables.push_back(

@@ -82,7 +82,7 @@ Parameter opacityParameter()
 {
     Parameter parameter;
     parameter.id = opacityId;
-    parameter.label = Message::marked("Opacity");
+    parameter.label = Message::marked("Opacity of slices");
     parameter.explanation =
         Message::marked("Whether slices hide what is behind them ('opaque'), or each value is as opaque as the "
                         "transfer 'function' makes a layer of its unit of thickness.");
@@ -95,7 +95,9 @@ Parameter opacityParameter()
 Result<std::vector<SlicePlane>> planesOf(const RendererView& view, const Eigen::AlignedBox3d& bounds)
 {
     auto planes = parseSlices(view.value<std::string>(slicesId));
-    if (!planes || !planes->empty() || bounds.isEmpty())
+    if (!planes)
+        return ofSetting(slicesId, planes.error());
+    if (!planes->empty() || bounds.isEmpty())
         return planes;
     const auto wanted = view.value<std::string>(axisId);
     const double share = std::clamp(view.value<double>(placeId) / 100, 0.0, 1.0);
