@@ -11883,6 +11883,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>%</source>
         <translation>%</translation>
     </message>
+    <message>
+        <source>Some values of the model are not finite numbers, so no largest or smallest one can be shown. Choose another mode.</source>
+        <translation>Alcuni valori del modello non sono numeri finiti, perciò non si può mostrare né il più grande né il più piccolo. Scegliere un’altra modalità.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
