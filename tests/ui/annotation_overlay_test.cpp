@@ -30,7 +30,7 @@ void AnnotationOverlayTest::theWindowIsWrittenOverAsPicturesAre_data()
 void AnnotationOverlayTest::theWindowIsWrittenOverAsPicturesAre()
 {
     QFETCH(bool, dark);
-    const WindowFixture window;
+    WindowFixture window;
     window.window.open(QString::fromStdString(buildSampleModel(*window.host, sampleDataset(8), window.folderPath())));
     QTRY_VERIFY(window.workbench.session().model() && window.workbench.session().shown());
     AnnotationState all;
