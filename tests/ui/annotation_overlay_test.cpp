@@ -32,7 +32,8 @@ void AnnotationOverlayTest::theWindowIsWrittenOverAsPicturesAre()
     QFETCH(bool, dark);
     WindowFixture window;
     window.window.open(QString::fromStdString(buildSampleModel(*window.host, sampleDataset(8), window.folderPath())));
-    QTRY_VERIFY(window.workbench.session().model() && window.workbench.session().shown());
+    window.window.show();
+    QTRY_VERIFY(window.workbench.session().model() && window.settled());
     AnnotationState all;
     for (AnnotationPlace& place : all.places)
         place.shown = true;
@@ -72,7 +73,9 @@ void AnnotationOverlayTest::numbersAreThoseOfTheLocale()
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
         const NumberSigns signs = numberSigns(locale);
         for (const double value : {0.0, -1.25, 1809.5, 0.0001, 123456.0, -2.5e-5, 1e20, 5e-7, 3.0}) {
-            QCOMPARE(shortNumber(value, signs), locale.toString(value, 'g', 4).toStdString());
+            const QString expected = locale.toString(value, 'g', 4);
+            const QString text = QString::fromStdString(shortNumber(value, signs));
+            QVERIFY2(text == expected, qPrintable(locale.name() + ": " + text + " for " + expected));
             ++compared;
         }
         QCOMPARE(tickTexts({-0.5, 0, 0.5}, signs).front(), locale.toString(-0.5, 'f', 1).toStdString());
