@@ -11887,6 +11887,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>%1 (in space up to %2)</source>
         <translation>%1 (im Raum bis %2)</translation>
     </message>
+    <message>
+        <source>Some values of the model are not finite numbers, so no largest or smallest one can be shown. Choose another mode.</source>
+        <translation>Manche Werte des Modells sind keine endlichen Zahlen, darum lässt sich kein größter oder kleinster zeigen. Wählen Sie einen anderen Modus.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

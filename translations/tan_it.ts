@@ -11887,6 +11887,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>%1 (in space up to %2)</source>
         <translation>%1 (nello spazio fino a %2)</translation>
     </message>
+    <message>
+        <source>Some values of the model are not finite numbers, so no largest or smallest one can be shown. Choose another mode.</source>
+        <translation>Alcuni valori del modello non sono numeri finiti, perciò non si può mostrare né il più grande né il più piccolo. Scegliere un’altra modalità.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -78,6 +78,19 @@ std::string_view withoutBlanks(std::string_view text)
                                            : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
+/// The same plane with a normal of which squares and floats are neither zero nor infinite. The factor is a power of
+/// two, which changes no digit.
+ClipPlane ofUsualSize(const ClipPlane& plane)
+{
+    constexpr int mostSteps = 40;
+    const double largest = plane.normal.cwiseAbs().maxCoeff();
+    const int steps = largest > 0 ? std::ilogb(largest) : 0;
+    if (std::abs(steps) <= mostSteps)
+        return plane;
+    return {plane.normal.unaryExpr([steps](double component) { return std::ldexp(component, -steps); }),
+            std::ldexp(plane.offset, -steps)};
+}
+
 std::optional<ClipPlane> parsePlane(std::string_view text)
 {
     std::array<double, 4> numbers{};
@@ -89,8 +102,8 @@ std::optional<ClipPlane> parsePlane(std::string_view text)
             return {};
         number = *parsed;
     }
-    const ClipPlane plane{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
-    return plane.normal.isZero(0) ? std::nullopt : std::optional(plane);
+    const ClipPlane plane = ofUsualSize({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
+    return plane.normal.isZero(0) || !std::isfinite(plane.offset) ? std::nullopt : std::optional(plane);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """slices.py BUILD: slices and projections as `tan render` makes them are those of the mesh, judged by VTK, which cuts the mesh that `tan extract`
 writes, and by numpy, tetrahedron by tetrahedron. Exit code 77: something is missing."""
+import itertools
 import json
 import pathlib
 import subprocess
@@ -11,11 +12,12 @@ import unittest
 
 try:
     import numpy
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkCommonDataModel import vtkPlane
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkPlane, vtkUnstructuredGrid
     from vtkmodules.vtkFiltersCore import vtkCutter
     from vtkmodules.vtkIOImage import vtkPNGReader
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
@@ -40,6 +42,36 @@ def area(surface):
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float) if surface.GetNumberOfPoints() else numpy.zeros((0, 3))
     corners = points[vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
     return numpy.linalg.norm(numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+
+
+def write_step(path):
+    """Cubes of six tetrahedra each: those with x < 1 end at z = 1, the others at z = 2."""
+    sizes, half = (4, 2, 4), 0.5
+    corners, cells = {}, []
+    for i, j, k in numpy.ndindex(*sizes):
+        if i * half >= 1 or k * half < 1:
+            for order in itertools.permutations(range(3)):
+                at = numpy.array([i, j, k])
+                cell = [tuple(at)]
+                for axis in order:
+                    at[axis] += 1
+                    cell.append(tuple(at))
+                cells.append([corners.setdefault(corner, len(corners)) for corner in cell])
+    places = numpy.array(list(corners)) * half
+    grid, points, array = vtkUnstructuredGrid(), vtkPoints(), numpy_to_vtk(numpy.sin(3 * places[:, 0]) + places[:, 1] ** 2 + places[:, 2], deep=True)
+    points.SetData(numpy_to_vtk(places, deep=True))
+    grid.SetPoints(points)
+    grid.Allocate(len(cells))
+    for a, b, c, d in cells:
+        edges = places[[b, c, d]] - places[a]
+        ids = (a, b, c, d) if numpy.linalg.det(edges) > 0 else (a, b, d, c)
+        grid.InsertNextCell(VTK_TETRA, 4, ids)
+    array.SetName("field")
+    grid.GetPointData().SetScalars(array)
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(grid)
+    writer.Write()
 
 
 def cut_by_vtk(mesh, normal, offset):
@@ -159,6 +191,19 @@ class Slices(unittest.TestCase):
             places = numpy.unique(vtk_to_numpy(mesh.GetPoints().GetData())[:, axis])
             planes = [f"{'xyz'[axis]}={float(place)!r}" for place in (places[0], places[len(places) // 2], places[-1])]
             self.assertAlmostEqual(area(self.slice_of(*planes)) / of_box, len(planes), delta=1e-6)
+
+    def test_parts_that_end_in_the_plane(self):
+        """In z = 1 one half of a step ends and the other goes on: both are seen, as in VTK's cut."""
+        self.folder = pathlib.Path(self.kept.name) / "step"
+        self.folder.mkdir()
+        write_step(self.folder / "data.vtu")
+        tan(self.folder, "build", "data.vtu", "-o", "model.tan")
+        tan(self.folder, "extract", "model.tan", "--error", 1, "-o", "mesh.vtu")
+        mesh = read(vtkXMLUnstructuredGridReader(), self.folder / "mesh.vtu")
+        for text, normal, offset, expected in (("z=1", (0, 0, 1), 1, 2), ("0,0,-1,-1", (0, 0, -1), -1, 2), ("x=1", (1, 0, 0), 1, 2)):
+            found = area(self.slice_of(text))
+            self.assertAlmostEqual(found, expected, delta=1e-5, msg=text)
+            self.assertAlmostEqual(found, max(area(cut_by_vtk(mesh, normal, offset)), area(cut_by_vtk(mesh, numpy.negative(normal), -offset))), delta=1e-5, msg=text)
 
     def test_projections(self):
         """The largest and the smallest value of rays parallel to y, in a grey that stands for it."""

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -34,22 +35,29 @@ Parameter projectionParameter()
 }
 
 /// How values become opacities, the larger of which counts, and these values again: at the far end of the range a
-/// half, so that it is told from no value at all, at the other end 1.
+/// half, so that it is told from no value at all, at the other end 1. Values are scaled by a power of two, which
+/// changes no digit: so the extent of the largest floats is a float, too, and that of very small ones not zero.
 struct Opacities {
-    float least = 0;
+    float scale = 1;
+    float least = 0; ///< scaled, like the extent
     float extent = 1;
     bool largestCounts = true;
 
-    Opacities(const ValueRange& range, bool counts)
-        : least(static_cast<float>(range.minimum)), extent(static_cast<float>(range.extent() > 0 ? range.extent() : 1)),
-          largestCounts(counts)
+    Opacities(const ValueRange& range, bool counts) : largestCounts(counts)
     {
+        constexpr int mostSteps = 126; // of which two to their power, up or down, is a normal float
+        const double size = std::max(std::abs(range.minimum), std::abs(range.maximum));
+        const int steps = size > 0 ? std::clamp(-std::ilogb(size), -mostSteps, mostSteps) : 0;
+        scale = std::ldexp(1.0f, steps);
+        least = static_cast<float>(std::ldexp(range.minimum, steps));
+        if (range.extent() > 0)
+            extent = static_cast<float>(std::ldexp(range.extent(), steps));
     }
 
     float of(float entry, float exit) const
     {
         const float value = largestCounts ? std::max(entry, exit) : std::min(entry, exit);
-        const float share = std::clamp((value - least) / extent, 0.0f, 1.0f);
+        const float share = std::clamp((value * scale - least) / extent, 0.0f, 1.0f);
         return 0.5f + 0.5f * (largestCounts ? share : 1 - share);
     }
     /// The share of the range.
@@ -65,8 +73,8 @@ std::string inGlsl(float number)
 std::string pieceShader(const Opacities& opacities)
 {
     return "vec4 lightOfPiece(float entry, float exit, float way, float gradient)\n{\n    float value = " +
-           std::string(opacities.largestCounts ? "max" : "min") + "(entry, exit);\n    float share = clamp((value - " +
-           inGlsl(opacities.least) + ") / " + inGlsl(opacities.extent) +
+           std::string(opacities.largestCounts ? "max" : "min") + "(entry, exit);\n    float share = clamp((value * " +
+           inGlsl(opacities.scale) + " - " + inGlsl(opacities.least) + ") / " + inGlsl(opacities.extent) +
            ", 0.0, 1.0);\n    return vec4(vec3(0.0), 0.5 + 0.5 * " +
            (opacities.largestCounts ? "share" : "(1.0 - share)") + ");\n}\n";
 }
@@ -79,7 +87,9 @@ struct RangeColours {
     RangeColours(const TransferFunction& function, const Opacities& opacities)
     {
         for (const ColourPoint& point : function.colours) {
-            const double place = (point.value - static_cast<double>(opacities.least)) / opacities.extent;
+            const double place =
+                (point.value * static_cast<double>(opacities.scale) - static_cast<double>(opacities.least)) /
+                opacities.extent;
             places.push_back(static_cast<float>(std::clamp(place, -1e6, 1e6)));
             colours.push_back(point.colour);
         }
@@ -161,6 +171,10 @@ public:
         const auto function = view.value<TransferFunction>(transferId);
         if (const Status usable = checkTransferFunction(function); !usable)
             return usable.error();
+        if (!std::isfinite(range_.extent()))
+            return Error{ErrorKind::BadInput,
+                         Message::say("Some values of the model are not finite numbers, so no largest or smallest one "
+                                      "can be shown. Choose another mode.")};
         // All cells count, whatever opacities the function gives them.
         auto volume = volume_.update(transferFunctionFromPoints({{range_.minimum, {1, 1, 1}, 1}}), false, progress);
         if (!volume)

@@ -4,6 +4,7 @@
 #include "plugins/api/renderer.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/api/slice_parameters.h"
+#include "plugins/renderers/slice/plane_slice.h"
 
 #include <tan/mesh.h>
 #include <tan/render.h>
@@ -105,18 +106,6 @@ Result<std::vector<SlicePlane>> planesOf(const RendererView& view, const Eigen::
             planes->push_back({{Eigen::Vector3d::Unit(axis), place}, name + "=" + formatNumber(place)});
     }
     return planes;
-}
-
-/// The faces in which a plane touches the mesh belong to one side of it: where it cuts nothing it may touch what lies
-/// on the other, as at the far end of the data.
-Result<TriangleMesh> cutOrTouched(const TetrahedralMesh& mesh, const HalfSpace& plane, const Progress& progress)
-{
-    auto cut = cutByPlane(mesh, plane, progress);
-    if (cut && cut->surface.triangles.empty())
-        cut = cutByPlane(mesh, {-plane.normal, -plane.offset}, progress);
-    if (!cut)
-        return cut.error();
-    return std::move(cut->surface);
 }
 
 /// Of a layer of the function's unit distance.
@@ -303,7 +292,7 @@ public:
             return kept.error();
         const bool opaque = view.value<std::string>(opacityId) != opacityOfFunction;
         for (std::size_t i = 0; i < slices_.size(); ++i)
-            addSlice(slices_[i].pieces(function, opaque), i + 1, (*planes)[i].text, *scene);
+            addSlice(slices_[i]->pieces(function, opaque), i + 1, (*planes)[i].text, *scene);
         if (const Status added = addBoundary(boundary_, view, progress.part(0.8, 1), *scene); !added)
             return added.error();
         return std::make_shared<const Scene>(*std::move(scene));
@@ -313,18 +302,20 @@ private:
     /// One slice for each plane, in their order.
     Status keepCuts(const std::vector<SlicePlane>& planes, const Progress& progress)
     {
-        std::vector<Slice> slices;
+        std::vector<std::shared_ptr<Slice>> slices;
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const HalfSpace& plane = planes[i].plane;
-            if (const auto known = std::ranges::find(slices_, plane, &Slice::plane); known != slices_.end()) {
+            const auto known =
+                std::ranges::find_if(slices_, [&](const auto& slice) { return slice->plane() == plane; });
+            if (known != slices_.end()) {
                 slices.push_back(*known);
                 continue;
             }
             const auto count = static_cast<double>(planes.size());
-            auto cut = cutOrTouched(*mesh_, plane, progress.part(double(i) / count, double(i + 1) / count));
+            auto cut = planeSlice(*mesh_, plane, progress.part(double(i) / count, double(i + 1) / count));
             if (!cut)
                 return cut.error();
-            slices.emplace_back(plane, *std::move(cut));
+            slices.push_back(std::make_shared<Slice>(plane, *std::move(cut)));
         }
         slices_ = std::move(slices);
         return {};
@@ -333,7 +324,7 @@ private:
     Eigen::AlignedBox3d bounds_;
     std::shared_ptr<const TetrahedralMesh> mesh_;
     BoundaryCache boundary_;
-    std::vector<Slice> slices_;
+    std::vector<std::shared_ptr<Slice>> slices_; ///< shared, so that none is copied when the list changes
 };
 
 } // namespace

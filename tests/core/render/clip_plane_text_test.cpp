@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <cmath>
 #include <random>
 
 using namespace tetra;
@@ -39,6 +40,26 @@ private slots:
         QCOMPARE(planes->size(), std::size_t(2));
         QCOMPARE((*planes)[0].offset, -2.5);
         QCOMPARE((*planes)[1].normal, Eigen::Vector3d(0, -1, 0));
+    }
+
+    /// Whatever the length of the normal: squares and floats of it are numbers, and the plane is where it was.
+    void normalsOfAnySize()
+    {
+        for (const char* text : {"1e-200,0,0,1e-201", "1e-300,0,0,1e-301", "1e-320,0,0,1e-321", "1e-50,0,0,1e-51",
+                                 "1e50,0,0,1e49", "1e200,0,0,1e199", "1e308,0,0,1e307"}) {
+            const auto planes = parseClipPlanes(text);
+            QVERIFY2(planes.ok() && planes->size() == 1, text);
+            const Eigen::Vector3f normal = planes->front().normal.cast<float>();
+            QVERIFY2(normal.squaredNorm() > 0 && std::isfinite(normal.squaredNorm()), text);
+            QVERIFY2(std::abs(planes->front().offset / planes->front().normal.x() - 0.1) < 1e-3, text);
+            const auto again = parseClipPlanes(clipPlanesText(*planes));
+            QCOMPARE(again->front().normal, planes->front().normal);
+            QCOMPARE(again->front().offset, planes->front().offset);
+        }
+        QVERIFY(!parseClipPlanes("1e-200,0,0,1e200").ok()); // infinitely far
+        const auto usual = parseClipPlanes("1e-9,0,2e9,3"); // as it is
+        QCOMPARE(usual->front().normal, Eigen::Vector3d(1e-9, 0, 2e9));
+        QCOMPARE(usual->front().offset, 3.0);
     }
 
     void mistakesNameThePlane_data()

@@ -150,6 +150,51 @@ private slots:
         }
     }
 
+    /// Ranges whose extent is no float, or no normal one: the shader has numbers, and each value its colour.
+    void theLargestAndTheSmallestNumbers_data()
+    {
+        QTest::addColumn<double>("least");
+        QTest::addColumn<double>("largest");
+        QTest::newRow("largest") << -3.3e38 << 3.3e38;
+        QTest::newRow("large") << 1e38 << 3.4e38;
+        QTest::newRow("small") << 0.0 << 8e-38;
+        QTest::newRow("smallest") << 0.0 << 8e-41;
+        QTest::newRow("usual") << -2.0 << 3.0;
+    }
+    void theLargestAndTheSmallestNumbers()
+    {
+        QFETCH(double, least);
+        QFETCH(double, largest);
+        const auto mesh = std::make_shared<const TetrahedralMesh>(latticeMesh(
+            4, 1, Split::Six, [&](const Eigen::Vector3d& place) { return std::lerp(least, largest, place.z()); }));
+        const TransferFunction grey = transferFunctionFromPoints({{least, {0, 0, 0}, 1}, {largest, {1, 1, 1}, 1}});
+        for (const char* projection : {"maximum", "minimum"}) {
+            const auto scene = prepared(*open("projection", mesh), values(projection, grey));
+            const OpticalModel& model = *partsOf(*scene).volume->model;
+            for (const std::string& text : {model.shader, model.rayShader})
+                QVERIFY2(text.find("inf") == std::string::npos && text.find("nan") == std::string::npos, text.c_str());
+            for (const double share : {0.0, 0.25, 0.5, 0.9, 1.0}) {
+                const auto value = static_cast<float>(std::lerp(least, largest, share));
+                const float length = 1, gradient = 0;
+                float light = 0, through = 0;
+                model.evaluate({1, &value, &value, &length, &gradient, &light, &light, &light, &through});
+                const auto colour = model.lightOfRay(1 - through);
+                QVERIFY2(std::abs(static_cast<double>(colour[0]) - share) < 1e-3,
+                         QByteArray::number(static_cast<double>(colour[0])));
+            }
+        }
+    }
+
+    void valuesThatAreNoNumbersAreRefused()
+    {
+        const auto endless = std::make_shared<const TetrahedralMesh>(latticeMesh(
+            2, 1, Split::Six, [](const Eigen::Vector3d& place) { return place.z() > 0.9 ? HUGE_VAL : place.z(); }));
+        const auto scene = open("projection", endless)->prepare({values("maximum", manyColours())}, {});
+        QVERIFY(!scene && scene.error().kind == ErrorKind::BadInput);
+        QVERIFY2(scene.error().text().starts_with("Some values of the model are not finite"),
+                 scene.error().text().c_str());
+    }
+
     void whatIsClippedDoesNotCount()
     {
         ParameterValues clipped = values("minimum", manyColours());

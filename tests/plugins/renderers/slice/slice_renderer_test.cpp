@@ -26,6 +26,22 @@ std::shared_ptr<const TetrahedralMesh> linearCube()
     return std::make_shared<const TetrahedralMesh>(latticeMesh(5, 1, Split::Six, linearField));
 }
 
+/// The cube [0, 2]^3 without the quarter x < 1, z > 1: in the plane z = 1 one half of it ends and the other goes on.
+std::shared_ptr<const TetrahedralMesh> stair()
+{
+    TetrahedralMesh mesh = latticeMesh(4, 2, Split::Six, linearField);
+    Buffer<std::array<std::uint32_t, 4>> kept;
+    for (const auto& corners : mesh.tetrahedra) {
+        Eigen::Vector3d middle(0, 0, 0);
+        for (const std::uint32_t vertex : corners)
+            middle += mesh.positions[vertex] / 4;
+        if (middle.x() > 1 || middle.z() < 1)
+            kept.push_back(corners);
+    }
+    mesh.tetrahedra = std::move(kept);
+    return std::make_shared<const TetrahedralMesh>(std::move(mesh));
+}
+
 /// With a step, and opacities that rise, stay and fall at once.
 TransferFunction manyColours()
 {
@@ -139,6 +155,46 @@ private slots:
         QVERIFY2(std::abs(areaOf(mesh) - 1) < 1e-6, QByteArray::number(areaOf(mesh)));
         for (const Eigen::Vector3d& position : mesh.positions)
             QVERIFY(std::abs(position[axis] - place / 100) < 1e-6);
+    }
+
+    /// Where a part of the mesh ends in the plane and another goes on, both are seen, from whichever side, once.
+    void partsThatEndInThePlane_data()
+    {
+        QTest::addColumn<QByteArray>("plane");
+        QTest::addColumn<double>("area");
+        QTest::addColumn<Eigen::Vector3d>("normal");
+        const auto row = [](const char* plane, double area, const Eigen::Vector3d& normal) {
+            QTest::newRow(plane) << QByteArray(plane) << area << normal;
+        };
+        row("z=1", 4, {0, 0, 1});
+        row("0,0,-3,-3", 4, {0, 0, -1});
+        row("x=1", 4, {1, 0, 0});
+        row("-1,0,0,-1", 4, {-1, 0, 0});
+        row("z=0", 4, {0, 0, 1});
+        row("z=2", 2, {0, 0, 1});
+        row("x=2", 4, {1, 0, 0});
+        row("z=0.5", 4, {0, 0, 1}); // through vertices, within the mesh
+        row("z=1.25", 2, {0, 0, 1});
+        row("y=1", 3, {0, 1, 0});
+    }
+    void partsThatEndInThePlane()
+    {
+        QFETCH(QByteArray, plane);
+        QFETCH(double, area);
+        QFETCH(Eigen::Vector3d, normal);
+        const auto scene = prepared(*open("slice", stair()), {{"slices", plane.toStdString()}});
+        const auto slices = slicesOf(*scene);
+        QCOMPARE(slices.size(), std::size_t(1));
+        const TriangleMesh& mesh = *surfaceOf(*slices[0]).mesh;
+        QVERIFY2(std::abs(areaOf(mesh) - area) < 1e-6, QByteArray::number(areaOf(mesh)));
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Eigen::Vector3d& first = mesh.positions[a];
+            QVERIFY((mesh.positions[b] - first).cross(mesh.positions[c] - first).dot(normal) >= 0);
+        }
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            QVERIFY(mesh.normals[v].cast<double>().dot(normal) > 0.999);
+            QVERIFY(std::abs(static_cast<double>(mesh.values[v]) - linearField(mesh.positions[v])) < 1e-6);
+        }
     }
 
     /// In place of those across the axes.
