@@ -112,7 +112,7 @@ std::string attribute(const char* name, const std::string& value)
     return std::string(" ") + name + "=\"" + value + '"';
 }
 
-Ink lightInk(ChartInk ink)
+PixelInk lightInk(ChartInk ink)
 {
     const std::uint32_t colour = coloursOf(ink).light;
     return {static_cast<std::uint8_t>(colour >> 16), static_cast<std::uint8_t>(colour >> 8 & 0xff),
@@ -120,21 +120,21 @@ Ink lightInk(ChartInk ink)
 }
 
 /// Pieces end beyond their ends, so that none gapes at a corner.
-void paintPolyline(const Canvas& canvas, const Points& points, double width, const Ink& ink)
+void paintPolyline(const PixelCanvas& canvas, const Points& points, double width, const PixelInk& ink)
 {
     const LineEnd end = points.size() > 2 ? LineEnd::Square : LineEnd::Flat;
     for (std::size_t i = 1; i < points.size(); ++i)
         strokeLine(canvas, points[i - 1], points[i], width, ink, end);
 }
 
-void paintDots(const Canvas& canvas, const Points& places, double diameter, const Ink& ink)
+void paintDots(const PixelCanvas& canvas, const Points& places, double diameter, const PixelInk& ink)
 {
     for (const Eigen::Vector2d& place : places)
         fill(canvas, ellipsePath(Rectangle{0, 0, diameter, diameter}.centredAt(place)), ink);
 }
 
-void paintWords(const Canvas& canvas, const Fonts& fonts, const std::string& words, Letters letters, Anchor anchor,
-                const Eigen::Vector2d& place, const Ink& ink)
+void paintWords(const PixelCanvas& canvas, const Fonts& fonts, const std::string& words, Letters letters, Anchor anchor,
+                const Eigen::Vector2d& place, const PixelInk& ink)
 {
     const TextStyle style{static_cast<double>(styleOf(letters).size), styleOf(letters).isBold};
     const double width = measured(fonts, words, style).advance;
@@ -228,9 +228,9 @@ try {
     picture.width = static_cast<int>(std::lround(size_.x() * pixelsPerUnit));
     picture.height = static_cast<int>(std::lround(size_.y() * pixelsPerUnit));
     picture.pixels.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), white);
-    const Canvas canvas(pixelsOf(picture), pixelsPerUnit);
+    const PixelCanvas canvas(pixelsOf(picture), pixelsPerUnit);
     for (const Shape& shape : shapes_) {
-        const Ink ink = lightInk(shape.ink);
+        const PixelInk ink = lightInk(shape.ink);
         switch (shape.kind) {
         case Kind::Line: paintPolyline(canvas, shape.points, shape.width, ink); break;
         case Kind::Area: fill(canvas, polygonPath(shape.points), ink); break;

@@ -25,6 +25,14 @@ namespace {
 constexpr std::uint64_t slack = 1 << 13;
 constexpr MarkedText extracting = Message::marked("Extracting the mesh");
 
+/// Whether the file has as many tetrahedra as a mesh of it is said to have.
+Status checkMeshSize(const Model& model, std::uint64_t tetrahedra)
+{
+    if (tetrahedra > model.tetrahedronCount())
+        return inconsistentModel(model, Message::say("its star offsets do not match its mesh sizes"));
+    return {};
+}
+
 Error laterSite(const Model& model, std::uint32_t creator)
 {
     return inconsistentModel(
@@ -67,8 +75,8 @@ private:
 
 Status PrefixScan::run(const Progress& progress)
 {
-    if (expected_ > model_.tetrahedronCount())
-        return inconsistentModel(model_, Message::say("its star offsets do not match its mesh sizes"));
+    if (const Status fits = checkMeshSize(model_, expected_); !fits)
+        return fits;
     out_.resize(expected_ + slack);
     const auto scan = [this](const Stars& stars) {
         const bool fits = stars.count() + aliveScanOverrun <= out_.size() - found_;
@@ -282,6 +290,8 @@ Status forEachTetrahedron(const Model& model, std::uint32_t sites,
     if (const Status hasMesh = checkPrefix(model, sites); !hasMesh || sites == 0)
         return hasMesh;
     const std::uint64_t expected = model.meshSizes()[sites - 1];
+    if (const Status fits = checkMeshSize(model, expected); !fits)
+        return fits;
     std::uint64_t found = 0;
     Buffer<Tetrahedron> some;
     const auto tell = [&](const Stars& stars) -> Status {

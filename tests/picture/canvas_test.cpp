@@ -16,7 +16,7 @@ using namespace tetra;
 
 namespace {
 
-constexpr Ink black{0, 0, 0};
+constexpr PixelInk black{0, 0, 0};
 
 Picture whitePicture(int width, int height)
 {
@@ -37,7 +37,7 @@ double coveredArea(const Picture& picture)
 template <class Paint> double areaOf(double scale, Paint paint)
 {
     Picture picture = whitePicture(200, 160);
-    paint(Canvas(pixelsOf(picture), scale));
+    paint(PixelCanvas(pixelsOf(picture), scale));
     return coveredArea(picture);
 }
 
@@ -73,7 +73,7 @@ private slots:
             const double left = any(random), top = any(random);
             const Rectangle rectangle{left, top, std::abs(any(random)), std::abs(any(random))};
             const double scale = round % 2 == 0 ? 1 : 1.5;
-            fill(Canvas(pixelsOf(picture), scale), rectangle, black);
+            fill(PixelCanvas(pixelsOf(picture), scale), rectangle, black);
             for (int y = 0; y < picture.height; ++y)
                 for (int x = 0; x < picture.width; ++x) {
                     const double covered = overlap(left * scale, rectangle.right() * scale, x) *
@@ -95,11 +95,12 @@ private slots:
                 const double area = std::abs(one.x() * other.y() - one.y() * other.x()) / 2;
                 const double edges = one.norm() + other.norm() + (other - one).norm();
                 const double covered =
-                    areaOf(scale, [&](const Canvas& canvas) { fill(canvas, polygonPath(corners), black); });
+                    areaOf(scale, [&](const PixelCanvas& canvas) { fill(canvas, polygonPath(corners), black); });
                 QVERIFY2(isNear(covered, area * scale * scale, edges * scale), QByteArray::number(covered));
             }
         const Rectangle around{20.3, 10.7, 60, 40};
-        const double ellipse = areaOf(1.5, [&](const Canvas& canvas) { fill(canvas, ellipsePath(around), black); });
+        const double ellipse =
+            areaOf(1.5, [&](const PixelCanvas& canvas) { fill(canvas, ellipsePath(around), black); });
         QVERIFY2(isNearRound(ellipse, std::numbers::pi * 45 * 30, 240), QByteArray::number(ellipse));
     }
 
@@ -110,9 +111,10 @@ private slots:
         for (int round = 0; round < 100; ++round) {
             const Eigen::Vector2d from(x(random), y(random)), to(x(random), y(random));
             const double width = wide(random), length = (to - from).norm();
-            const double flat = areaOf(1, [&](const Canvas& canvas) { strokeLine(canvas, from, to, width, black); });
-            const double square =
-                areaOf(1, [&](const Canvas& canvas) { strokeLine(canvas, from, to, width, black, LineEnd::Square); });
+            const double flat =
+                areaOf(1, [&](const PixelCanvas& canvas) { strokeLine(canvas, from, to, width, black); });
+            const double square = areaOf(
+                1, [&](const PixelCanvas& canvas) { strokeLine(canvas, from, to, width, black, LineEnd::Square); });
             QVERIFY2(isNear(flat, length * width, 2 * (length + width)), QByteArray::number(flat));
             QVERIFY2(isNear(square, (length + width) * width, 2 * (length + 2 * width)), QByteArray::number(square));
         }
@@ -124,11 +126,11 @@ private slots:
         const Rectangle around{20.3, 20.7, 50, 30};
         for (const double width : {1.0, 3.0, 8.0}) {
             const double frame =
-                areaOf(1.5, [&](const Canvas& canvas) { stroke(canvas, rectanglePath(around), width, black); });
+                areaOf(1.5, [&](const PixelCanvas& canvas) { stroke(canvas, rectanglePath(around), width, black); });
             QVERIFY2(isNear(frame, 2.25 * (2 * width * 80 - width * width / 2), 480), QByteArray::number(frame));
             const Rectangle square{20.3, 20.7, 40, 40};
             const double ring =
-                areaOf(1.5, [&](const Canvas& canvas) { stroke(canvas, ellipsePath(square), width, black); });
+                areaOf(1.5, [&](const PixelCanvas& canvas) { stroke(canvas, ellipsePath(square), width, black); });
             QVERIFY2(isNearRound(ring, 2.25 * 2 * std::numbers::pi * 20 * width, 377), QByteArray::number(ring));
         }
     }
@@ -138,12 +140,13 @@ private slots:
     {
         for (const double far : {0.0, 100.0, -300.0, 1e4, -1e4}) {
             const Rectangle around{-30 + far, -30 + far, 60, 60};
-            const double covered = areaOf(1, [&](const Canvas& canvas) { fill(canvas, ellipsePath(around), black); });
+            const double covered =
+                areaOf(1, [&](const PixelCanvas& canvas) { fill(canvas, ellipsePath(around), black); });
             const bool isSeen = far == 0.0 || far == 100.0;
             QVERIFY2(isSeen ? covered > 500 : covered == 0, QByteArray::number(covered));
         }
         Picture nothing;
-        const Canvas canvas(pixelsOf(nothing), 1);
+        const PixelCanvas canvas(pixelsOf(nothing), 1);
         fill(canvas, Rectangle{-5, -5, 10, 10}, black);
         strokeLine(canvas, {-5, -5}, {5, 5}, 3, black);
     }
@@ -156,7 +159,7 @@ private slots:
         for (int round = 0; round < 20000; ++round) {
             const std::array<std::uint8_t, 4> before{byte(), byte(), byte(),
                                                      round % 3 == 0 ? std::uint8_t{255} : byte()};
-            const Ink ink{byte(), byte(), byte(), byte()};
+            const PixelInk ink{byte(), byte(), byte(), byte()};
             const unsigned coverage = byte();
             auto pixel = before;
             blend(pixel, ink, coverage);
@@ -180,7 +183,7 @@ private slots:
         Picture content = whitePicture(30, 20);
         for (std::size_t i = 0; i < content.pixels.size(); ++i)
             content.pixels[i] = {static_cast<std::uint8_t>(i % 200), 7, 9, 40};
-        const Canvas canvas(pixelsOf(picture), 1);
+        const PixelCanvas canvas(pixelsOf(picture), 1);
         replaceWithin(canvas, rectanglePath({10, 5, 30.5, 30}), content, 15, 10);
         QCOMPARE(pixelsOf(picture).row(12)[20], content.pixels[2 * 30 + 5]);
         QCOMPARE(pixelsOf(picture).row(7)[12], (std::array<std::uint8_t, 4>{255, 255, 255, 255})); // it ends there

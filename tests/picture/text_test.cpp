@@ -36,7 +36,7 @@ Picture painted(const Fonts& fonts, std::string_view text, const TextStyle& styl
     Picture picture{static_cast<int>(width * scale), static_cast<int>(height * scale), {}};
     picture.pixels.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
                           {255, 255, 255, 255});
-    paintText(Canvas(pixelsOf(picture), scale), fonts, text, style, {20, baseline}, {0, 0, 0}, rim);
+    paintText(PixelCanvas(pixelsOf(picture), scale), fonts, text, style, {20, baseline}, {0, 0, 0}, rim);
     return picture;
 }
 
@@ -253,9 +253,9 @@ void PictureTextTest::anyTextCanBePainted()
     QVERIFY(inkOf(painted(*fonts_, std::string(5000, 'W'))).sum > 100);
     QVERIFY(painted(*fonts_, "a\nb\tc").pixels == painted(*fonts_, "a b c").pixels);
     Picture nothing;
-    paintText(Canvas(pixelsOf(nothing), 1), *fonts_, "text", {}, {0, 0}, {}, {});
+    paintText(PixelCanvas(pixelsOf(nothing), 1), *fonts_, "text", {}, {0, 0}, {}, {});
     Picture small{4, 4, std::vector<std::array<std::uint8_t, 4>>(16, {1, 2, 3, 4})};
-    paintText(Canvas(pixelsOf(small), 1), *fonts_, "text", {.size = 12}, {1e6, -1e6}, {}, {3, {}});
+    paintText(PixelCanvas(pixelsOf(small), 1), *fonts_, "text", {.size = 12}, {1e6, -1e6}, {}, {3, {}});
     QVERIFY(std::ranges::all_of(small.pixels, [](const auto& pixel) { return pixel[0] == 1 && pixel[3] == 4; }));
 }
 

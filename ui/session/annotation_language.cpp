@@ -13,7 +13,7 @@ NumberSigns numberSigns(const QLocale& locale)
     return {.decimalPoint = locale.decimalPoint().toStdString(),
             .minus = locale.negativeSign().toStdString(),
             .plus = locale.positiveSign().toStdString(),
-            .exponent = locale.exponential().toLower().toStdString(),
+            .exponent = locale.exponential().toStdString(),
             .zero = locale.zeroDigit().toStdU32String().front()};
 }
 

@@ -18,7 +18,7 @@ constexpr double solidPart = 12; ///< of the bar's width: what is left shows the
 
 /// What all parts are painted with.
 struct Brush {
-    const Canvas& canvas;
+    const PixelCanvas& canvas;
     const Fonts& fonts;
     AnnotationInk ink;
 };
@@ -29,13 +29,14 @@ void paintLabel(const Brush& brush, const PlacedText& label, TextAlignment align
     paintPlacedText(brush.canvas, brush.fonts, label.text, label.place, brush.ink, alignment, style);
 }
 
-void paintLine(const Brush& brush, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Ink& ink, double width)
+void paintLine(const Brush& brush, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const PixelInk& ink,
+               double width)
 {
     strokeLine(brush.canvas, from, to, width + 2, brush.ink.rim);
     strokeLine(brush.canvas, from, to, width, ink);
 }
 
-void paintChequers(const Canvas& canvas, const Rectangle& place)
+void paintChequers(const PixelCanvas& canvas, const Rectangle& place)
 {
     fill(canvas, place, {240, 240, 240});
     for (int row = 0; row * chequer < place.height; ++row)
@@ -48,7 +49,7 @@ void paintChequers(const Canvas& canvas, const Rectangle& place)
         }
 }
 
-Ink inkOf(const TransferSample& sample, double opacity)
+PixelInk inkOf(const TransferSample& sample, double opacity)
 {
     return inkOf(Colour{static_cast<float>(sample.colour[0]), static_cast<float>(sample.colour[1]),
                         static_cast<float>(sample.colour[2])},
@@ -57,7 +58,8 @@ Ink inkOf(const TransferSample& sample, double opacity)
 
 /// Left the colours alone, right as opaque as they are: a colour of little opacity could not be told otherwise. Each
 /// row of pixels has the colour of its middle.
-void paintTransfer(const Canvas& canvas, const TransferFunction& transfer, const BarAxis& axis, const Rectangle& bar)
+void paintTransfer(const PixelCanvas& canvas, const TransferFunction& transfer, const BarAxis& axis,
+                   const Rectangle& bar)
 {
     const double solid = bar.left + solidPart, scale = canvas.scale();
     paintChequers(canvas, {solid, bar.top, bar.right() - solid, bar.height});
@@ -75,8 +77,8 @@ void paintTransfer(const Canvas& canvas, const TransferFunction& transfer, const
 /// A line across the bar and a pointer at its left, in the surface's colour.
 void paintIsovalue(const Brush& brush, const Isovalue& isovalue, const AxisMark& mark, const Rectangle& bar)
 {
-    const Ink colour = inkOf(Colour{isovalue.red, isovalue.green, isovalue.blue});
-    const Ink around = brush.ink.dark ? Ink{0, 0, 0} : Ink{255, 255, 255};
+    const PixelInk colour = inkOf(Colour{isovalue.red, isovalue.green, isovalue.blue});
+    const PixelInk around = brush.ink.dark ? PixelInk{0, 0, 0} : PixelInk{255, 255, 255};
     const double y = mark.position, tip = bar.left - 1;
     strokeLine(brush.canvas, {bar.left + 1, y}, {bar.right() - 1, y}, 4, around, LineEnd::Square);
     strokeLine(brush.canvas, {bar.left, y}, {bar.right(), y}, 2, colour, LineEnd::Square);
@@ -92,7 +94,7 @@ void paintBar(const Brush& brush, const AnnotationContent& content, const Colour
     if (content.transfer) {
         paintTransfer(brush.canvas, *content.transfer, layout.axis, layout.bar);
     } else {
-        Ink ground = brush.ink.line;
+        PixelInk ground = brush.ink.line;
         ground.alpha = 31; // an eighth
         fill(brush.canvas, layout.bar, brush.ink.rim);
         fill(brush.canvas, layout.bar, ground);
@@ -119,14 +121,14 @@ void paintColourBar(const Brush& brush, const AnnotationContent& content, const 
 }
 
 /// Of the axis of this number, told apart by brightness, too.
-Ink axisInk(std::size_t axis, bool dark)
+PixelInk axisInk(std::size_t axis, bool dark)
 {
-    constexpr std::array<Ink, 3> onLight{{{196, 60, 20}, {0, 128, 84}, {0, 92, 184}}};
-    constexpr std::array<Ink, 3> onDark{{{255, 138, 92}, {72, 214, 160}, {112, 182, 255}}};
+    constexpr std::array<PixelInk, 3> onLight{{{196, 60, 20}, {0, 128, 84}, {0, 92, 184}}};
+    constexpr std::array<PixelInk, 3> onDark{{{255, 138, 92}, {72, 214, 160}, {112, 182, 255}}};
     return dark ? onDark[axis] : onLight[axis];
 }
 
-void paintArrow(const Brush& brush, const Eigen::Vector2d& origin, const Eigen::Vector2d& tip, const Ink& ink)
+void paintArrow(const Brush& brush, const Eigen::Vector2d& origin, const Eigen::Vector2d& tip, const PixelInk& ink)
 {
     const Eigen::Vector2d end = origin + tip;
     paintLine(brush, origin, end, ink, 2);
@@ -184,7 +186,7 @@ Status paintAnnotations(const PixelView& picture, const AnnotationContent& conte
     const auto fonts = content.fonts ? Result(content.fonts) : openFonts();
     if (!fonts)
         return fonts.error();
-    const Canvas canvas(picture, scale);
+    const PixelCanvas canvas(picture, scale);
     const Size size{picture.width / scale, picture.height / scale};
     const AnnotationLayout layout = layOutAnnotations(content, size, textMeasure(**fonts));
     paintLayout({canvas, **fonts, annotationInk(content.background)}, content, layout);

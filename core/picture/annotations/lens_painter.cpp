@@ -23,7 +23,7 @@ Path outlineOf(const DrawnLens& lens, double within)
 void paintMagnification(const PixelView& picture, const LensPicture& place, const AnnotationInk& ink, double scale,
                         const NumberSigns& numbers, const Fonts& fonts)
 {
-    const Canvas canvas(picture, scale);
+    const PixelCanvas canvas(picture, scale);
     const std::string text = shortNumber(place.magnification, numbers, magnificationDigits) + "×";
     const double height = measured(fonts, text, annotationText).height();
     const double middle = (place.square.left + place.square.width / 2.0) / scale,
@@ -42,7 +42,7 @@ Status paintLens(const PixelView& picture, const DrawnLens& lens, const Colour& 
         return fonts.error();
     const LensPicture& place = lens.place;
     const AnnotationInk ink = annotationInk(background);
-    const Canvas canvas(picture, 1);
+    const PixelCanvas canvas(picture, 1);
     const Path outline = outlineOf(lens, lensRim * scale / 2);
     if (!lens.content.pixels.empty())
         replaceWithin(canvas, outline, lens.content, place.square.left + place.left, place.square.top + place.top);

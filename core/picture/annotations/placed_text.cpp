@@ -15,7 +15,7 @@ AnnotationInk annotationInk(const Colour& background)
 {
     AnnotationInk ink;
     ink.dark = 0.3 * background.red + 0.59 * background.green + 0.11 * background.blue < 0.5;
-    ink.line = ink.dark ? Ink{238, 238, 238} : Ink{28, 28, 30};
+    ink.line = ink.dark ? PixelInk{238, 238, 238} : PixelInk{28, 28, 30};
     ink.rim = inkOf(background, rimOpacity);
     return ink;
 }
@@ -27,7 +27,7 @@ TextMeasure textMeasure(const Fonts& fonts)
             std::round(measured(fonts, {}, annotationText).height())};
 }
 
-void paintPlacedText(const Canvas& canvas, const Fonts& fonts, const std::string& text, const Rectangle& place,
+void paintPlacedText(const PixelCanvas& canvas, const Fonts& fonts, const std::string& text, const Rectangle& place,
                      const AnnotationInk& ink, TextAlignment alignment, const TextStyle& style)
 {
     if (text.empty())

@@ -13,8 +13,8 @@ namespace tetra {
 
 /// What annotations and lenses are painted with over a background.
 struct AnnotationInk {
-    Ink line{};
-    Ink rim{};         ///< translucent, around lines and letters
+    PixelInk line{};
+    PixelInk rim{};    ///< translucent, around lines and letters
     bool dark = false; ///< the background is
 };
 
@@ -30,7 +30,7 @@ TextMeasure textMeasure(const Fonts& fonts);
 enum class TextAlignment { Left, Centre };
 
 /// In the middle of the place's height, with a rim, in the ink's colour of lines.
-void paintPlacedText(const Canvas& canvas, const Fonts& fonts, const std::string& text, const Rectangle& place,
+void paintPlacedText(const PixelCanvas& canvas, const Fonts& fonts, const std::string& text, const Rectangle& place,
                      const AnnotationInk& ink, TextAlignment alignment = TextAlignment::Left,
                      const TextStyle& style = annotationText);
 

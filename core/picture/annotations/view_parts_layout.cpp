@@ -115,7 +115,8 @@ ScaleBarLayout layOutScaleBar(const AnnotationContent& content, const Size& pict
     ScaleBarLayout layout;
     layout.length = barUnits(content, picture);
     const double bar = layout.length / unitsPerPixelOf(content, picture);
-    const double middle = place.centre().x(), y = place.bottom() - tickHeight / 2 - 1;
+    const double middle = place.centre().x(),
+                 y = place.bottom() - std::ceil(tickHeight / 2) - 1; // a whole number, for sharpness
     layout.from = {middle - bar / 2, y};
     layout.to = {middle + bar / 2, y};
     layout.label = fittedText(barText(content, layout.length), place.width, measure);

@@ -10,7 +10,7 @@
 namespace tetra {
 
 /// How a pixel looks of which `coverage` / 255 are covered by ink: "over" of Porter and Duff, for straight alpha.
-inline void blend(std::array<std::uint8_t, 4>& pixel, const Ink& ink, unsigned coverage) noexcept
+inline void blend(std::array<std::uint8_t, 4>& pixel, const PixelInk& ink, unsigned coverage) noexcept
 {
     const unsigned over = (ink.alpha * coverage + 127) / 255;
     if (over == 0)

@@ -33,7 +33,7 @@ CoverageBounds boundsOf(const PixelView& pixels)
     return {pixels.width, pixels.height};
 }
 
-void fillOutline(const Canvas& canvas, KeptOutline outline, const Ink& ink)
+void fillOutline(const PixelCanvas& canvas, KeptOutline outline, const PixelInk& ink)
 {
     rasterise(canvas.library(), outline.view(), boundsOf(canvas.pixels()),
               [&](int x, int y, int length, unsigned coverage) {
@@ -65,7 +65,7 @@ LineCoverage coverageOf(double from, double to, int size)
 
 } // namespace
 
-Ink inkOf(const Colour& colour, double opacity)
+PixelInk inkOf(const Colour& colour, double opacity)
 {
     return {byteOf(colour.red), byteOf(colour.green), byteOf(colour.blue), byteOf(opacity)};
 }
@@ -104,7 +104,7 @@ Path ellipsePath(const Rectangle& rectangle)
     return path;
 }
 
-Canvas::Canvas(const PixelView& pixels, double scale) : pixels_(pixels), scale_(scale)
+PixelCanvas::PixelCanvas(const PixelView& pixels, double scale) : pixels_(pixels), scale_(scale)
 {
     FT_Library library = nullptr;
     if (FT_Init_FreeType(&library) != 0)
@@ -112,12 +112,12 @@ Canvas::Canvas(const PixelView& pixels, double scale) : pixels_(pixels), scale_(
     library_.reset(library);
 }
 
-void Canvas::Closing::operator()(FT_LibraryRec_* library) const noexcept
+void PixelCanvas::Closing::operator()(FT_LibraryRec_* library) const noexcept
 {
     FT_Done_FreeType(library);
 }
 
-void fill(const Canvas& canvas, const Rectangle& rectangle, const Ink& ink)
+void fill(const PixelCanvas& canvas, const Rectangle& rectangle, const PixelInk& ink)
 {
     const PixelView& pixels = canvas.pixels();
     const double scale = canvas.scale();
@@ -130,12 +130,12 @@ void fill(const Canvas& canvas, const Rectangle& rectangle, const Ink& ink)
     }
 }
 
-void fill(const Canvas& canvas, const Path& path, const Ink& ink)
+void fill(const PixelCanvas& canvas, const Path& path, const PixelInk& ink)
 {
     fillOutline(canvas, outlineOf(path, canvas.scale()), ink);
 }
 
-void stroke(const Canvas& canvas, const Path& path, double width, const Ink& ink)
+void stroke(const PixelCanvas& canvas, const Path& path, double width, const PixelInk& ink)
 {
     const Stroker stroker =
         strokerOf(canvas.library(), width * canvas.scale(), FT_STROKER_LINECAP_BUTT, FT_STROKER_LINEJOIN_BEVEL);
@@ -143,8 +143,8 @@ void stroke(const Canvas& canvas, const Path& path, double width, const Ink& ink
         fillOutline(canvas, strokeOf(stroker.get(), outlineOf(path, canvas.scale()).view(), false), ink);
 }
 
-void strokeLine(const Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
-                const Ink& ink, LineEnd end)
+void strokeLine(const PixelCanvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
+                const PixelInk& ink, LineEnd end)
 {
     const Stroker stroker = strokerOf(canvas.library(), width * canvas.scale(),
                                       end == LineEnd::Flat ? FT_STROKER_LINECAP_BUTT : FT_STROKER_LINECAP_SQUARE,
@@ -153,7 +153,7 @@ void strokeLine(const Canvas& canvas, const Eigen::Vector2d& from, const Eigen::
         fillOutline(canvas, strokeOf(stroker.get(), outlineOf({{from}, {to}}, canvas.scale()).view(), true), ink);
 }
 
-void replaceWithin(const Canvas& canvas, const Path& path, const Picture& content, int left, int top)
+void replaceWithin(const PixelCanvas& canvas, const Path& path, const Picture& content, int left, int top)
 {
     KeptOutline outline = outlineOf(path, canvas.scale());
     rasterise(canvas.library(), outline.view(), boundsOf(canvas.pixels()),

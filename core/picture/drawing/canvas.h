@@ -18,16 +18,16 @@ struct FT_LibraryRec_;
 namespace tetra {
 
 /// What is painted with: 8-bit sRGB. Alpha 255 covers what was there.
-struct Ink {
+struct PixelInk {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
     std::uint8_t blue = 0;
     std::uint8_t alpha = 255;
-    bool operator==(const Ink&) const = default;
+    bool operator==(const PixelInk&) const = default;
 };
 
 /// `opacity` from 0 to 1; what lies beyond, and colours beyond, count as the end.
-Ink inkOf(const Colour& colour, double opacity = 1);
+PixelInk inkOf(const Colour& colour, double opacity = 1);
 
 /// A closed line of straight pieces and cubic curves: each curve has two controls between its ends. Its last point is
 /// joined with its first.
@@ -47,9 +47,9 @@ enum class LineEnd { Flat, Square };
 /// Pixels to paint on, in units that are `scale` pixels long. A pixel of which a part is covered takes that part of
 /// the ink, in 255 steps; curves are painted as straight pieces that leave them by a tenth of a pixel at most. What
 /// lies outside is left away. For one thread at a time; the pixels outlive it.
-class Canvas {
+class PixelCanvas {
 public:
-    Canvas(const PixelView& pixels, double scale);
+    PixelCanvas(const PixelView& pixels, double scale);
 
     const PixelView& pixels() const noexcept { return pixels_; }
     double scale() const noexcept { return scale_; }
@@ -66,15 +66,15 @@ private:
 };
 
 /// O(pixels in it).
-void fill(const Canvas& canvas, const Rectangle& rectangle, const Ink& ink);
+void fill(const PixelCanvas& canvas, const Rectangle& rectangle, const PixelInk& ink);
 /// What the path winds around.
-void fill(const Canvas& canvas, const Path& path, const Ink& ink);
+void fill(const PixelCanvas& canvas, const Path& path, const PixelInk& ink);
 /// A line along the path, half of it on either side, with bevelled corners.
-void stroke(const Canvas& canvas, const Path& path, double width, const Ink& ink);
-void strokeLine(const Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
-                const Ink& ink, LineEnd end = LineEnd::Flat);
+void stroke(const PixelCanvas& canvas, const Path& path, double width, const PixelInk& ink);
+void strokeLine(const PixelCanvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
+                const PixelInk& ink, LineEnd end = LineEnd::Flat);
 /// What the path winds around becomes another picture, whose upper left pixel lies at (left, top), in pixels; as far as
 /// that reaches.
-void replaceWithin(const Canvas& canvas, const Path& path, const Picture& content, int left, int top);
+void replaceWithin(const PixelCanvas& canvas, const Path& path, const Picture& content, int left, int top);
 
 } // namespace tetra

@@ -37,7 +37,7 @@ public:
         });
     }
 
-    void paint(const PixelView& pixels, const Ink& ink) const
+    void paint(const PixelView& pixels, const PixelInk& ink) const
     {
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x)
@@ -59,8 +59,8 @@ TextMetrics measured(const Fonts& fonts, std::string_view text, const TextStyle&
             family.first().descent(style.size)};
 }
 
-void paintText(const Canvas& canvas, const Fonts& fonts, std::string_view text, const TextStyle& style,
-               const Eigen::Vector2d& baseline, const Ink& ink, const TextRim& rim)
+void paintText(const PixelCanvas& canvas, const Fonts& fonts, std::string_view text, const TextStyle& style,
+               const Eigen::Vector2d& baseline, const PixelInk& ink, const TextRim& rim)
 {
     const std::lock_guard turn(fonts.turn);
     const double pixels = style.size * canvas.scale(), rimPixels = rim.width * canvas.scale();

@@ -34,12 +34,12 @@ TextMetrics measured(const Fonts& fonts, std::string_view text, const TextStyle&
 /// A rim around letters: a line along their outlines, under them.
 struct TextRim {
     double width = 0; ///< half of which is outside
-    Ink ink{};
+    PixelInk ink{};
 };
 
 /// `baseline`: where the text begins at its left. Letters stand on whole rows of pixels, so that they are sharp; to the
 /// sides they are where they belong. Any thread.
-void paintText(const Canvas& canvas, const Fonts& fonts, std::string_view text, const TextStyle& style,
-               const Eigen::Vector2d& baseline, const Ink& ink, const TextRim& rim);
+void paintText(const PixelCanvas& canvas, const Fonts& fonts, std::string_view text, const TextStyle& style,
+               const Eigen::Vector2d& baseline, const PixelInk& ink, const TextRim& rim);
 
 } // namespace tetra

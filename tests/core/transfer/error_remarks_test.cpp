@@ -156,7 +156,7 @@ private slots:
         QTest::newRow("opacity") << ErrorRemark{Kind::OpacityAtBackground, -5, -6, 1.5, 0.5}
                                  << QStringList{"from log10(1e-05)", "a factor of 31.6", "log10(1e-06)"};
         QTest::newRow("narrow") << ErrorRemark{Kind::NarrowOpacity, 0, 0, 0.3, 0.1}
-                                << QStringList{"about log10(1)", "a factor of 2"};
+                                << QStringList{"around log10(1)", "a factor of 2"};
     }
     void ofLogarithmsFactorsAreTold()
     {
