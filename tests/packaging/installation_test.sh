@@ -31,7 +31,7 @@ if [ -e "$build/share/doc/tan/manual" ]; then
 fi
 # Headers of sources that are not interfaces stay at home, and so does what belongs to the VTK readers.
 check test "$(ls "$place/include/tan" | tr '\n' ' ')" = \
-    "base.h build.h data.h mesh.h model.h open.h packed.h parameter.h picture.h query.h render.h transfer.h verify.h version.h view.h zones.h "
+    "base.h build.h data.h fwd.h mesh.h model.h open.h packed.h parameter.h picture.h query.h render.h tan.h transfer.h verify.h version.h view.h zones.h "
 check test "$(ls "$place/include")" = "$(printf 'tan\ntan-plugin')"
 check test ! -e "$place/include/tan-plugin/plugins/host"
 check test ! -e "$place/$libraries/tan/plugins/tan-read-vtk"

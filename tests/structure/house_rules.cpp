@@ -35,7 +35,8 @@ constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/
                            tanOpen = "core/include/tan/open.h", tanRender = "core/include/tan/render.h",
                            tanPacked = "core/include/tan/packed.h", tanVersion = "core/include/tan/version.h",
                            tanZones = "core/include/tan/zones.h", tanParameter = "core/include/tan/parameter.h",
-                           tanView = "core/include/tan/view.h", tanPicture = "core/include/tan/picture.h";
+                           tanView = "core/include/tan/view.h", tanPicture = "core/include/tan/picture.h",
+                           tanNames = "core/include/tan/fwd.h", tanWhole = "core/include/tan/tan.h";
 
 const std::vector<Room>& rooms()
 {
@@ -56,6 +57,10 @@ const std::vector<Room>& rooms()
         {tanParameter, {tanBase, tanTransfer, tanRender}},
         {tanView, {tanBase, tanMesh, tanData, tanModel, tanQuery, tanTransfer, tanRender, tanParameter}},
         {tanPicture, {tanBase, tanModel, tanParameter, tanRender, tanView}},
+        {tanNames, {}},
+        {tanWhole,
+         {tanBase, tanBuild, tanData, tanNames, tanMesh, tanModel, tanOpen, tanPacked, tanParameter, tanPicture,
+          tanQuery, tanRender, tanTransfer, tanVerify, tanVersion, tanView, tanZones}},
         {"core/base", {tanBase}},
         {"core/version", {tanBase, tanVersion}},
         {"core/remote", {tanBase, tanVersion, "core/base"}},

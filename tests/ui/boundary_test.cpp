@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/annotations/annotation_content.h"
 #include "core/picture/session_document.h"
+#include "core/picture/text_file.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "tests/core/render/scene_parts.h"
