@@ -12,7 +12,8 @@
 
 namespace tetra {
 
-/// The plugins that can show a model: isosurfaces, volume and both first, then others by id.
+/// The plugins that can show a model: isosurfaces, volume, both, focus, slices and projection first, in this
+/// order, then others by id.
 std::vector<Provided<Renderer>> renderingModes(PluginHost& host);
 
 /// The first mode, with the defaults for the field. An irregular domain, whose shape no box tells, begins with its

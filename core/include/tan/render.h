@@ -330,8 +330,9 @@ TAN_API const Drawable* drawableOf(const Scene& scene, std::string_view id);
 TAN_API LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float width = 1);
 
 /// Clip planes as text, "nx,ny,nz,offset" each, separated by ';': where nx x + ny y + nz z >= offset is shown. No text
-/// is no plane. Errors (WrongUsage): four finite numbers each, the first three of them not all zero; the text says
-/// which plane is wrong.
+/// is no plane. A normal of an unusual size, beyond 2^40 or below 2^-40, comes scaled with its offset. Errors
+/// (WrongUsage): four finite numbers each, the first three of them not all zero, for a plane at a finite distance; the
+/// text says which plane is wrong.
 TAN_API Result<std::vector<ClipPlane>> parseClipPlanes(std::string_view text);
 
 /// The text that parseClipPlanes() reads as these planes.
