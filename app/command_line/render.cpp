@@ -11,6 +11,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/text.h"
+#include "core/picture/kept_tools.h"
 #include "core/picture/mesh_saving.h"
 #include "core/picture/rendering_modes.h"
 #include "core/picture/restored_view.h"
@@ -318,27 +319,17 @@ Result<std::filesystem::path> modelOf(const Arguments& arguments, const SessionD
                      "', nor one with that name near the session. Give its path with '--model FILE'."};
 }
 
-/// What tools show over the picture in the window: it is not drawn here. Nothing where they show nothing.
-std::optional<SessionDifference> undrawnTools(PluginHost& host, const ViewValue& view, const Model& model)
+/// Tools that keep something in the picture and are not there; nothing if all are.
+std::optional<SessionDifference> missingTools(PluginHost& host, const ViewValue& view)
 {
-    const std::vector<Parameter> parameters; // of the mode: what tools measure does not depend on them
     std::string names;
-    for (const auto& [id, value] : view.tools) {
-        const auto tool = host.tool(id);
-        if (tool) {
-            const ToolDrawing shown = tool->plugin->drawing({.view = view,
-                                                             .model = model.description(),
-                                                             .value = value,
-                                                             .parameters = parameters,
-                                                             .camera = view.camera});
-            if (shown.lines.empty() && shown.points.empty() && shown.texts.empty())
-                continue;
-        }
-        names += (names.empty() ? "'" : ", '") + (tool ? tool->name : id) + "'";
-    }
+    for (const auto& [id, value] : view.tools)
+        if (!host.tool(id))
+            names += (names.empty() ? "'" : ", '") + id + "'";
     if (names.empty())
         return std::nullopt;
-    return SessionDifference{"tools", "What the window shows of these tools is not drawn: " + names + "."};
+    return SessionDifference{"tools", "What these tools show is not drawn, as their plugins are not there: " + names +
+                                          ". Install them."};
 }
 
 /// What of the session the picture will not show; an error if that is not to be.
@@ -349,7 +340,7 @@ Result<std::vector<SessionDifference>> differencesOf(const Invocation& invocatio
     if (const auto other = differentModel(document, *found.model);
         other && found.isWhole && !invocation.arguments.has("model"))
         differences.insert(differences.begin(), *other);
-    if (auto tools = undrawnTools(invocation.host, restored.document.view, *found.model))
+    if (auto tools = missingTools(invocation.host, restored.document.view))
         differences.push_back(*std::move(tools));
     std::string texts; // with what the session's file says, so that a terminal must not see them as they are
     for (const SessionDifference& difference : differences)
@@ -415,6 +406,11 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
                                                                 : seen.background.value_or(usualBackground(false));
     if (kept.viewSize[0] > 0)
         view.picture.viewSize = {kept.viewSize[0], kept.viewSize[1]};
+    view.picture.size = {request.picture.width, request.picture.height};
+    view.picture.tools =
+        keptDrawings(keptTools(invocation.host, seen), view.model->description(),
+                     matteringParameters(renderer->plugin->parameters(view.field), seen.appearance.settings), seen,
+                     seen.camera, sizeInUnits(view.picture));
     return view;
 }
 

@@ -2,6 +2,7 @@
 // The face of this folder (tan/picture.h): a model, its plugins and two pipelines, one of the picture and one of its
 // lens, so that neither takes the mesh of the other away.
 #include "core/picture/annotations/annotation_content.h"
+#include "core/picture/kept_tools.h"
 #include "core/picture/rendering_modes.h"
 #include "core/picture/restored_view.h"
 #include "core/picture/session_document.h"
@@ -92,7 +93,11 @@ Result<Picture> PictureMaker::Parts::draw(const ViewValue& view, const Provided<
                        .viewSize = {request.viewWidth, request.viewHeight},
                        .transparent = request.transparent};
     wanted.annotations.background = view.background.value_or(usualBackground(false));
-    const bool hasTexts = view.lens.isOn() || std::ranges::any_of(view.annotations.places, &AnnotationPlace::shown);
+    wanted.tools =
+        keptDrawings(keptTools(*host, view), model->description(),
+                     matteringParameters(parameters, view.appearance.settings), view, view.camera, sizeInUnits(wanted));
+    const bool hasTexts = view.lens.isOn() || !wanted.tools.empty() ||
+                          std::ranges::any_of(view.annotations.places, &AnnotationPlace::shown);
     if (hasTexts && !fonts) {
         const auto opened = openFonts();
         if (!opened)

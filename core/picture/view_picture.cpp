@@ -7,6 +7,7 @@
 #include "core/picture/annotations/annotation_painter.h"
 #include "core/picture/rendering_modes.h"
 #include "core/picture/shown_error.h"
+#include "core/picture/tool_painter.h"
 #include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 
@@ -129,6 +130,20 @@ Colour usualBackground(bool isDark)
     return isDark ? darkBackground : lightBackground;
 }
 
+Size sizeInUnits(const ViewPicture& picture)
+{
+    const double scale = annotationScale(picture.size, picture.viewSize);
+    return {picture.size.x() / scale, picture.size.y() / scale};
+}
+
+Status paintOver(const PixelView& picture, const AnnotationContent& content, std::span<const ToolDrawing> tools,
+                 double scale)
+{
+    if (const Status painted = paintAnnotations(picture, content, scale); !painted)
+        return painted;
+    return paintTools(picture, tools, {content.camera, content.background, content.language, content.fonts}, scale);
+}
+
 PictureOrder pictureOrder(const ViewPicture& picture)
 {
     const double scale = annotationScale(picture.size, picture.viewSize);
@@ -142,9 +157,9 @@ PictureOrder pictureOrder(const ViewPicture& picture)
     order.dotsPerInch = picture.dotsPerInch;
     order.lineScale = std::max(1.0, scale);
     order.lensWriting = {picture.annotations.language.numbers, picture.annotations.fonts};
-    if (std::ranges::any_of(picture.annotations.state.places, &AnnotationPlace::shown))
-        order.finish = [content = picture.annotations, scale](Picture& drawn) {
-            return paintAnnotations(pixelsOf(drawn), content, scale);
+    if (std::ranges::any_of(picture.annotations.state.places, &AnnotationPlace::shown) || !picture.tools.empty())
+        order.finish = [content = picture.annotations, tools = picture.tools, scale](Picture& drawn) {
+            return paintOver(pixelsOf(drawn), content, tools, scale);
         };
     return order;
 }

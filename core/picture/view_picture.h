@@ -2,15 +2,21 @@
 #pragma once
 
 #include "core/picture/annotations/annotation_content.h"
+#include "core/picture/drawing/rectangle.h"
 #include "core/picture/picture_order.h"
 #include "core/picture/scene_pipeline.h"
 #include "plugins/api/renderer.h"
+#include "plugins/api/tool.h"
 #include "plugins/host/plugin_host.h"
 
 #include <tan/model.h>
 #include <tan/view.h>
 
 #include <Eigen/Core>
+
+#include <memory>
+#include <span>
+#include <vector>
 
 namespace tetra {
 
@@ -55,13 +61,21 @@ inline const Eigen::Vector2i usualViewSize(1024, 768);
 /// What a picture shows, and how large.
 struct ViewPicture {
     std::shared_ptr<const Scene> scene{};
-    AnnotationContent annotations{}; ///< with the camera and the background
-    Eigen::Vector2i size{0, 0};      ///< in pixels
+    AnnotationContent annotations{};  ///< with the camera and the background
+    std::vector<ToolDrawing> tools{}; ///< painted over them (kept_tools.h)
+    Eigen::Vector2i size{0, 0};       ///< in pixels
     /// Of the view that it is a picture of: lines and annotations take as much of the picture as they do of that.
     Eigen::Vector2i viewSize = usualViewSize;
     bool transparent = false;
     int dotsPerInch = 0;
 };
+
+/// In the units of annotations (annotationScale()).
+Size sizeInUnits(const ViewPicture& picture);
+
+/// Annotations, and over them what tools show, seen by the same camera; sizes and errors as of paintAnnotations().
+Status paintOver(const PixelView& picture, const AnnotationContent& content, std::span<const ToolDrawing> tools,
+                 double scale);
 
 /// The picture, without a target.
 PictureOrder pictureOrder(const ViewPicture& picture);

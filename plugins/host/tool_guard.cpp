@@ -10,14 +10,18 @@
 namespace tetra {
 namespace {
 
+constexpr double largestToolSize = 1000; ///< pixels, of lines and discs
+
 /// Nothing of what cannot be seen, so that whoever paints needs no such questions.
 ToolDrawing drawable(ToolDrawing drawing)
 {
     const auto isNowhere = [](const Eigen::Vector3d& place) { return !place.allFinite(); };
+    const auto isSize = [](double size) { return size > 0 && size <= largestToolSize; };
     std::erase_if(drawing.lines, [&](const ToolLine& line) {
-        return line.points.size() < 2 || std::ranges::any_of(line.points, isNowhere);
+        return line.points.size() < 2 || !isSize(line.width) || std::ranges::any_of(line.points, isNowhere);
     });
-    std::erase_if(drawing.points, [&](const ToolPoint& point) { return isNowhere(point.place); });
+    std::erase_if(drawing.points,
+                  [&](const ToolPoint& point) { return isNowhere(point.place) || !isSize(point.radius); });
     std::erase_if(drawing.texts, [&](const ToolText& text) { return text.text.empty() || isNowhere(text.place); });
     std::set<std::string> ids;
     std::erase_if(drawing.handles, [&](const ToolHandle& handle) {

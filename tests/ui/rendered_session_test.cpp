@@ -109,6 +109,8 @@ void RenderedSessionTest::asTheWindowDrawsIt_data()
     for (const char* mode : {"isosurface", "volume", "focus"}) // C5
         QTest::addRow("%s, lens", mode) << QString(mode) << true << QString("lens");
     QTest::addRow("isosurface, range") << QString("isosurface") << true << QString("range"); // C2
+    for (const char* mode : {"isosurface", "slice"})
+        QTest::addRow("%s, tools", mode) << QString(mode) << true << QString("tools");
 }
 
 void RenderedSessionTest::asTheWindowDrawsIt()
@@ -148,6 +150,14 @@ void RenderedSessionTest::asTheWindowDrawsIt()
         session().setFocus(focus);
     } else if (region == "lens") {
         session().setLens({.shape = LensState::Shape::Circle, .x = 0.45, .y = 0.6, .magnification = 2.5});
+    } else if (region == "tools") {
+        const Eigen::AlignedBox3d& bounds = session().model()->description().bounds;
+        std::string places;
+        for (const Eigen::Vector3d& place : {bounds.min(), bounds.max(), Eigen::Vector3d(bounds.center())})
+            places += formatNumber(place.x()) + "," + formatNumber(place.y()) + "," + formatNumber(place.z()) + " ";
+        ViewValue view = session().view();
+        view.tools["ruler"] = places;
+        session().setView(view);
     } else if (region == "range") {
         session().setRange({.enabled = true, .fine = 2, .coarse = 10, .bornAbove = 3});
     } else if (region == "window") {

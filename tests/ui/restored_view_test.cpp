@@ -30,6 +30,7 @@ private slots:
     void aModelIsLocated();
     void theProgramTakesALook();
     void theProgramSaysWhatDiffers();
+    void theProgramNamesToolsThatAreNotThere();
     void theProgramIsStrict();
     void theProgramFindsAMovedModel();
 
@@ -315,6 +316,22 @@ void RestoredViewTest::theProgramSaysWhatDiffers()
     QVERIFY(differencesOf(faint).contains("isovalues"));
     QVERIFY2(faint.messages.contains("so their surfaces are empty"), faint.messages);
     QCOMPARE(faint.json()["triangles"].toInt(-1), 0);
+}
+
+void RestoredViewTest::theProgramNamesToolsThatAreNotThere()
+{
+    const QString session = saveLook("measured.tansession", build("measured.tan", 1));
+    QFile file(session);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QByteArray text = file.readAll();
+    text.replace(text.indexOf('{'), 1, R"({"tools": {"ruler": "0,0,0 1,1,1", "example.gone": "kept"},)");
+    QVERIFY(file.resize(0) && file.seek(0) && file.write(text) == text.size());
+    file.close();
+    const Run run = render({"measured.tansession"});
+    QVERIFY2(run.exitCode == 0, run.messages);
+    QCOMPARE(differencesOf(run), QStringList{"tools"});
+    QVERIFY2(run.messages.contains("'example.gone'") && !run.messages.contains("ruler"), run.messages);
+    QCOMPARE(render({"measured.tansession", "--strict"}).exitCode, 3);
 }
 
 void RestoredViewTest::theProgramIsStrict()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/tool_desk.h"
 
+#include "core/picture/kept_tools.h"
 #include "ui/session/message_text.h"
 
 #include <QCursor>
@@ -81,11 +82,17 @@ void ToolDesk::follow()
     emit changed();
 }
 
-ToolStage ToolDesk::stage(const std::string& id) const
+const std::vector<Parameter>& ToolDesk::parametersOfMode() const
 {
     if (!ofMode_)
         ofMode_ = workbench_.scenes().matteringParameters();
-    return {id, session_, *ofMode_};
+    return *ofMode_;
+}
+
+/// Of the chosen one.
+ToolStage ToolDesk::stage() const
+{
+    return {chosen_, session_, parametersOfMode()};
 }
 
 ToolSurroundings ToolDesk::surroundings(const ToolStage& stage) const
@@ -101,7 +108,7 @@ std::vector<Parameter> ToolDesk::parameters() const
 {
     if (!isAtWork())
         return {};
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     return tool()->parameters(surroundings(now));
 }
 
@@ -109,7 +116,7 @@ std::vector<ToolReading> ToolDesk::readings() const
 {
     if (!isAtWork())
         return {};
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     return tool()->readings(surroundings(now));
 }
 
@@ -117,7 +124,7 @@ std::vector<ToolCommand> ToolDesk::commands() const
 {
     if (!isAtWork())
         return {};
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     return tool()->commands(surroundings(now));
 }
 
@@ -125,7 +132,7 @@ void ToolDesk::setParameter(const std::string& id, const ParameterValue& value)
 {
     if (!isAtWork())
         return;
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     take(now, tool()->parameterSet(surroundings(now), id, value));
 }
 
@@ -133,23 +140,19 @@ void ToolDesk::command(const std::string& id)
 {
     if (!isAtWork())
         return;
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     take(now, tool()->commanded(surroundings(now), id));
 }
 
 /// The chosen one over the others.
 std::vector<ToolDrawing> ToolDesk::drawings() const
 {
-    std::vector<ToolDrawing> all;
     if (!session_.model())
-        return all;
-    for (const Provided<Tool>& each : tools_) {
-        if (each.id == chosen_ || !session_.view().tools.contains(each.id))
-            continue;
-        const ToolStage now = stage(each.id);
-        all.push_back(each.plugin->drawing(now.surroundings(viewport_.shownCamera(), viewport_.size())));
-        all.back().handles.clear();
-    }
+        return {};
+    std::vector<Provided<Tool>> others = tools_;
+    std::erase_if(others, [this](const Provided<Tool>& each) { return each.id == chosen_; });
+    auto all = keptDrawings(others, session_.model()->description(), parametersOfMode(), session_.view(),
+                            viewport_.shownCamera(), {double(viewport_.width()), double(viewport_.height())});
     if (isAtWork())
         all.push_back(drawing());
     return all;
@@ -157,7 +160,7 @@ std::vector<ToolDrawing> ToolDesk::drawings() const
 
 ToolDrawing ToolDesk::drawing() const
 {
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     return tool()->drawing(surroundings(now));
 }
 
@@ -255,7 +258,7 @@ void ToolDesk::found(const Wanted& wanted, const std::optional<SeenPlace>& seen)
         break;
     case Wanted::Purpose::Click:
         if (isAtWork()) {
-            const ToolStage now = stage(chosen_);
+            const ToolStage now = stage();
             take(now, tool()->clicked(surroundings(now), pointer));
         }
         break;
@@ -282,7 +285,7 @@ bool ToolDesk::press(QPointF pixel, Qt::KeyboardModifiers modifiers)
     if (handle) {
         selected_ = handle->id;
         const QPointF place = viewport_.projection().pixelOf(handle->place).value_or(pixel);
-        drag_.emplace(Drag{stage(chosen_), *handle, pixel - place});
+        drag_.emplace(Drag{stage(), *handle, pixel - place});
         session_.beginGesture();
         viewport_.setCursor(Qt::ClosedHandCursor);
         emit changed();
@@ -440,7 +443,7 @@ bool ToolDesk::moveByKey(const QKeyEvent& event)
     if (!series_)
         session_.beginGesture();
     series_ = true;
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     take(now, tool()->moved(surroundings(now), move));
     return true;
 }
@@ -461,7 +464,7 @@ bool ToolDesk::ownKey(const QKeyEvent& event)
         emit changed();
         return true;
     }
-    const ToolStage now = stage(chosen_);
+    const ToolStage now = stage();
     const ToolAnswer answer = tool()->pressed(surroundings(now), {key, event.modifiers().testFlag(Qt::ShiftModifier),
                                                                   event.modifiers().testFlag(Qt::ControlModifier)});
     if (answer.taken)

@@ -74,7 +74,8 @@ private:
 
     const Tool* tool() const;
     bool isAtWork() const { return tool() != nullptr && session_.model() != nullptr; }
-    ToolStage stage(const std::string& id) const;
+    const std::vector<Parameter>& parametersOfMode() const;
+    ToolStage stage() const;
     ToolSurroundings surroundings(const ToolStage& stage) const;
     ToolDrawing drawing() const;
     std::optional<ToolHandle> handleAt(QPointF pixel) const;

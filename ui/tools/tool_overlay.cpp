@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/tool_overlay.h"
 
-#include "ui/tools/tool_painter.h"
+#include "core/picture/tool_painter.h"
+#include "ui/session/annotation_language.h"
 
+#include <QImage>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
 namespace tetra {
 
-ToolOverlay::ToolOverlay(ToolDesk& desk, Viewport& viewport) : QWidget(&viewport), desk_(desk), viewport_(viewport)
+ToolOverlay::ToolOverlay(ToolDesk& desk, Workbench& workbench, Viewport& viewport)
+    : QWidget(&viewport), desk_(desk), workbench_(workbench), viewport_(viewport)
 {
     setObjectName("viewport.toolOverlay");
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -57,10 +60,15 @@ void ToolOverlay::paintEvent(QPaintEvent* event)
     const std::vector<ToolDrawing> drawings = desk_.drawings();
     if (drawings.empty())
         return;
-    QPainter painter(this);
-    const ToolInk ink{viewport_.shownCamera(), viewport_.background(), font(), desk_.selected(), desk_.hovered()};
-    for (const ToolDrawing& drawing : drawings)
-        paintTool(painter, drawing, ink, size());
+    const double pixelsPerUnit = devicePixelRatioF();
+    QImage painted((QSizeF(size()) * pixelsPerUnit).toSize(), QImage::Format_RGBA8888);
+    painted.fill(Qt::transparent);
+    const ToolInk ink{viewport_.shownCamera(),     viewport_.background(), annotationLanguage(),
+                      workbench_.scenes().fonts(), desk_.selected(),       desk_.hovered()};
+    if (!paintTools(pixelsOf(painted), drawings, ink, pixelsPerUnit))
+        return; // a desktop without fonts
+    painted.setDevicePixelRatio(pixelsPerUnit);
+    QPainter(this).drawImage(QPoint(0, 0), painted);
 }
 
 } // namespace tetra

@@ -12,8 +12,8 @@ namespace tetra {
 class ToolOverlay : public QWidget {
     Q_OBJECT
 public:
-    /// A child of the viewport, made after all that lies below it; `desk` outlives it.
-    ToolOverlay(ToolDesk& desk, Viewport& viewport);
+    /// A child of the viewport, made after all that lies below it; the others outlive it.
+    ToolOverlay(ToolDesk& desk, Workbench& workbench, Viewport& viewport);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -22,6 +22,7 @@ protected:
 
 private:
     ToolDesk& desk_;
+    Workbench& workbench_;
     Viewport& viewport_;
 };
 

@@ -59,21 +59,4 @@ ToolPointer withSeen(ToolPointer pointer, const SeenThere& seen)
     return pointer;
 }
 
-std::vector<ToolDrawing> keptDrawings(const std::vector<Provided<Tool>>& tools, const Workbench& workbench,
-                                      const Camera& camera, QSizeF size)
-{
-    std::vector<ToolDrawing> drawings;
-    const Session& session = workbench.session();
-    if (!session.model())
-        return drawings;
-    for (const Provided<Tool>& tool : tools) {
-        if (!session.view().tools.contains(tool.id))
-            continue;
-        const ToolStage stage(tool.id, session, workbench.scenes().matteringParameters());
-        drawings.push_back(tool.plugin->drawing(stage.surroundings(camera, size)));
-        drawings.back().handles.clear();
-    }
-    return drawings;
-}
-
 } // namespace tetra

@@ -42,9 +42,4 @@ ToolPointer withSeen(ToolPointer pointer, const SeenThere& seen);
 /// Where the line of sight through a pixel meets the plane of the picture through a place.
 Eigen::Vector3d inPlaneThrough(const Eigen::Vector3d& place, const ViewProjection& projection, QPointF pixel);
 
-/// What the tools that keep something show in a picture of the session's view, seen by this camera; for pictures that
-/// are saved, so without handles. `tools`: all there are. Empty without a model.
-std::vector<ToolDrawing> keptDrawings(const std::vector<Provided<Tool>>& tools, const Workbench& workbench,
-                                      const Camera& camera, QSizeF size);
-
 } // namespace tetra

@@ -169,7 +169,7 @@ QWidget* MainWindow::makeCentre()
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
     tools_ = new ToolDesk(workbench_, *viewport_, viewport_);
-    new ToolOverlay(*tools_, *viewport_);
+    new ToolOverlay(*tools_, workbench_, *viewport_);
     notice_ = new PictureNotice(*viewport_);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);

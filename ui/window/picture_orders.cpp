@@ -2,15 +2,10 @@
 #include "ui/window/picture_orders.h"
 
 #include "core/picture/annotations/annotation_painter.h"
+#include "core/picture/kept_tools.h"
 #include "core/picture/view_picture.h"
-#include "ui/tools/tool_painter.h"
-#include "ui/tools/tool_stage.h"
+#include "core/view/appearance.h"
 #include "ui/viewport/viewport.h"
-
-#include <QApplication>
-#include <QImage>
-
-#include <utility>
 
 namespace tetra {
 namespace {
@@ -28,49 +23,35 @@ ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, cons
     return picture;
 }
 
-/// After the annotations what tools keep, as large beside it as in the view.
-void addTools(PictureOrder& order, const ViewPicture& picture, Workbench& workbench)
-{
-    const double scale = annotationScale(picture.size, picture.viewSize);
-    const Camera& camera = picture.annotations.camera;
-    const QSizeF size = QSizeF(picture.size.x(), picture.size.y()) / scale;
-    auto drawings = keptDrawings(workbench.host().tools(), workbench, camera, size);
-    if (drawings.empty())
-        return;
-    const ToolInk ink{camera, picture.annotations.background, QApplication::font(), {}, {}};
-    order.finish = [before = order.finish, drawings = std::move(drawings), ink, scale](Picture& drawn) -> Status {
-        if (before)
-            if (const Status painted = before(drawn); !painted)
-                return painted;
-        QImage image(reinterpret_cast<uchar*>(drawn.pixels.data()), drawn.width, drawn.height, 4 * drawn.width,
-                     QImage::Format_RGBA8888);
-        paintTools(image, drawings, ink, scale);
-        return {};
-    };
-}
-
 } // namespace
 
 PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
     ViewPicture picture = pictureOf(workbench, viewport, settings);
     picture.scene = viewport.scene();
+    if (const Session& session = workbench.session(); session.model())
+        picture.tools = keptDrawings(keptTools(workbench.host(), session.view()), session.model()->description(),
+                                     workbench.scenes().matteringParameters(), session.view(),
+                                     picture.annotations.camera, sizeInUnits(picture));
     PictureOrder order = pictureOrder(picture);
-    addTools(order, picture, workbench);
     if (const LensState& lens = workbench.session().view().lens; lens.isOn() && workbench.session().model())
         order.lens = std::make_shared<const LensOrder>(LensOrder{lens, workbench.scenes().sceneRequest()});
     return order;
 }
 
-FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
+FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
     const ViewPicture picture = pictureOf(workbench, viewport, settings);
     FilmOrder order = workbench.exporting().filmOrder();
     order.picture = pictureOrder(picture);
     const double scale = annotationScale(picture.size, picture.viewSize);
-    order.finish = [content = picture.annotations, scale](Picture& drawn, const ViewValue& view,
-                                                          const ShownMesh& mesh) {
-        return paintAnnotations(pixelsOf(drawn), inView(content, view, accuracyText(mesh, content.language)), scale);
+    order.finish = [content = picture.annotations, scale, size = sizeInUnits(picture), model = order.model,
+                    parameters = order.parameters, tools = keptTools(workbench.host(), order.view)](
+                       Picture& drawn, const ViewValue& view, const ShownMesh& mesh) {
+        const auto shown =
+            keptDrawings(tools, model->description(), matteringParameters(parameters, view.appearance.settings), view,
+                         view.camera, size);
+        return paintOver(pixelsOf(drawn), inView(content, view, accuracyText(mesh, content.language)), shown, scale);
     };
     return order;
 }

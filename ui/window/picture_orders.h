@@ -11,6 +11,6 @@ namespace tetra {
 PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
 
 /// The session's film, without a target.
-FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
+FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const PictureSettings& settings);
 
 } // namespace tetra

@@ -5,6 +5,7 @@
 #include "core/picture/drawing/outlines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 
@@ -143,14 +144,20 @@ void stroke(const PixelCanvas& canvas, const Path& path, double width, const Pix
         fillOutline(canvas, strokeOf(stroker.get(), outlineOf(path, canvas.scale()).view(), false), ink);
 }
 
-void strokeLine(const PixelCanvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
-                const PixelInk& ink, LineEnd end)
+void strokeOpen(const PixelCanvas& canvas, std::span<const Eigen::Vector2d> points, double width, const PixelInk& ink,
+                LineEnd end)
 {
     const Stroker stroker = strokerOf(canvas.library(), width * canvas.scale(),
                                       end == LineEnd::Flat ? FT_STROKER_LINECAP_BUTT : FT_STROKER_LINECAP_SQUARE,
                                       FT_STROKER_LINEJOIN_BEVEL);
     if (stroker)
-        fillOutline(canvas, strokeOf(stroker.get(), outlineOf({{from}, {to}}, canvas.scale()).view(), true), ink);
+        fillOutline(canvas, strokeOf(stroker.get(), outlineOf(polygonPath(points), canvas.scale()).view(), true), ink);
+}
+
+void strokeLine(const PixelCanvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
+                const PixelInk& ink, LineEnd end)
+{
+    strokeOpen(canvas, std::array{from, to}, width, ink, end);
 }
 
 void replaceWithin(const PixelCanvas& canvas, const Path& path, const Picture& content, int left, int top)

@@ -71,6 +71,9 @@ void fill(const PixelCanvas& canvas, const Rectangle& rectangle, const PixelInk&
 void fill(const PixelCanvas& canvas, const Path& path, const PixelInk& ink);
 /// A line along the path, half of it on either side, with bevelled corners.
 void stroke(const PixelCanvas& canvas, const Path& path, double width, const PixelInk& ink);
+/// The same along straight pieces that do not return to where they begin; at most 8,000 points.
+void strokeOpen(const PixelCanvas& canvas, std::span<const Eigen::Vector2d> points, double width, const PixelInk& ink,
+                LineEnd end = LineEnd::Flat);
 void strokeLine(const PixelCanvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
                 const PixelInk& ink, LineEnd end = LineEnd::Flat);
 /// What the path winds around becomes another picture, whose upper left pixel lies at (left, top), in pixels; as far as

@@ -145,7 +145,11 @@ private slots:
         StrangeTool tool([] { return ToolAnswer(); });
         const Eigen::Vector3d nowhere(0, std::numeric_limits<double>::quiet_NaN(), 0), here(1, 2, 3);
         tool.drawn.lines = {{.points = {here, here}}, {.points = {here}}, {.points = {here, nowhere, here}}};
-        tool.drawn.points = {{.place = nowhere}, {.place = here}};
+        for (const double size : {0.0, -1.0, 1e6, std::numeric_limits<double>::quiet_NaN()}) {
+            tool.drawn.lines.push_back({.points = {here, here}, .width = size});
+            tool.drawn.points.push_back({.place = here, .radius = size});
+        }
+        tool.drawn.points.insert(tool.drawn.points.end(), {{.place = nowhere}, {.place = here}});
         tool.drawn.texts = {{here, "text"}, {nowhere, "text"}, {here, ""}};
         tool.drawn.handles = {{.id = "a"}, {.id = "a", .place = here}, {.id = ""}, {.id = "b", .place = nowhere}};
         const ToolDrawing drawing = guard(tool)->drawing(surroundings_);
