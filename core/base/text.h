@@ -26,7 +26,7 @@ inline std::string smallLetters(std::string_view text)
 }
 
 /// The bytes at the front of `text` that are UTF-8 (RFC 3629); all of them, if the text is.
-std::size_t utf8Bytes(std::string_view text) noexcept;
+TAN_INTERNAL std::size_t utf8Bytes(std::string_view text) noexcept;
 
 /// The character at the front of a text.
 struct TextCharacter {
