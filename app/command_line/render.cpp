@@ -410,7 +410,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     view.picture.tools =
         keptDrawings(keptTools(invocation.host, seen), view.model->description(),
                      matteringParameters(renderer->plugin->parameters(view.field), seen.appearance.settings), seen,
-                     seen.camera, sizeInUnits(view.picture));
+                     seen.camera, sizeInUnits(view.picture), {});
     return view;
 }
 

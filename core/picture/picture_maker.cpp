@@ -93,9 +93,9 @@ Result<Picture> PictureMaker::Parts::draw(const ViewValue& view, const Provided<
                        .viewSize = {request.viewWidth, request.viewHeight},
                        .transparent = request.transparent};
     wanted.annotations.background = view.background.value_or(usualBackground(false));
-    wanted.tools =
-        keptDrawings(keptTools(*host, view), model->description(),
-                     matteringParameters(parameters, view.appearance.settings), view, view.camera, sizeInUnits(wanted));
+    wanted.tools = keptDrawings(keptTools(*host, view), model->description(),
+                                matteringParameters(parameters, view.appearance.settings), view, view.camera,
+                                sizeInUnits(wanted), {});
     const bool hasTexts = view.lens.isOn() || !wanted.tools.empty() ||
                           std::ranges::any_of(view.annotations.places, &AnnotationPlace::shown);
     if (hasTexts && !fonts) {

@@ -35,7 +35,7 @@ template <class Interface> inline constexpr std::string_view qtOf;
 /// | key         | type             | meaning                                                                       |
 /// |-------------|------------------|-------------------------------------------------------------------------------|
 /// | id          | string, required | stable name, unique among all plugins: lower-case letters, digits, . - _      |
-/// | kind        | string, required | builder, renderer, reader, writer or editor: fits the interface               |
+/// | kind        | string, required | builder, renderer, reader, writer, editor or tool: fits the interface         |
 /// | version     | string, required | the plugin's own, "1.2.3"                                                     |
 /// | api         | string, required | pluginInterfaceVersion of the headers that it is written for, "0.2"           |
 /// | name        | string, required | for people                                                                    |

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ struct ToolPointer {
     bool control = false;
 };
 
+/// Writes a number with so many digits as the user's language does: "12,5".
+using ToolNumbers = std::function<std::string(double number, int digits)>;
+
 /// What a tool finds whenever it is asked for something; refers to what lives as long as the call.
 struct ToolSurroundings {
     const ViewValue& view;         ///< how the model is looked at, all of it
@@ -56,6 +60,7 @@ struct ToolSurroundings {
     std::string handle{}; ///< the selected one of ToolDrawing::handles, by its id; empty if none is
     /// Where the pointer is, if the tool asks for it (ToolNeeds) and the pointer is over the picture.
     std::optional<ToolPointer> pointer{};
+    ToolNumbers number{}; ///< for texts and readings; null: nobody reads them
 };
 
 /// What becomes of an event.

@@ -67,8 +67,8 @@ Result<PluginKind> parseKind(const std::string& text)
 {
     const auto entry = std::ranges::find(kinds, std::string_view(text), &KindEntry::name);
     if (entry == kinds.end())
-        return malformed(
-            Message::say("\"kind\" is \"%1\", which is not one of builder, renderer, reader, writer, editor, tool", text));
+        return malformed(Message::say(
+            "\"kind\" is \"%1\", which is not one of builder, renderer, reader, writer, editor, tool", text));
     return entry->kind;
 }
 

@@ -56,7 +56,7 @@ public:
     }
     ToolAnswer pressed(const ToolSurroundings& surroundings, const ToolKey& key) const override
     {
-        return answer([&] { return plugin_.pressed(surroundings, key); });
+        return answer([&] { return plugin_.pressed(surroundings, key); }, {.taken = false});
     }
     std::vector<Parameter> parameters(const ToolSurroundings& surroundings) const override
     {
@@ -103,9 +103,9 @@ private:
         return false;
     }
 
-    template <class Work> ToolAnswer answer(Work&& work) const
+    template <class Work> ToolAnswer answer(Work&& work, ToolAnswer otherwise = {}) const
     {
-        ToolAnswer given = callOr(ToolAnswer{}, std::forward<Work>(work));
+        ToolAnswer given = callOr(std::move(otherwise), std::forward<Work>(work));
         if (given.value && !canBeKept(*given.value))
             given.value.reset();
         if (given.view)

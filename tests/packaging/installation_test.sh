@@ -21,7 +21,7 @@ done
 soname=so.$(cut -d. -f1,2 <<<"$version")
 for file in bin/tan bin/tan-desktop "$libraries"/libtan-{core,picture}."$soname" "$libraries"/tan/libtan-{ui,plugin-host,widgets}."$soname" \
     "$libraries/tan/plugins" include/tan/base.h \
-    include/tan-plugin/plugins/api/{reader,builder,renderer,writer,editor}.h "$libraries/cmake/TAn/TAnConfig.cmake" share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
+    include/tan-plugin/plugins/api/{reader,builder,renderer,writer,editor,tool}.h "$libraries/cmake/TAn/TAnConfig.cmake" share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
     share/applications/org.tan.tan.desktop share/mime/packages/org.tan.tan.xml share/icons/hicolor/scalable/apps/org.tan.tan.svg; do
     installed "$file"
 done

@@ -42,7 +42,7 @@ echo "2 2 3  0 1 2 3  4 5 6 7  8 9 10 11" >cube.grid
 tan build cube.grid -o cube.tan 2>messages
 tan verify cube.tan --against cube.grid --lod 0 --json | grep '"ok": true' >/dev/null
 echo "2 2 3  0 1 2 3  4 5 6 seven  8 9 10 11" >bad.grid
-check test "$(tan info bad.grid 2>&1 | grep -c 'is no number')" = 1
+check test "$(tan info bad.grid 2>&1 | grep -c 'is not a number')" = 1
 # A file of its format is written by every command that writes surfaces.
 export TAN_PLUGIN_PATH="$examples"/my-writer/build
 tan isosurface wells.tan --value -0.5 -o surface.off >messages

@@ -209,7 +209,7 @@ const Room* roomOf(std::string_view path)
 std::string homeOf(std::string_view path, const Room& room)
 {
     constexpr std::array<std::string_view, 6> kinds = {"plugins/builders", "plugins/renderers", "plugins/editors",
-                                                       "plugins/readers", "plugins/tools", "plugins/writers"};
+                                                       "plugins/readers",  "plugins/tools",     "plugins/writers"};
     if (std::ranges::find(kinds, room.folder) == kinds.end())
         return std::string(room.folder);
     const auto end = path.find('/', room.folder.size() + 1);

@@ -61,6 +61,7 @@ void SessionOpening::apply(const std::filesystem::path& path, const SessionDocum
         view.camera = session_.view().camera;
     else if (!restored.document.hasCamera)
         view.camera = fitted(view.camera, model->description().bounds, session_.shape());
+    view.tools = session_.view().tools; // what was measured in these data is no look
     session_.setView(view, tr("Apply Look"));
     if (!restored.differences.empty())
         emit failed(tr("Not all of the look of %1 could be applied.").arg(shownName(path)) +

@@ -235,7 +235,7 @@ void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalu
     if (!followsModel_)
         return;
     ViewValue fitting = view_;
-    if (!edited(~ViewParts(ViewPart::Camera | ViewPart::Background)))
+    if (!edited(~(ViewPart::Camera | ViewPart::Background | ViewPart::Tools)))
         fitting.query = startingQuery(*model_, startingError(*model_));
     if (!edited(ViewPart::Transfer))
         fitting.appearance.transfer = usualTransfer_ ? usualTransfer_(fitting.query) : appearance.transfer;

@@ -2,6 +2,7 @@
 #include "ui/tools/tool_desk.h"
 
 #include "core/picture/kept_tools.h"
+#include "ui/session/annotation_language.h"
 #include "ui/session/message_text.h"
 
 #include <QCursor>
@@ -42,7 +43,7 @@ ToolDesk::ToolDesk(Workbench& workbench, Viewport& viewport, QObject* parent)
       tools_(workbench.host().tools())
 {
     setObjectName("viewport.toolDesk");
-    connect(&session_, &Session::modelChanged, this, &ToolDesk::follow);
+    connect(&session_, &Session::modelChanged, this, &ToolDesk::followModel);
     connect(&session_, &Session::modelGrown, this, &ToolDesk::follow);
     connect(&session_, &Session::viewChanged, this, &ToolDesk::follow);
     connect(&viewport, &Viewport::cameraChanged, this, &ToolDesk::changed);
@@ -62,24 +63,46 @@ void ToolDesk::choose(const std::string& id)
         return;
     letGo();
     leave();
-    wanted_.clear();
-    seen_.forget();
-    seeking_ = false;
+    forgetPlaces();
     chosen_ = next;
-    selected_.clear();
+    select({});
     emit chosenChanged();
     emit changed();
 }
 
-/// What was selected may be gone, and another model has other tools' values.
+void ToolDesk::select(const std::string& handle)
+{
+    selected_ = handle;
+    const auto there = handle.empty() ? std::nullopt : handleOf(handle);
+    viewport_.setAccessibleDescription(there ? translatedMessage(there->name) : QString());
+}
+
+/// Those that are still to be looked at.
+void ToolDesk::forgetPlaces()
+{
+    wanted_.clear();
+    seen_.forget();
+    seeking_ = false;
+}
+
+/// What was selected may be gone.
 void ToolDesk::follow()
 {
     ofMode_.reset();
     if (!session_.model())
         choose({});
     else if (!selected_.empty() && !drag_ && !handleOf(selected_))
-        selected_.clear();
+        select({});
     emit changed();
+}
+
+/// Another model has places of its own: what is held of the one before is let go, and moves nothing any more.
+void ToolDesk::followModel()
+{
+    letGo();
+    forgetPlaces();
+    pointer_.reset();
+    follow();
 }
 
 const std::vector<Parameter>& ToolDesk::parametersOfMode() const
@@ -152,7 +175,8 @@ std::vector<ToolDrawing> ToolDesk::drawings() const
     std::vector<Provided<Tool>> others = tools_;
     std::erase_if(others, [this](const Provided<Tool>& each) { return each.id == chosen_; });
     auto all = keptDrawings(others, session_.model()->description(), parametersOfMode(), session_.view(),
-                            viewport_.shownCamera(), {double(viewport_.width()), double(viewport_.height())});
+                            viewport_.shownCamera(), {double(viewport_.width()), double(viewport_.height())},
+                            annotationLanguage());
     if (isAtWork())
         all.push_back(drawing());
     return all;
@@ -177,14 +201,14 @@ std::optional<ToolHandle> ToolDesk::handleOf(const std::string& id) const
 std::optional<ToolHandle> ToolDesk::handleAt(QPointF pixel) const
 {
     std::optional<ToolHandle> nearest;
-    if (!isAtWork())
+    if (!isAtWork() || viewport_.previewing())
         return nearest;
     const ViewProjection projection = viewport_.projection();
     double reach = handleReach;
     for (const ToolHandle& handle : drawing().handles)
         if (const auto place = projection.pixelOf(handle.place)) {
             const double distance = std::hypot(place->x() - pixel.x(), place->y() - pixel.y());
-            if (distance > reach)
+            if (!(distance <= reach)) // nor if it is not a number
                 continue;
             reach = distance;
             nearest = handle;
@@ -194,10 +218,10 @@ std::optional<ToolHandle> ToolDesk::handleAt(QPointF pixel) const
 
 void ToolDesk::take(const ToolStage& stage, const ToolAnswer& answer)
 {
-    if (answer.handle)
-        selected_ = *answer.handle;
     if (auto view = stage.after(answer, session_.view()))
         session_.setView(*std::move(view), translatedMessage(answer.name));
+    if (answer.handle)
+        select(*answer.handle);
     emit changed();
 }
 
@@ -280,12 +304,13 @@ bool ToolDesk::press(QPointF pixel, Qt::KeyboardModifiers modifiers)
     cancelled_ = false;
     if (drag_)
         return true; // another button changes nothing
+    endSeries();
     const auto handle = handleAt(pixel);
     pressed_.reset();
     if (handle) {
-        selected_ = handle->id;
+        select(handle->id);
         const QPointF place = viewport_.projection().pixelOf(handle->place).value_or(pixel);
-        drag_.emplace(Drag{stage(), *handle, pixel - place});
+        drag_.emplace(Drag{stage(), *handle, pixel - place, pixel});
         session_.beginGesture();
         viewport_.setCursor(Qt::ClosedHandCursor);
         emit changed();
@@ -300,6 +325,9 @@ bool ToolDesk::move(QPointF pixel, Qt::KeyboardModifiers modifiers, bool buttonD
 {
     if (drag_) {
         const QPointF place = pixel - drag_->beside;
+        drag_->moved = drag_->moved || (pixel - drag_->pressed).manhattanLength() > clickMoves;
+        if (!drag_->moved)
+            return true;
         if (drag_->handle.seeks)
             seek({Wanted::Purpose::Move, place, modifiers});
         else
@@ -327,7 +355,8 @@ bool ToolDesk::move(QPointF pixel, Qt::KeyboardModifiers modifiers, bool buttonD
 bool ToolDesk::release(QPointF pixel, Qt::KeyboardModifiers modifiers)
 {
     if (drag_) {
-        if (drag_->handle.seeks)
+        const bool moved = drag_->moved || (pixel - drag_->pressed).manhattanLength() > clickMoves;
+        if (moved && drag_->handle.seeks)
             seek({Wanted::Purpose::LastMove, pixel - drag_->beside, modifiers});
         else
             endDrag();
@@ -358,9 +387,16 @@ void ToolDesk::endDrag()
     follow();
 }
 
+/// The button may still be down: until it is up, moves are nobody's.
 void ToolDesk::letGo()
 {
+    cancelled_ = cancelled_ || drag_.has_value();
     endDrag();
+    endSeries();
+}
+
+void ToolDesk::endSeries()
+{
     if (std::exchange(series_, false))
         session_.endGesture();
 }
@@ -368,9 +404,7 @@ void ToolDesk::letGo()
 /// As if nothing had been moved, but for where the camera has gone meanwhile.
 void ToolDesk::cancelDrag()
 {
-    ViewValue before = drag_->start.view();
-    before.camera = session_.view().camera;
-    session_.setView(std::move(before));
+    session_.setView(drag_->start.before(session_.view()));
     wanted_.clear();
     endDrag();
     cancelled_ = true;
@@ -413,8 +447,7 @@ void ToolDesk::selectNext()
     const std::vector<ToolHandle> all = drawing().handles;
     const auto now = std::ranges::find(all, selected_, &ToolHandle::id);
     const auto next = selected_.empty() || now == all.end() ? all.begin() : now + 1;
-    selected_ = next == all.end() ? std::string() : next->id;
-    viewport_.setAccessibleDescription(next == all.end() ? QString() : translatedMessage(next->name));
+    select(next == all.end() ? std::string() : next->id);
     emit changed();
 }
 
@@ -452,6 +485,7 @@ bool ToolDesk::ownKey(const QKeyEvent& event)
 {
     const std::string key = nameOfKey(event);
     if (hasKey(event)) {
+        endSeries();
         for (const ToolCommand& each : commands())
             if (each.key == key && each.enabled)
                 command(each.id);
@@ -460,7 +494,7 @@ bool ToolDesk::ownKey(const QKeyEvent& event)
     if (key.empty())
         return false;
     if (key == "Escape" && !selected_.empty()) {
-        selected_.clear();
+        select({});
         emit changed();
         return true;
     }
@@ -476,10 +510,8 @@ bool ToolDesk::ownKey(const QKeyEvent& event)
 
 bool ToolDesk::keyRelease(const QKeyEvent& event)
 {
-    if (series_ && !event.isAutoRepeat()) {
-        series_ = false;
-        session_.endGesture();
-    }
+    if (!event.isAutoRepeat())
+        endSeries();
     return drag_.has_value();
 }
 

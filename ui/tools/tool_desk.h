@@ -62,7 +62,9 @@ private:
     struct Drag {
         ToolStage start;
         ToolHandle handle;
-        QPointF beside; ///< where it was grabbed, from where it is seen
+        QPointF beside;     ///< where it was grabbed, from where it is seen
+        QPointF pressed;    ///< where it was grabbed
+        bool moved = false; ///< farther than a hand moves while it clicks
     };
     /// A place that is to be looked at, and what for.
     struct Wanted {
@@ -88,10 +90,15 @@ private:
     void moveHandle(const ToolPointer& pointer, QPointF pixel);
     void endDrag();
     void cancelDrag();
+    void endSeries();
+    /// A handle, which who cannot see it is told of; empty: none.
+    void select(const std::string& handle);
+    void forgetPlaces();
     void selectNext();
     bool moveByKey(const QKeyEvent& event);
     bool ownKey(const QKeyEvent& event);
     void follow();
+    void followModel();
 
     Workbench& workbench_;
     Session& session_;

@@ -36,7 +36,7 @@ bool ToolOverlay::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonRelease:
         return mouse.button() == Qt::LeftButton ? desk_.release(mouse.position(), mouse.modifiers()) : desk_.dragging();
     case QEvent::ShortcutOverride:
-        if (desk_.hasKey(static_cast<const QKeyEvent&>(*event))) {
+        if (desk_.dragging() || desk_.hasKey(static_cast<const QKeyEvent&>(*event))) {
             event->accept();
             return true;
         }

@@ -5,6 +5,7 @@
 #include "ui/panels/parameter_form.h"
 #include "ui/session/message_text.h"
 
+#include <QAbstractSpinBox>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QKeySequence>
@@ -108,6 +109,10 @@ void ToolPanel::makeControls()
     if (auto keys = formKeys(parameters); keys != shownParameters_) {
         shownParameters_ = std::move(keys);
         form_->setParameters(parameters);
+        // A number takes effect when it is typed: each digit would be a step, and the answer to it would replace the
+        // rest.
+        for (auto* box : form_->findChildren<QAbstractSpinBox*>())
+            box->setKeyboardTracking(false);
     }
     const std::vector<ToolCommand> commands = desk_.commands();
     if (auto ids = idsOf(commands); ids != shownCommands_) {

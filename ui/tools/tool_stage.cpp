@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/tool_stage.h"
 
+#include "core/picture/kept_tools.h"
+#include "core/view/view_value.h"
+#include "ui/session/annotation_language.h"
+
 #include <utility>
 
 namespace tetra {
@@ -20,17 +24,26 @@ ToolSurroundings ToolStage::surroundings(const Camera& camera, QSizeF size) cons
             .parameters = parameters_,
             .camera = camera,
             .width = size.width(),
-            .height = size.height()};
+            .height = size.height(),
+            .number = numbersOf(annotationLanguage())};
 }
 
 std::optional<ViewValue> ToolStage::after(const ToolAnswer& answer, const ViewValue& present) const
 {
     if (!answer.view && !answer.value)
         return std::nullopt;
-    ViewValue view = answer.view.value_or(present);
+    ViewValue view = present;
+    if (answer.view)
+        view = PartialView(*answer.view, differingParts(view_, *answer.view)).putInto(std::move(view));
     if (answer.value)
         view.tools[tool_] = *answer.value;
     return view;
+}
+
+ViewValue ToolStage::before(const ViewValue& present) const
+{
+    const ViewParts changed = differingParts(view_, present) & ~ViewParts(ViewPart::Camera);
+    return PartialView(view_, changed).putInto(present);
 }
 
 Eigen::Vector3d inPlaneThrough(const Eigen::Vector3d& place, const ViewProjection& projection, QPointF pixel)

@@ -22,8 +22,11 @@ public:
     ToolStage(std::string tool, const Session& session, std::vector<Parameter> parameters);
 
     ToolSurroundings surroundings(const Camera& camera, QSizeF size) const;
-    /// What an answer that was given in these surroundings makes of the present view; nothing if it changes nothing.
+    /// What an answer that was given in these surroundings makes of the present view: what it leaves as it is in them
+    /// is as it is now. Nothing if it changes nothing.
     std::optional<ViewValue> after(const ToolAnswer& answer, const ViewValue& present) const;
+    /// The present view with all as it was in these surroundings, but for the camera.
+    ViewValue before(const ViewValue& present) const;
     const ViewValue& view() const noexcept { return view_; }
 
 private:

@@ -32,7 +32,7 @@ PictureOrder pictureOrder(Workbench& workbench, const Viewport& viewport, const 
     if (const Session& session = workbench.session(); session.model())
         picture.tools = keptDrawings(keptTools(workbench.host(), session.view()), session.model()->description(),
                                      workbench.scenes().matteringParameters(), session.view(),
-                                     picture.annotations.camera, sizeInUnits(picture));
+                                     picture.annotations.camera, sizeInUnits(picture), picture.annotations.language);
     PictureOrder order = pictureOrder(picture);
     if (const LensState& lens = workbench.session().view().lens; lens.isOn() && workbench.session().model())
         order.lens = std::make_shared<const LensOrder>(LensOrder{lens, workbench.scenes().sceneRequest()});
@@ -50,7 +50,7 @@ FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const Pictur
                        Picture& drawn, const ViewValue& view, const ShownMesh& mesh) {
         const auto shown =
             keptDrawings(tools, model->description(), matteringParameters(parameters, view.appearance.settings), view,
-                         view.camera, size);
+                         view.camera, size, content.language);
         return paintOver(pixelsOf(drawn), inView(content, view, accuracyText(mesh, content.language)), shown, scale);
     };
     return order;

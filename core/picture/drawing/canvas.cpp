@@ -25,7 +25,7 @@ KeptOutline outlineOf(const Path& path, double scale)
         outline.tags.push_back(point.isControl ? FT_CURVE_TAG_CUBIC : FT_CURVE_TAG_ON);
     }
     if (!path.empty())
-        outline.ends.push_back(static_cast<short>(path.size() - 1));
+        outline.ends.push_back(static_cast<KeptOutline::Index>(path.size() - 1));
     return outline;
 }
 

@@ -9,8 +9,8 @@ namespace tetra {
 FT_Outline KeptOutline::view() noexcept
 {
     FT_Outline outline{};
-    outline.n_points = static_cast<short>(points.size());
-    outline.n_contours = static_cast<short>(ends.size());
+    outline.n_points = static_cast<Index>(points.size());
+    outline.n_contours = static_cast<Index>(ends.size());
     outline.points = points.data();
     outline.tags = tags.data();
     outline.contours = ends.data();

@@ -17,11 +17,14 @@ namespace tetra {
 
 inline constexpr double outlineUnits = 64; ///< a pixel
 
-/// An outline that keeps its points.
+/// An outline that keeps its points, in FreeType's types: since 2.13.3 they are unsigned.
 struct KeptOutline {
+    using Tag = std::remove_pointer_t<decltype(FT_Outline::tags)>;
+    using Index = std::remove_pointer_t<decltype(FT_Outline::contours)>;
+
     std::vector<FT_Vector> points;
-    std::vector<char> tags;
-    std::vector<short> ends; ///< of its contours
+    std::vector<Tag> tags;
+    std::vector<Index> ends; ///< of its contours
 
     /// Valid until this changes.
     FT_Outline view() noexcept;

@@ -127,7 +127,7 @@ def limit_this_process(request):
 def check_named(name, path, folder):
     """A file that another one names, at a path: beside that or below, and no pipe, which would be waited for."""
     if not os.path.realpath(path).startswith(folder.rstrip("/") + "/"):
-        raise Refusal("it names the file '%1', which does not lie in its folder. Move the files together.", name)
+        raise Refusal("it refers to the file '%1', which is not in its folder. Put the files into one folder.", name)
     if os.path.exists(path) and not os.path.isfile(path):
         raise Refusal("it names '%1', which is not a regular file. Copy its content into one first.", name)
 
@@ -333,7 +333,7 @@ class GmshFile:
                                         "different ones there.", name))
         mesh.point_data = {**of_points, **mesh.point_data}  # the views first, as by meshio itself
         mesh.cell_data = {**of_cells, **mesh.cell_data}
-        return left_out + [message("Of '%1' it has %2 steps; the last one is read.", name, count)
+        return left_out + [message("'%1' has %2 steps; the last one is read.", name, count)
                            for (section, name), count in steps.items() if count > 1 and section in numbers]
 
     def name_of_view(self, inside):
@@ -345,7 +345,7 @@ class GmshFile:
         order = self.numpy.argsort(own, kind="stable")
         places = order[self.numpy.minimum(self.numpy.searchsorted(own, owners, sorter=order), len(own) - 1)]
         if (own[places] != owners).any():
-            raise Refusal("its values '%1' name a node or an element %2, which it does not have.", name,
+            raise Refusal("its values '%1' refer to a node or an element %2, which it does not have.", name,
                           int(owners[own[places] != owners][0]))
         whole = self.numpy.full((len(own), values.shape[1]), self.numpy.nan)
         whole[places] = values
@@ -437,7 +437,7 @@ def choose_array(arrays, wanted, numpy):
         if not named and wanted.isdigit() and 1 <= int(wanted) <= len(arrays):
             named = [arrays[int(wanted) - 1]]
         if not named:
-            raise Refusal("it has no array '%1'; there are %2.", wanted, ", ".join("'%s'" % a.name for a in arrays),
+            raise Refusal("it has no array '%1'. Available: %2.", wanted, ", ".join("'%s'" % a.name for a in arrays),
                           kind=WRONG_USAGE)
         return named[0], False
 
@@ -496,7 +496,7 @@ def cells_of(mesh, numpy):
 def positions_of(mesh, numpy):
     points = numpy.asarray(mesh.points, dtype=numpy.float64)
     if points.ndim != 2 or points.shape[1] != 3:
-        raise Refusal("its points lie in a plane. A mesh of three dimensions is wanted.")
+        raise Refusal("its points lie in a plane. A three-dimensional mesh is needed.")
     return numpy.ascontiguousarray(points)
 
 
@@ -511,7 +511,7 @@ def provenance(array, component, guessed, series, request):
 
 
 def left_out_of(left_out, series):
-    return listed([message("%1 cells of the kind '%2' were left out: TAn knows none like them.", count, kind)
+    return listed([message("%1 cells of the kind '%2' were left out: TAn does not support them.", count, kind)
                    for kind, count in left_out.items()] + series.left_out)
 
 
@@ -522,9 +522,9 @@ def array_of_bytes(values):
 def step_of(series, request):
     steps = max(1, len(series.times))
     if request.step > steps == 1:
-        raise Refusal("it has one time step, and number %1 was asked for. Leave '--time' out.", request.step, kind=WRONG_USAGE)
+        raise Refusal("it has one time step, and number %1 was requested. Leave '--time' out.", request.step, kind=WRONG_USAGE)
     if request.step > steps:
-        raise Refusal("it has %1 time steps, and number %2 was asked for. Give one from 1 to %1.", steps, request.step, kind=WRONG_USAGE)
+        raise Refusal("it has %1 time steps, and number %2 was requested. Give one from 1 to %1.", steps, request.step, kind=WRONG_USAGE)
     return series.mesh_of(request.step - 1)
 
 
@@ -583,7 +583,7 @@ def answer(request):
         import meshio  # noqa: F401
         import numpy
     except ImportError:
-        raise Refusal("meshio, which reads such files, is not installed. Install it by 'apt install python3-meshio' (other "
+        raise Refusal("meshio, which reads such files, is not installed. Install it with 'apt install python3-meshio' (other "
                       "systems: 'pip install meshio'), or write the mesh as .vtu.") from None
     try:
         series = Series(request)
@@ -593,10 +593,10 @@ def answer(request):
     except (Refusal, MemoryError):
         raise
     except ModuleNotFoundError as problem:
-        raise Refusal("meshio needs the Python module '%1' for it. Install it by 'apt install python3-%1', or write the mesh as "
+        raise Refusal("meshio needs the Python module '%1' for it. Install it with 'apt install python3-%1', or write the mesh as "
                       ".vtu.", problem.name) from None
     except OSError as problem:
-        raise Refusal("the system says: %1. See that the file and those that it names can be read.", problem) from None
+        raise Refusal("the system says: %1. Check that the file and those that it refers to can be read.", problem) from None
     except (Exception, SystemExit) as problem:  # meshio raises whatever its parts do
         raise Refusal("meshio does not understand it (%1). Open it in the program that wrote it, and export it again, as .vtu if "
                       "the program can.", " ".join(str(problem).split())[:200] or type(problem).__name__) from None

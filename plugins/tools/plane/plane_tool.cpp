@@ -17,6 +17,7 @@ constexpr double arrowPart = 0.2;      ///< of the diagonal of the domain
 constexpr std::size_t mostPlanes = 16; ///< that OpenGL takes
 constexpr const char* centreHandle = "centre";
 constexpr const char* tipHandle = "tip";
+constexpr const char* chosenClips = "clip!"; ///< where there are slices, too
 constexpr const char* kindId = "kind";
 constexpr const char* numberId = "number";
 constexpr const char* normalId = "normal";
@@ -32,7 +33,7 @@ struct WrittenPlane {
 
 CutPlane ofUnitLength(const Eigen::Vector3d& normal, double offset)
 {
-    const double length = normal.norm();
+    const double length = normal.stableNorm();
     return {normal / length, offset / length};
 }
 
@@ -54,7 +55,7 @@ public:
         const std::string_view kept = surroundings.value;
         hasClips_ = has(clipId);
         hasSlices_ = has(slicesId);
-        isSlice_ = hasSlices_ && (!hasClips_ || !kept.starts_with(clipId));
+        isSlice_ = hasSlices_ && (!hasClips_ || !kept.starts_with(chosenClips));
         const std::string text =
             parameterValue<std::string>(surroundings.parameters, surroundings.view.appearance.settings, id());
         if (isSlice_)
@@ -80,9 +81,10 @@ public:
     Eigen::Vector3d tip() const { return centre() + arrow() * held().normal; }
 
     /// The value that holds another plane.
-    static std::string holding(bool slice, std::size_t number)
+    std::string holding(bool slice, std::size_t number) const
     {
-        return std::string(slice ? slicesId : clipId) + " " + std::to_string(number);
+        const char* kind = slice ? slicesId : hasSlices_ ? chosenClips : clipId;
+        return std::string(kind) + " " + std::to_string(number);
     }
     /// With the held plane moved: brought back to the data where it would miss them.
     ToolAnswer with(CutPlane plane, const Message& name) const
@@ -333,18 +335,18 @@ ToolAnswer PlaneTool::parameterSet(const ToolSurroundings& surroundings, const s
     const HeldPlanes planes(surroundings);
     const auto* text = std::get_if<std::string>(&value);
     if (id == kindId && text != nullptr)
-        return {.value = HeldPlanes::holding(*text == std::string_view(sliceKind), 0),
+        return {.value = planes.holding(*text == std::string_view(sliceKind), 0),
                 .name = Message::marked("Choose Plane")};
     if (!planes.holdsOne())
         return {};
     if (id == numberId && text != nullptr)
-        return {.value = HeldPlanes::holding(planes.isSlice(), parseNumber<std::size_t>(*text).value_or(1) - 1),
+        return {.value = planes.holding(planes.isSlice(), parseNumber<std::size_t>(*text).value_or(1) - 1),
                 .name = Message::marked("Choose Plane")};
     CutPlane plane = planes.held();
     if (const auto* normal = std::get_if<Eigen::Vector3d>(&value); normal != nullptr && id == normalId) {
-        if (!(normal->norm() > 0))
+        if (!(normal->stableNorm() > 0))
             return {};
-        plane = {normal->normalized(), 0};
+        plane = {normal->stableNormalized(), 0};
         plane.offset = plane.normal.dot(planes.centre());
         return planes.with(plane, Message::marked("Turn Plane"));
     }

@@ -36,7 +36,8 @@ double alongNormal(const Eigen::Vector3d& from, const Eigen::Vector3d& normal, c
 Eigen::Vector3d onSphere(const Eigen::Vector3d& centre, double radius, const ToolPointer& pointer, bool before);
 
 /// Clip planes and slices of the rendering mode, moved and turned in the picture. The planes are those of the mode's
-/// settings, as they can be typed in the panel Rendering; what the tool keeps is which one it holds: "clip 0".
+/// settings, as they can be typed in the panel Rendering; what the tool keeps is which one it holds: "clip 0",
+/// "slices 2", or "clip! 0" where there are slices, too, and clip planes were chosen.
 class PlaneTool : public Tool {
 public:
     ToolLook look() const override;

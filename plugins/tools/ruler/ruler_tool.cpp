@@ -49,22 +49,25 @@ std::optional<Ruler> rulerFromText(std::string_view text)
     return ruler.empty() ? std::nullopt : std::optional(ruler);
 }
 
-std::string rounded(double number)
+std::string written(double number, const ToolSurroundings& surroundings)
 {
+    if (surroundings.number)
+        return surroundings.number(number, digits);
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
     return {text.data(), end.ptr};
 }
 
-Message lengthText(double length, const std::string& unit)
+Message lengthText(double length, const ToolSurroundings& surroundings)
 {
-    return unit.empty() ? Message::say("%1 units of the file", rounded(length))
-                        : Message::say("%1 %2", rounded(length), unit);
+    const std::string& unit = surroundings.model.lengthUnit;
+    const std::string number = written(length, surroundings);
+    return unit.empty() ? Message::say("%1 units of the file", number) : Message::say("%1 %2", number, unit);
 }
 
-Message angleText(const Ruler& ruler)
+Message angleText(const Ruler& ruler, const ToolSurroundings& surroundings)
 {
-    return Message::say("%1°", rounded(angleOf(ruler)));
+    return Message::say("%1°", written(angleOf(ruler), surroundings));
 }
 
 std::string handleId(std::size_t ruler, std::size_t place)
@@ -148,11 +151,11 @@ ToolDrawing RulerTool::drawing(const ToolSurroundings& surroundings) const
                                        .name = Message::say("Place %1 of ruler %2", j + 1, i + 1),
                                        .seeks = true});
             if (j > 0)
-                drawing.texts.push_back({(ruler[j - 1] + ruler[j]) / 2,
-                                         lengthText((ruler[j] - ruler[j - 1]).norm(), surroundings.model.lengthUnit)});
+                drawing.texts.push_back(
+                    {(ruler[j - 1] + ruler[j]) / 2, lengthText((ruler[j] - ruler[j - 1]).norm(), surroundings)});
         }
         if (ruler.size() == mostPlaces)
-            drawing.texts.push_back({ruler[1], angleText(ruler)});
+            drawing.texts.push_back({ruler[1], angleText(ruler, surroundings)});
     }
     return drawing;
 }
@@ -188,13 +191,14 @@ std::vector<ToolReading> RulerTool::readings(const ToolSurroundings& surrounding
     for (std::size_t i = 0; i < rulers.all.size(); ++i) {
         const Ruler& ruler = rulers.all[i];
         const auto length = [&](std::size_t from) {
-            return lengthText((ruler[from + 1] - ruler[from]).norm(), surroundings.model.lengthUnit);
+            return lengthText((ruler[from + 1] - ruler[from]).norm(), surroundings);
         };
         if (ruler.size() == 2)
             readings.push_back({Message::say("Ruler %1", i + 1), length(0)});
         else if (ruler.size() == mostPlaces)
-            readings.push_back({Message::say("Ruler %1", i + 1),
-                                Message::say("%1 and %2, %3 between them", length(0), length(1), angleText(ruler))});
+            readings.push_back(
+                {Message::say("Ruler %1", i + 1),
+                 Message::say("%1 and %2, %3 between them", length(0), length(1), angleText(ruler, surroundings))});
     }
     return readings;
 }

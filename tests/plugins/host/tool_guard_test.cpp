@@ -103,9 +103,10 @@ private slots:
         const auto guarded = guard(tool);
         QCOMPARE(textsOf(*guarded, surroundings_), 0);
         QCOMPARE(told_.size(), std::size_t(5));
-        QCOMPARE(
-            told_.front(),
-            std::string("The plugin 'strange' failed: no luck. This is a mistake in the plugin; tell its author."));
+        QCOMPARE(told_.front(),
+                 std::string("The plugin 'strange' failed: no luck. This is a fault of the plugin; tell its author."));
+        QVERIFY(!guarded->pressed(surroundings_, {"Escape"}).taken); // others get the key
+        told_.pop_back();
         QVERIFY(guarded->look().shortcut.empty());
         QVERIFY(!guarded->needs().pointer);
         QVERIFY(guarded->drawing(surroundings_).handles.empty());

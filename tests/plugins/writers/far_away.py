@@ -286,7 +286,7 @@ class FarAway(unittest.TestCase):
         remarks = [text for text in told.get("remarks", []) if "x, y and z are smaller than in the data by" in text]
         self.assertEqual(len(remarks), 1 if shift.any() else 0, f"{label}: {told}")
         if remarks:
-            numbers = remarks[0].split(" by ")[1].split(", as ")[0].replace(" and", ",").split(", ")
+            numbers = remarks[0].split(" by ")[1].split(", because ")[0].replace(" and", ",").split(", ")
             self.assertEqual([float(number) for number in numbers], list(shift), label)
             self.assertIn(str(path), remarks[0])
         step = numpy.spacing(numpy.abs(found).astype("<f4")).astype(float)

@@ -2,7 +2,7 @@
 /// The tools of plugins in the window (D17): chosen, clicked, dragged and used by keys, undone, saved.
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
-#include "ui/scenes/view_picture.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/tools/tool_desk.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/window/picture_orders.h"
@@ -285,11 +285,11 @@ void ToolsTest::savedPicturesHaveWhatToolsKeep()
     for (AnnotationPlace& place : none.places)
         place.shown = false;
     const auto picture = [&] {
-        QImage image(200, 150, QImage::Format_ARGB32);
-        image.fill(Qt::white);
-        if (const auto finish = pictureOrder(window_->workbench, viewport(), {{200, 150}, 0, false, none}).finish)
-            finish(image);
-        return image;
+        Picture drawn{200, 150, std::vector<std::array<std::uint8_t, 4>>(200 * 150, {255, 255, 255, 255})};
+        const auto finish = pictureOrder(window_->workbench, viewport(), {{200, 150}, 0, false, none}).finish;
+        if (finish && !finish(drawn))
+            qFatal("not painted");
+        return imageOf(drawn);
     };
     const QImage before = picture();
     ViewValue view = session().view();
