@@ -214,10 +214,14 @@ void RestoredViewTest::theLookOfASessionIsTakenOver()
     QVERIFY(session().view() == start);
 
     open(build("small.tan", 0.8F, 6));
+    ViewValue measured = session().view();
+    measured.tools["ruler"] = "0,0,0 1,1,1";
+    session().setView(measured);
     window_->workbench.opening().sessions().applyLook(filePath(look));
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY2(window_->messages().first().contains("1 of 2 isovalues"), qPrintable(window_->messages().first()));
     QCOMPARE(session().view().camera.azimuth, 100.0);
+    QVERIFY(session().view().tools == measured.tools); // what was measured in these data
 }
 
 /// What was kept of a model that was built before directions were read is not taken for one of the same places, even if

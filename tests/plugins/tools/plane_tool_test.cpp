@@ -242,6 +242,36 @@ private slots:
         QVERIFY(onlyClip(plane).normal == Vector::UnitY() || onlyClip(plane).normal == Vector::UnitZ());
     }
 
+    /// The clip plane of another mode is no reason to move clip planes in one of slices.
+    void slicesComeFirstUnlessClipPlanesAreChosen()
+    {
+        ToolFixture plane = inMode({clipParameter()});
+        plane.command("add");
+        QVERIFY(plane.drawing().handles.size() == 2);
+        plane.parameters = {clipParameter(), slicesParameter()};
+        plane.set("offset", 1.5);
+        QVERIFY(!settingOf(plane, slicesId).empty());
+        const std::string slices = settingOf(plane, slicesId);
+        plane.set("kind", std::string("Clip plane"));
+        plane.set("number", std::string("1"));
+        plane.command("flip");
+        plane.set("offset", -1.0);
+        QCOMPARE(settingOf(plane, slicesId), slices);
+    }
+
+    /// Of any length that a number can have.
+    void planesOfAnyLengthAreHeld()
+    {
+        for (const double length : {1e-200, 1.0, 1e200}) {
+            ToolFixture plane = inMode({clipParameter()});
+            plane.view.appearance.settings[clipId] =
+                clipPlanesText(std::array{ClipPlane{{0, 0, length}, 1.5 * length}});
+            plane.command("flip");
+            QVERIFY((onlyClip(plane).normal - Vector(0, 0, -1)).norm() < 1e-12);
+            QVERIFY(std::abs(onlyClip(plane).offset + 1.5) < 1e-12);
+        }
+    }
+
     void whereThereAreNoPlanesItSaysSo()
     {
         ToolFixture plane = inMode({});

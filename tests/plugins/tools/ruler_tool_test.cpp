@@ -71,6 +71,18 @@ private slots:
         QCOMPARE(textsOf(ruler), (std::vector<std::string>{"0.125 units of the file"}));
     }
 
+    void numbersAreThoseOfTheUsersLanguage()
+    {
+        ToolFixture ruler = withUnit("mm");
+        ruler.numbers = [](double number, int digits) {
+            return "<" + formatNumber(number) + " in " + std::to_string(digits) + ">";
+        };
+        ruler.click(seenAt({0, 0, 0}));
+        ruler.click(seenAt({0, 12.5, 0}));
+        ruler.click(seenAt({1, 12.5, 0}));
+        QCOMPARE(textsOf(ruler), (std::vector<std::string>{"<12.5 in 5> mm", "<1 in 5> mm", "<90 in 5>°"}));
+    }
+
     /// Small angles and nearly straight ones, which the cosine cannot tell.
     void anglesAreRight_data()
     {

@@ -19,6 +19,7 @@ struct ToolFixture {
     ModelDescription model{};
     std::vector<Parameter> parameters{};
     std::string handle{};
+    ToolNumbers numbers{};
     std::vector<std::string> names{}; ///< of the steps
 
     std::string value() const
@@ -34,6 +35,7 @@ struct ToolFixture {
             .view = view, .model = model, .value = kept, .parameters = parameters, .camera = view.camera};
         surroundings.chosen = true;
         surroundings.handle = handle;
+        surroundings.number = numbers;
         return ask(surroundings);
     }
     void take(const ToolAnswer& answer)

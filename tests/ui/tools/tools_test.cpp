@@ -9,6 +9,8 @@
 
 #include <QClipboard>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFocusEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMouseEvent>
@@ -30,6 +32,9 @@ private slots:
     void besideEverythingThePlaceLiesInThePlaneOfThePicture_data();
     void besideEverythingThePlaceLiesInThePlaneOfThePicture();
     void aDragIsOneStepAndEscapeIsNone();
+    void aMereClickOnAHandleSelectsIt();
+    void whatIsHeldIsLetGoWithKeysAndModel();
+    void numbersAreTypedWhole();
     void allIsDoneByKeys();
     void whatWasMeasuredIsCopied();
     void savedPicturesHaveWhatToolsKeep();
@@ -225,6 +230,78 @@ void ToolsTest::aDragIsOneStepAndEscapeIsNone()
     QCOMPARE(kept("ruler"), value);
     session().undoStack().undo();
     QVERIFY(handles()[1] == places[1]);
+}
+
+void ToolsTest::aMereClickOnAHandleSelectsIt()
+{
+    choose("ruler");
+    click(QPoint(5, 5));
+    click(QPoint(5, 60));
+    const std::string value = kept("ruler");
+    const int before = steps();
+    const QPoint place = pixelOf(handles()[1]) + QPoint(2, 1);
+    QTest::mousePress(&viewport(), Qt::LeftButton, {}, place);
+    moveMouse(place + QPoint(1, 0)); // as a hand does that clicks
+    QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, place + QPoint(1, 0));
+    QTRY_VERIFY(!desk().dragging() && !desk().seeking());
+    QCOMPARE(kept("ruler"), value);
+    QCOMPARE(steps(), before);
+    QCOMPARE(desk().selected(), std::string("0.1"));
+    QVERIFY(!viewport().accessibleDescription().isEmpty());
+    press(Qt::Key_Escape);
+    QVERIFY(viewport().accessibleDescription().isEmpty());
+}
+
+/// The button is still down when a dialog takes the keys, or when a model that was loading comes.
+void ToolsTest::whatIsHeldIsLetGoWithKeysAndModel()
+{
+    choose("ruler");
+    click(QPoint(5, 5));
+    const Camera camera = viewport().camera();
+    std::string value = kept("ruler");
+    QTest::mousePress(&viewport(), Qt::LeftButton, {}, pixelOf(handles()[0]));
+    moveMouse(QPoint(45, 45));
+    QTRY_VERIFY(kept("ruler") != value && !desk().seeking());
+    QFocusEvent away(QEvent::FocusOut);
+    QCoreApplication::sendEvent(&viewport(), &away);
+    QVERIFY(!desk().dragging());
+    value = kept("ruler");
+    moveMouse(QPoint(90, 20));
+    QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, QPoint(90, 20));
+    QTRY_VERIFY(!desk().seeking());
+    QCOMPARE(kept("ruler"), value);
+    QVERIFY(viewport().camera() == camera);
+    const QString other = folder_.filePath("other.tan");
+    QVERIFY(QFile::exists(other) || QFile::copy(model_, other));
+    QTest::mousePress(&viewport(), Qt::LeftButton, {}, pixelOf(handles()[0]));
+    moveMouse(QPoint(60, 60));
+    const auto model = session().model();
+    window_->window.open(other);
+    QTRY_VERIFY(session().model() && session().model() != model && window_->settled());
+    QVERIFY(!desk().dragging() && !session().inGesture());
+    const ViewValue view = session().view();
+    moveMouse(QPoint(90, 90));
+    QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, QPoint(90, 90));
+    QTRY_VERIFY(!desk().seeking());
+    QVERIFY(session().view() == view);
+}
+
+void ToolsTest::numbersAreTypedWhole()
+{
+    choose("plane");
+    click(middle());
+    QTRY_VERIFY(window_->settled());
+    auto& box = window_->find<QDoubleSpinBox>("tool.plane.offset");
+    const int before = steps();
+    const double typed = std::copysign(2.75, box.value());
+    QVERIFY(box.value() != typed);
+    box.setFocus();
+    box.selectAll();
+    QTest::keyClicks(&box, QString::number(typed));
+    QCOMPARE(steps(), before);
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(steps(), before + 1);
+    QCOMPARE(clip().offset, typed);
 }
 
 void ToolsTest::allIsDoneByKeys()
