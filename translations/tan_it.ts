@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>&amp;Tools</source>
-        <translation>&amp;Strumenti</translation>
+        <translation>Str&amp;umenti</translation>
     </message>
 </context>
 <context>

@@ -79,22 +79,26 @@ private:
                       rlim_t limit, const Environment& environment = {});
 
     /// What it takes to load the program, which differs from system to system. Libraries that begin before the program
-    /// does may crash with little more: glib, which cannot print that there is no memory, calls itself until the stack
-    /// is full.
+    /// does may crash with little more, or wait forever: glib, which cannot print that there is no memory, calls itself
+    /// until the stack is full, or meets its own lock. One mebibyte lies between, as addresses are random.
     rlim_t leastMebibytes() const
     {
+        constexpr unsigned mostSeconds = 10;
         const auto leastFor = [this](const auto& suffices) {
             rlim_t tooLittle = 16, enough = 1024;
             while (enough - tooLittle > 1) {
                 const rlim_t tried = (tooLittle + enough) / 2;
-                const Run run = runTan({"--version"}, folder_.path(), {}, limited(RLIMIT_AS, tried << 20));
+                const Run run = runTan({"--version"}, folder_.path(), {}, [tried] {
+                    limited(RLIMIT_AS, tried << 20)();
+                    alarm(mostSeconds);
+                });
                 (suffices(run.exitCode) ? enough : tooLittle) = tried;
             }
             return enough;
         };
         static const rlim_t loaded = leastFor([](int exitCode) { return exitCode != 127; });
         static const rlim_t begun = leastFor([](int exitCode) { return exitCode == 0 || exitCode == 4; });
-        return std::min(begun, loaded + 1); // what crashes with more is the program
+        return std::min(begun, loaded + 1) + 1; // what crashes with more is the program
     }
 
     QTemporaryDir folder_;
