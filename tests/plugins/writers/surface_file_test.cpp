@@ -603,7 +603,7 @@ private slots:
                 continue;
             const std::string& remark = saved->front().text();
             QVERIFY2(remark.starts_with("In '" + path.toStdString() + "' x, y and z are smaller than in the data by " +
-                                        number.toStdString() + ", " + number.toStdString() + " and 0, as"),
+                                        number.toStdString() + ", " + number.toStdString() + " and 0, because"),
                      remark.c_str());
             if (ending == QByteArray("stl")) {
                 QVERIFY(bytes.startsWith("add " + number + " " + number + " 0, boundary by TAn"));
