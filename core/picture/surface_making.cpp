@@ -75,7 +75,7 @@ MeshQuery finestOf(MeshQuery query)
 }
 
 /// As many digits as tell something of a measured length.
-std::string shortNumber(double number)
+std::string figureText(double number)
 {
     constexpr int digits = 4;
     std::array<char, 32> text{}; // -1.235e-308 has 11 characters
@@ -192,7 +192,7 @@ Message shapeText(const MadeSurface& surface, const std::string& lengthUnit)
 {
     const SurfaceShape& shape = surface.shape;
     const auto measured = [&](double number, const char* power) {
-        return shortNumber(number) + (lengthUnit.empty() ? "" : " " + visibleText(lengthUnit) + power);
+        return figureText(number) + (lengthUnit.empty() ? "" : " " + visibleText(lengthUnit) + power);
     };
     const std::string value = formatNumber(surface.value), area = measured(shape.area, "²");
     if (surface.mesh.triangles.empty())
