@@ -153,7 +153,8 @@ private slots:
         QTest::newRow("half a circle") << QStringList{"circular_a"} << "circular-a" << QStringList{"circular-b"};
         QTest::newRow("missing dependency")
             << QStringList{"missing_dependency"} << "missing-dependency" << QStringList{"nowhere"};
-        QTest::newRow("malformed metadata") << QStringList{"malformed"} << "malformed" << QStringList{"\"id\"", "string"};
+        QTest::newRow("malformed metadata")
+            << QStringList{"malformed"} << "malformed" << QStringList{"\"id\"", "string"};
         QTest::newRow("kind and interface differ")
             << QStringList{"lying"} << "lying" << QStringList{"org.tan.Builder/2"};
         QTest::newRow("a plugin of Qt, as they were for earlier versions of TAn")

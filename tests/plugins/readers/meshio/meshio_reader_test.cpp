@@ -191,7 +191,7 @@ private slots:
                 QCOMPARE(load->values.at(point), sum < 0.5 ? 1. : sum > 2 ? 3. : 2.);
             }
             QCOMPARE(load->source.leftOut.size(), std::size_t(1));
-            QCOMPARE(load->source.leftOut[0].text(), std::string("Of 'load' it has 2 steps; the last one is read."));
+            QCOMPARE(load->source.leftOut[0].text(), std::string("'load' has 2 steps; the last one is read."));
             const auto astray =
                 reader_.read(write("astray.msh", mesh + QByteArray(views).replace("\n9 3", "\n5 3")), {}, {});
             QVERIFY(!astray.ok() && astray.error().text().find("a node or an element 5") != std::string::npos);

@@ -131,8 +131,8 @@ private slots:
         QVERIFY(refusedChunk("no zlib").find("cannot be unpacked") != std::string::npos);
         QVERIFY(refusedChunk(packedByZlib(right.first(14))).find("14 bytes of numbers instead of 16") !=
                 std::string::npos);
-        QVERIFY(refusedChunk(packedByZlib(QByteArray(5'000'000, '\0'))).find("unpacks to more than the expected 16 bytes") !=
-                std::string::npos);
+        QVERIFY(refusedChunk(packedByZlib(QByteArray(5'000'000, '\0')))
+                    .find("unpacks to more than the expected 16 bytes") != std::string::npos);
         QVERIFY(refusedChunk(QByteArray(1'000'000, 'x')).find("more than its 16 bytes") != std::string::npos);
         QVERIFY(refusedChunk({}).find("cut short") != std::string::npos);
         QCOMPARE(refusedChunk(packedByZlib(right)), std::string());
