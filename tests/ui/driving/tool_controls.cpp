@@ -93,7 +93,7 @@ Drivers planeControls()
 {
     Drivers drivers{
         edit(
-            "tool.plane.kind", [](ViewValue& view, const DrivenWindow&) { view.tools["plane"] = "clip 0"; },
+            "tool.plane.kind", [](ViewValue& view, const DrivenWindow&) { view.tools["plane"] = "clip! 0"; },
             withTool("plane", "slices 0", "", "slice")),
         edit(
             "tool.plane.number", [](ViewValue& view, const DrivenWindow&) { view.tools["plane"] = "clip 0"; },
