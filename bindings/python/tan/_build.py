@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opening and building models; the server."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, Optional, Union
+
+import numpy as np
+
+from . import _program, _tan
+from ._data import Data, Lattice
+from ._errors import WrongUsage
+from ._model import Model
+from ._numbers import number, path_text, text, whole
+from ._progress import Progress, reporting
+
+
+def open(place: Any, *, error: Optional[float] = None, token: str = "", progress: Progress = None) -> Model:  # noqa: A001
+    """Opens a model: a path, or an address (http://, https://, or tan+http:// of one that stays at `tan serve`), packed or not.
+
+    error: of a packed model, or one on a server, read only as much as meshes of this error (%) need.
+    token: for a server that requires one.
+    progress: a function that is called with a fraction from 0 to 1 and a text, in this thread; or a bar of tqdm, or the class tqdm itself.
+        What it raises stops the work and goes on. So does Ctrl-C.
+
+    Errors: BadInput, which is an OSError, with a sentence.
+
+    >>> open("none.tan")
+    Traceback (most recent call last):
+    ...
+    tan._errors.BadInput: Cannot open 'none.tan': No such file or directory. Check its name.
+    """
+    named = path_text(place, "place")
+    needed = None if error is None else number(error, "error", least=0)
+    with reporting(progress) as report:
+        return Model(_tan.open(named, needed, text(token, "token"), "", report), token)
+
+
+def data_of(source: Any, lattice: Dict[str, Any]) -> Data:
+    """The source as data; an array is a lattice."""
+    if isinstance(source, Data):
+        if lattice:
+            raise WrongUsage(f"{', '.join(lattice)}: of tan.{type(source).__name__}, give it there.")
+        return source
+    if isinstance(source, (np.ndarray, list, tuple)) or hasattr(source, "__array__"):
+        return Lattice(source, **lattice)
+    raise TypeError(f"data are a path, an array, tan.Lattice, tan.Grid, tan.Points or tan.Cells, not {source!r}")
+
+
+def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warping: float = 0, method: Optional[str] = None,
+          finest: Optional[float] = None, block: Union[None, int, str] = None, order: Optional[str] = None, ordered_by: Optional[str] = None,
+          weights: Union[None, str, List[str]] = None, options: Optional[Dict[str, Any]] = None, progress: Progress = None,
+          **lattice: Any) -> Model:
+    """Builds a model into the file `output`, which appears when it is complete, and opens it.
+
+    source: an array, with the keywords of tan.Lattice (spacing, origin, mask, name ...); tan.Lattice, tan.Grid, tan.Points or tan.Cells;
+        or a file of any format that TAn reads, which the program `tan` reads in a process of its own.
+    error: where to stop, in % of the range of values; 0 keeps everything. warping: likewise, in % of the diagonal, of data that can warp.
+    method: "refinement" or "decimation"; None: the one that suits the data.
+    finest: of decimation, leaves out meshes of smaller errors (%). order: of decimation, "exact", "paper" or "rounds".
+    block: of refinement, cells along an edge of a block; "none": no blocks. ordered_by: "both", "error" or "warping".
+    weights: how much errors count where: "point:x,y,z,reach", "box:...", "value:q,reach", or a list of these.
+    options: of a file, further options of `tan build` without their dashes: {"array": "pressure", "time": 3}.
+    progress: see tan.open().
+
+    >>> import numpy as np, tempfile, pathlib
+    >>> z, y, x = np.mgrid[0:9, 0:9, 0:9]
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> m = build(np.hypot(x - 4.0, y - 4.0), pathlib.Path(folder.name) / "pipe.tan", name="pipe", length_unit="mm")
+    >>> m.range, m.shape, m.length_unit
+    ((0.0, 5.656854249492381), (9, 9, 9), 'mm')
+    >>> bool(m.mesh(error=2).error <= 2)
+    True
+    """
+    target = path_text(output, "output")
+    said: Dict[str, Any] = {"error": number(error, "error", least=0), "warping": number(warping, "warping", least=0), "builder": method,
+                            "finest": None if finest is None else number(finest, "finest", least=0), "order": order, "by": ordered_by,
+                            "block": block if block == "none" else None if block is None else whole(block, "block", 1, 2**32 - 1)}
+    terms = [weights] if isinstance(weights, str) else [text(term, "weights") for term in weights or []]
+    with reporting(progress) as report:
+        if isinstance(source, str) or hasattr(source, "__fspath__"):
+            if lattice:
+                raise WrongUsage(f"{', '.join(lattice)}: of arrays. What a reader takes is said by options={{'spacing': '1x1x2'}}.")
+            _program.run(_words(path_text(source, "source"), target, said, terms, options or {}), report)
+        else:
+            if options:
+                raise WrongUsage("options are of files. Arrays have keywords.")
+            _tan.build(data_of(source, lattice).dataset(), target, _options(said, terms), report)
+    return open(target)
+
+
+def _options(said: Dict[str, Any], terms: List[str]) -> _tan.BuildOptions:
+    built = _tan.BuildOptions()
+    built.method = "" if said["builder"] is None else text(said["builder"], "method")
+    built.error, built.warping, built.finest = said["error"], said["warping"], said["finest"]
+    built.block = 0 if said["block"] == "none" else said["block"]
+    built.order, built.ordered_by = said["order"], said["by"]
+    built.weights = ";".join(terms)
+    return built
+
+
+def _words(source: str, target: str, said: Dict[str, Any], terms: List[str], options: Dict[str, Any]) -> List[str]:
+    """The command line. Paths that begin with a dash are none of its options."""
+    def path(name: str) -> str:
+        return f"./{name}" if name.startswith("-") else name
+
+    words = ["build", path(source), "-o", path(target)]
+    for name, value in {**{name: value for name, value in said.items() if value}, **options}.items():
+        if not name.replace("-", "").replace("_", "").isalnum():
+            raise WrongUsage(f"'{name}' is no option.")
+        words += [f"--{name.replace('_', '-')}"] + ([] if value is True else [f"{value:.17g}" if isinstance(value, float) else str(value)])
+    for term in terms:
+        words += ["--weight", term]
+    return words
+
+
+def serve(folder: Any, *, port: int = 0, address: str = "127.0.0.1", token_file: Any = None) -> _program.Server:
+    """Serves the models of a folder over HTTP, by `tan serve`, until the server is stopped.
+
+    port: 0 takes a free one. Other machines are answered only at another address, which needs the file of a token.
+
+        with tan.serve("models") as server:
+            m = tan.open(server.address + "engine.tan", error=2)
+    """
+    words = ["serve", path_text(folder, "folder"), "--port", str(whole(port, "port", 0, 65535)), "--address", text(address, "address")]
+    if token_file is not None:
+        words += ["--token-file", path_text(token_file, "token_file")]
+    return _program.Server(words)

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Regions of space, for focuses and windows, and the error fields that they make."""
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Iterable, Optional, Tuple, Union
+
+from ._errors import WrongUsage
+from ._numbers import Vector, number, vector
+
+
+def _written(*numbers: float) -> str:
+    return ",".join(repr(float(value)) for value in numbers)
+
+
+@dataclasses.dataclass(frozen=True)
+class Region:
+    """A region of space. As a focus, the error in it is at most `error` (% of the range of values) and grows to the one outside over
+    the length `falloff`."""
+
+    error: Optional[float]
+    falloff: float
+
+    def shape(self) -> str:
+        raise NotImplementedError
+
+    def field(self, outside: float) -> str:
+        if self.error is None:
+            raise WrongUsage("A focus needs an error: tan.sphere(centre, radius, error=0.2).")
+        return f"{self.shape()}; {_written(min(self.error, outside), outside, self.falloff)})"
+
+
+@dataclasses.dataclass(frozen=True)
+class Sphere(Region):
+    centre: Tuple[float, ...]
+    radius: float
+
+    def shape(self) -> str:
+        return f"sphere({_written(*self.centre, self.radius)}"
+
+
+@dataclasses.dataclass(frozen=True)
+class Box(Region):
+    least: Tuple[float, ...]
+    largest: Tuple[float, ...]
+    border: str
+
+    def shape(self) -> str:
+        return f"box({_written(*self.least, *self.largest)}"
+
+
+@dataclasses.dataclass(frozen=True)
+class HalfSpace(Region):
+    normal: Tuple[float, ...]
+    offset: float
+
+    def shape(self) -> str:
+        return f"halfspace({_written(*self.normal, self.offset)}"
+
+
+def _error(error: Optional[float]) -> Optional[float]:
+    return None if error is None else number(error, "error", least=0)
+
+
+def sphere(centre: Vector, radius: float, *, error: Optional[float] = None, falloff: float = 0) -> Sphere:
+    """A ball as a focus of Model.mesh(): centre (x, y, z), radius and falloff in units of length, error in % of the range of values.
+
+    >>> sphere((8, 8, 8), 3, error=0.5, falloff=4)
+    Sphere(error=0.5, falloff=4.0, centre=(8.0, 8.0, 8.0), radius=3.0)
+    """
+    return Sphere(_error(error), number(falloff, "falloff", least=0), vector(centre, "centre"), number(radius, "radius", least=0))
+
+
+def box(least: Vector, largest: Vector, *, error: Optional[float] = None, falloff: float = 0, border: str = "intersecting") -> Box:
+    """A box along the axes, from the corner `least` to the corner `largest`, (x, y, z) each: a focus or a window of Model.mesh().
+
+    `error` and `falloff` are those of a focus. `border` says what becomes of tetrahedra at the border of a window: "intersecting" keeps
+    all that touch it, "contained" those that lie in it whole, and "clipped" cuts them at the window.
+    """
+    if border not in ("intersecting", "contained", "clipped"):
+        raise WrongUsage(f"border can be intersecting, contained, clipped, not '{border}'.")
+    return Box(_error(error), number(falloff, "falloff", least=0), vector(least, "least"), vector(largest, "largest"), border)
+
+
+def half_space(normal: Vector, offset: float, *, error: Optional[float] = None, falloff: float = 0) -> HalfSpace:
+    """The points p with normal . p <= offset, as a focus of Model.mesh()."""
+    return HalfSpace(_error(error), number(falloff, "falloff", least=0), vector(normal, "normal"), number(offset, "offset"))
+
+
+Focus = Union[None, Region, Iterable[Region]]
+Ranges = Union[None, Tuple[float, float], Iterable[Tuple[float, float]]]
+
+
+def error_field(error: float, focus: Focus) -> str:
+    """The error field as a text of TAn's: `error` everywhere, less in the focus."""
+    if focus is None:
+        return repr(error)
+    regions = [focus] if isinstance(focus, Region) else list(focus)
+    if not all(isinstance(region, Region) for region in regions):
+        raise TypeError("focus is tan.sphere(...), tan.box(...) or tan.half_space(...), or a list of these")
+    fields = [region.field(error) for region in regions]
+    if not fields:
+        return repr(error)
+    return fields[0] if len(fields) == 1 else f"min({', '.join(fields)})"
+
+
+def ranges(values: Ranges) -> list[Tuple[float, float]]:
+    """One closed range of values or several."""
+    if values is None:
+        return []
+    given: list[Any] = list(values)
+    if len(given) == 2 and not hasattr(given[0], "__len__"):
+        given = [tuple(given)]
+    found = []
+    for least, largest in (vector(pair, "values", 2) for pair in given):
+        if largest < least:
+            raise WrongUsage(f"values go from {least:g} to {largest:g}, which is no range.")
+        found.append((least, largest))
+    return found
+
+

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a model is looked at, as a value."""
+from __future__ import annotations
+
+import copy
+import json
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple, Union
+
+from ._errors import WrongUsage
+from ._numbers import Vector, number, text, vector, whole
+
+Colour = Union[Tuple[float, float, float], List[float]]
+_UP = ("x", "-x", "y", "-y", "z", "-z")
+
+
+def _colour(value: Any, name: str) -> List[float]:
+    channels = [number(part, name, least=0) for part in vector(value, name)]
+    if max(channels) > 1:
+        raise WrongUsage(f"{name} is red, green and blue from 0 to 1, not {tuple(channels)}.")
+    return channels
+
+
+def _setting(value: Any, name: str) -> Any:
+    """As a view's text has settings: numbers say what they are."""
+    if isinstance(value, (bool, str)):
+        return value
+    if isinstance(value, Mapping):
+        return dict(value)
+    if hasattr(value, "__index__"):
+        return {"integer": whole(value, name, -(2**63))}
+    return {"number": number(value, name)}
+
+
+class View:
+    """How a model is looked at: which mesh, how it is drawn, from where. What is not said is as the model is seen at first. A value:
+    changed() gives another one.
+
+    mode: "isosurface", "volume", "hybrid" (volume with isosurfaces), "focus", "slice", "projection" (maximum intensity); Model.modes()
+        lists those of your installation.
+    error: of the mesh, in % of the range of values; or budget: its number of tetrahedra.
+    isovalues: of surfaces, in units of the values: numbers, or (value, (red, green, blue)), or (value, colour, opacity).
+    transfer: the name of a colour map ("viridis", "cividis", "inferno", "cool-warm", "grey"), or a transfer function as a dictionary in
+        TAn's form (docs of the window: Transfer functions).
+    azimuth, elevation, roll: of the camera, in degrees; up: "x", "-x", "y", "-y", "z", "-z"; perspective: False for a parallel view;
+        zoom: 2 shows everything twice as large as if it filled the picture; target: (x, y, z) in the middle of the picture.
+    background: (red, green, blue) from 0 to 1.
+    window: the part of the domain that is shown, tan.box(...).
+    settings: of the mode, by their ids; numbers as they are.
+    colour_bar, axes, scale_bar, title, accuracy: whether these are written over the picture.
+
+    >>> view = View(mode="volume", azimuth=60, transfer="inferno")
+    >>> view.changed(error=0.5).mode
+    'volume'
+    """
+
+    def __init__(self, **look: Any) -> None:
+        self._text: Dict[str, Any] = {}
+        self._colours: Optional[str] = None
+        self._fitted = True
+        self._zoom = 1.0
+        self._target: Optional[List[float]] = None
+        self._change(look)
+
+    @classmethod
+    def from_text(cls, view: str) -> View:
+        """The view of a JSON text, as `text` has it, or as sessions keep it."""
+        made = cls()
+        try:
+            parsed = json.loads(text(view, "view"))
+        except ValueError as problem:
+            raise WrongUsage(f"The view is no JSON: {problem}.") from problem
+        if not isinstance(parsed, dict):
+            raise WrongUsage("The view is no JSON object.")
+        made._text = parsed
+        made._fitted = "distance" not in parsed.get("camera", {}) if isinstance(parsed.get("camera", {}), dict) else True
+        return made
+
+    @property
+    def text(self) -> str:
+        """What this view says, as JSON; what it leaves open is missing."""
+        return json.dumps(self._text, sort_keys=True)
+
+    @property
+    def mode(self) -> Optional[str]:
+        """The id of the mode, or None: the usual one."""
+        mode = self._text.get("look", {}).get("mode")
+        return None if mode is None else str(mode)
+
+    @property
+    def transfer(self) -> Optional[Dict[str, Any]]:
+        """The transfer function in TAn's form, or None: one that fits the values."""
+        found = self._text.get("look", {}).get("transfer")
+        return None if found is None else copy.deepcopy(dict(found))
+
+    def changed(self, **look: Any) -> View:
+        """The same view but for this."""
+        other = copy.deepcopy(self)
+        other._change(look)
+        return other
+
+    def _member(self, name: str) -> Dict[str, Any]:
+        member = self._text.setdefault(name, {})
+        if not isinstance(member, dict):
+            raise WrongUsage(f"'{name}' of the view is no JSON object.")
+        return member
+
+    def _change(self, look: Dict[str, Any]) -> None:
+        for name, value in look.items():
+            change = getattr(self, f"_set_{name}", None)
+            if change is None:
+                known = sorted(member[5:] for member in dir(self) if member.startswith("_set_"))
+                raise TypeError(f"a view has no '{name}'; it has {', '.join(known)}")
+            if value is not None:
+                change(value)
+
+    def _set_mode(self, value: Any) -> None:
+        self._member("look")["mode"] = text(value, "mode")
+
+    def _set_error(self, value: Any) -> None:
+        self._member("mesh").update(error=number(value, "error", least=0), byBudget=False)
+
+    def _set_budget(self, value: Any) -> None:
+        self._member("mesh").update(budget=whole(value, "budget", 1), byBudget=True)
+
+    def _set_isovalues(self, value: Any) -> None:
+        given: Iterable[Any] = value if hasattr(value, "__iter__") else [value]
+        self._text["isovalues"] = [self._isovalue(part, index) for index, part in enumerate(given)]
+
+    @staticmethod
+    def _isovalue(part: Any, index: int) -> Dict[str, Any]:
+        palette = ((0.90, 0.62, 0.0), (0.34, 0.71, 0.91), (0.0, 0.62, 0.45), (0.84, 0.37, 0.0), (0.0, 0.45, 0.70), (0.80, 0.47, 0.65),
+                   (0.94, 0.89, 0.26))  # of Okabe and Ito, for all kinds of sight
+        value, colour, opacity = part, palette[index % len(palette)], 1.0
+        if hasattr(part, "__len__"):
+            if not 1 <= len(part) <= 3:
+                raise WrongUsage("An isovalue is a number, (value, colour) or (value, colour, opacity).")
+            value, colour, opacity = (*part, *(value, colour, opacity)[len(part):])
+        opacity = number(opacity, "opacity", least=0)
+        if not 0 < opacity <= 1:
+            raise WrongUsage(f"opacity is above 0 and at most 1, not {opacity:g}.")
+        return {"value": number(value, "isovalues"), "colour": _colour(colour, "the colour of an isovalue"), "opacity": opacity, "visible": True}
+
+    def _set_transfer(self, value: Any) -> None:
+        if isinstance(value, str):
+            self._colours = value
+        elif isinstance(value, Mapping):
+            self._colours = None
+            self._member("look")["transfer"] = {"format": "tan-transfer-function", "version": 2, **value}
+        else:
+            raise TypeError(f"transfer is the name of a colour map or a dictionary, not {value!r}")
+
+    def _set_settings(self, value: Any) -> None:
+        if not isinstance(value, Mapping):
+            raise TypeError(f"settings is a dictionary, not {value!r}")
+        settings = self._member("look").setdefault("settings", {})
+        settings.update({str(name): _setting(part, str(name)) for name, part in value.items()})
+
+    def _set_camera(self, name: str, value: Any) -> None:
+        self._member("camera")[name] = value
+
+    def _set_azimuth(self, value: Any) -> None:
+        self._set_camera("azimuth", number(value, "azimuth"))
+
+    def _set_elevation(self, value: Any) -> None:
+        self._set_camera("elevation", max(-90.0, min(90.0, number(value, "elevation"))))
+
+    def _set_roll(self, value: Any) -> None:
+        self._set_camera("roll", number(value, "roll"))
+
+    def _set_up(self, value: Any) -> None:
+        if value not in _UP:
+            raise WrongUsage(f"up can be {', '.join(_UP)}, not '{value}'.")
+        self._set_camera("up", value)
+
+    def _set_perspective(self, value: Any) -> None:
+        self._set_camera("perspective", bool(value))
+
+    def _set_zoom(self, value: Any) -> None:
+        self._zoom = number(value, "zoom")
+        if self._zoom <= 0:
+            raise WrongUsage(f"zoom is {self._zoom:g}, but must be above 0.")
+
+    def _set_target(self, value: Vector) -> None:
+        self._target = list(vector(value, "target"))
+
+    def _set_background(self, value: Any) -> None:
+        self._text["background"] = _colour(value, "background")
+
+    def _set_window(self, value: Any) -> None:
+        from ._regions import Box
+        if not isinstance(value, Box):
+            raise TypeError(f"window is tan.box(...), not {value!r}")
+        self._member("mesh")["window"] = {"on": True, "border": value.border, "least": list(value.least), "largest": list(value.largest)}
+
+    def _annotation(self, name: str, shown: Any) -> None:
+        self._member("annotations").setdefault(name, {})["shown"] = bool(shown)
+
+    def _set_colour_bar(self, value: Any) -> None:
+        self._annotation("colourBar", value)
+
+    def _set_axes(self, value: Any) -> None:
+        self._annotation("axes", value)
+
+    def _set_scale_bar(self, value: Any) -> None:
+        self._annotation("scaleBar", value)
+
+    def _set_title(self, value: Any) -> None:
+        self._annotation("title", value)
+
+    def _set_accuracy(self, value: Any) -> None:
+        self._annotation("accuracy", value)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, View) and vars(self) == vars(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<tan.View {self.text}>"
+
+
+def view_of(view: Optional[View], look: Dict[str, Any]) -> View:
+    """A view with these changes."""
+    if view is not None and not isinstance(view, View):
+        raise TypeError(f"a view is a tan.View, not {view!r}")
+    return (view if view is not None else View()).changed(**look)
+
