@@ -10,7 +10,7 @@ import pathlib
 from docutils import nodes
 
 HERE = pathlib.Path(__file__).resolve().parent
-USERS = ["index", "first-steps", "manual", "accuracy", "scaling", "recipes", "command-line", "formats", "troubleshooting", "faq",
+USERS = ["index", "first-steps", "manual", "accuracy", "scaling", "recipes", "command-line", "python", "formats", "troubleshooting", "faq",
          "limitations", "glossary"]
 OLD_SCRIPTS = ["jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js"]  # for themes that need them, as this one does not
 DEVELOPERS = ["developers", "tetrahedral-graphics", "reliability", "measured", "performance", "dependencies", "requirements"]

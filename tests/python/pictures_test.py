@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""pictures_test.py FOLDER: pictures as arrays, judged by the outlines of a ball and a box in closed form; views as values."""
+import json
+import struct
+import unittest
+import zlib
+
+from module import ModuleTest, np, tan
+
+BARE = {"colour_bar": False, "axes": False}
+
+
+def seen(pixels):
+    """Where something is opaque."""
+    return pixels[..., 3] > 127
+
+
+def png_pixels(data):
+    """The pixels of a PNG of 8 bits with four channels, and its texts: by the format's own description."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, packed, texts, size = 8, b"", [], None
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            size = struct.unpack(">II", body[:8])
+        packed += body if kind == b"IDAT" else b""
+        texts += [body.split(b"\0")[0]] if kind in (b"tEXt", b"iTXt", b"zTXt") else []
+        at += length + 12
+    width, height = size
+    rows = np.frombuffer(zlib.decompress(packed), "u1").reshape(height, -1)
+    channels = (rows.shape[1] - 1) // width
+    pixels, above = np.zeros((height, width, channels), "u1"), np.zeros((width, channels), int)
+    for y, row in enumerate(rows):
+        line, filtered = np.zeros((width, channels), int), row[1:].reshape(width, channels).astype(int)
+        for x in range(width):
+            left, corner = (line[x - 1], above[x - 1]) if x else (0, 0)
+            guess = left + above[x] - corner
+            away = [np.abs(guess - part) for part in (left, above[x], corner)]
+            paeth = np.where((away[0] <= away[1]) & (away[0] <= away[2]), left, np.where(away[1] <= away[2], above[x], corner))
+            line[x] = (filtered[x] + (0, left, above[x], (left + above[x]) // 2, paeth)[row[0]]) % 256
+        pixels[y], above = line, line
+    return pixels, texts
+
+
+class Pictures(ModuleTest):
+    def bare(self, **look):
+        return self.ball.render(**{"size": (240, 180), "samples": 1, "error": 1, "transparent": True, **BARE, **look})
+
+    def test_all_modes(self):
+        modes = [mode for mode, _ in self.ball.modes()]
+        self.assertEqual(set(modes) >= {"isosurface", "volume", "hybrid", "slice", "projection"}, True, modes)
+        for mode in modes:
+            pixels = self.bare(mode=mode, size=(64, 48))
+            self.assertEqual((pixels.shape, pixels.dtype), ((48, 64, 4), np.dtype("u1")))
+            self.assertGreater(pixels[..., 3].max(), 0, mode)
+            self.assertEqual(pixels[0, 0, 3], 0, mode)
+
+    def test_the_outline_of_a_ball(self):
+        large, small = (self.bare(isovalues=[radius], perspective=False, elevation=0) for radius in (0.9, 0.45))
+        self.assertAlmostEqual(seen(large).sum() / seen(small).sum(), 4, delta=0.25)
+        rows, columns = np.nonzero(seen(large))
+        self.assertAlmostEqual(seen(large).sum() / (np.pi / 4 * np.ptp(rows) * np.ptp(columns)), 1, delta=0.05)
+        self.assertAlmostEqual(rows.mean(), 89.5, delta=1)
+        self.assertAlmostEqual(columns.mean(), 119.5, delta=1)
+        nearer = self.bare(isovalues=[0.45], perspective=False, elevation=0, zoom=2)
+        self.assertAlmostEqual(seen(nearer).sum() / seen(small).sum(), 4, delta=0.25)
+
+    def test_where_the_camera_is(self):
+        # A quarter of the ball, seen along +y (azimuth 0): x grows to the right, and z upwards.
+        window = tan.box((0, -1, 0), (1, 1, 1), border="clipped")
+        rows, columns = np.nonzero(seen(self.bare(isovalues=[0.9], azimuth=0, elevation=0, window=window, perspective=False)))
+        self.assertGreaterEqual(columns.min(), 119)
+        self.assertLessEqual(rows.max(), 90)
+        rows, columns = np.nonzero(seen(self.bare(isovalues=[0.9], azimuth=180, elevation=0, window=window, perspective=False)))
+        self.assertLessEqual(columns.max(), 120)
+        moved = self.bare(isovalues=[0.5], azimuth=0, elevation=0, perspective=False, target=(0.5, 0, 0))
+        self.assertLess(np.nonzero(seen(moved))[1].mean(), 105)
+
+    def test_colours(self):
+        red = self.bare(isovalues=[(0.8, (1, 0, 0))])[90, 120]
+        self.assertGreater(int(red[0]), 2 * int(red[2]) + 50)
+        half = self.bare(isovalues=[(0.8, (1, 0, 0), 0.3)])[90, 120, 3]
+        self.assertTrue(100 < half < 200, half)  # two walls: 1 - 0.7 * 0.7
+        pixels = self.ball.render(size=(40, 30), background=(0, 0, 1), mode="isosurface", **BARE)
+        self.assertEqual(pixels[0, 0].tolist(), [0, 0, 255, 255])
+        one, other = (self.bare(mode="volume", transfer=name).astype(int) for name in ("viridis", "inferno"))
+        np.testing.assert_array_equal(one[..., 3], other[..., 3])
+        self.assertGreater(np.abs(one - other).max(), 50)
+        blue = {"colours": [{"value": 0, "colour": [0, 0, 1]}], "opacities": [{"value": 0, "opacity": 0.5}], "unitDistance": 0.2}
+        middle = self.bare(mode="volume", transfer=blue, size=(60, 60), settings={"shaded": False})[30, 30]
+        self.assertGreater(int(middle[2]), int(middle[0]) + 100)
+
+    def test_views_are_values(self):
+        view = tan.View(mode="volume", azimuth=60)
+        other = view.changed(azimuth=70, error=2)
+        self.assertEqual((view.mode, json.loads(view.text)["camera"]["azimuth"], json.loads(other.text)["camera"]["azimuth"]), ("volume", 60, 70))
+        self.assertEqual(view, tan.View(mode="volume", azimuth=60))
+        self.assertNotEqual(view, other)
+        first = self.ball.view(size=(120, 90), **BARE)
+        self.assertEqual(tan.View.from_text(first.text), first)
+        self.assertEqual(set(json.loads(first.text)) >= {"mesh", "look", "camera", "isovalues", "annotations"}, True)
+        np.testing.assert_array_equal(self.ball.render(first, size=(120, 90)), self.ball.render(size=(120, 90), **BARE))
+
+    def test_kept_views(self):
+        look = {"mode": "volume", "azimuth": 75, "transfer": "cividis", "error": 3, **BARE}
+        pixels = self.ball.render(size=(80, 60), samples=1, **look)
+        self.ball.save_session(self.folder / "a.tansession", size=(80, 60), **look)
+        self.ball.save_picture(self.folder / "a.png", size=(80, 60), samples=1, **look)
+        for name in ("a.tansession", "a.png"):
+            view, differences = self.ball.kept_view(self.folder / name)
+            self.assertEqual((view.mode, differences), ("volume", []))
+            np.testing.assert_array_equal(self.ball.render(view, size=(80, 60), samples=1), pixels)
+        self.ball.save_picture(self.folder / "b.png", size=(80, 60), samples=1, transparent=True, **look)
+        stored, texts = png_pixels((self.folder / "b.png").read_bytes())
+        np.testing.assert_array_equal(stored, self.ball.render(size=(80, 60), samples=1, transparent=True, **look))
+        self.assertIn(b"Software", texts)
+
+    def test_a_film(self):
+        first, half = (self.bare(frame=frame, isovalues=[0.8], azimuth=0) for frame in (0, 60))
+        turned = self.bare(isovalues=[0.8], azimuth=180)
+        np.testing.assert_array_equal(first, self.bare(isovalues=[0.8], azimuth=0))
+        self.assertLess(np.abs(half.astype(int) - turned).mean(), np.abs(half.astype(int) - first).mean() + 1)
+        self.refused(ValueError, "frame", self.bare, frame=-1)
+
+    def test_the_notebook(self):
+        page = self.ball._repr_html_()
+        self.assertIn("data:image/png;base64,", page)
+        self.assertIn("<polyline", page)
+        self.assertIn("distance", page)
+        named = tan.build(self.distances, self.folder / "named.tan", name="<b>&", **{"spacing": (1, 1, 1)})
+        self.assertIn("&lt;b&gt;&amp;", named._repr_html_())
+
+    def test_wrong_looks(self):
+        nan = float("nan")
+        for keywords in ({"mode": "none"}, {"size": (0, 4)}, {"size": (10**6, 10**6)}, {"samples": 9}, {"samples": 0}, {"threads": -1},
+                         {"backend": "none"}, {"azimuth": nan}, {"isovalues": [nan]}, {"isovalues": [(1, (2, 0, 0))]}, {"zoom": 0},
+                         {"isovalues": [(1, (1, 0, 0), 2)]}, {"transfer": "none"}, {"transfer": {}}, {"transfer": {"colours": 3}},
+                         {"background": (1, 1)}, {"up": "w"}, {"error": -1}, {"error": nan}, {"budget": 0}, {"frame": 10**6}):
+            self.refused(ValueError, ".", self.bare, **keywords)
+        for keywords in ({"mode": 3}, {"size": 3}, {"size": ("a", "b")}, {"nothing": 1}, {"isovalues": "a"}, {"transfer": 3}, {"view": 3},
+                         {"settings": 3}, {"window": 3}, {"azimuth": "a"}):
+            self.refused(TypeError, ".", self.bare, **keywords)
+        self.refused(ValueError, "JSON", tan.View.from_text, "[")
+        self.refused(ValueError, ".", self.ball.render, tan.View.from_text('{"camera": 3}'))
+        self.refused(OSError, "nowhere", self.ball.save_picture, self.folder / "nowhere" / "a.png", size=(20, 20))
+        self.refused(OSError, "none", self.ball.kept_view, self.folder / "none.png")
+
+
+if __name__ == "__main__":
+    unittest.main()
