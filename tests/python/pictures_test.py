@@ -12,8 +12,8 @@ BARE = {"colour_bar": False, "axes": False}
 
 
 def seen(pixels):
-    """Where something is opaque."""
-    return pixels[..., 3] > 127
+    """Where the surface is, which is orange; lines are grey."""
+    return pixels[..., 0].astype(int) > pixels[..., 2] + 40
 
 
 def png_pixels(data):

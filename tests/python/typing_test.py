@@ -4,6 +4,7 @@
 hold; everything public says what it is; no Qt comes along."""
 import doctest
 import importlib
+import importlib.util
 import inspect
 import os
 import pathlib
@@ -70,7 +71,7 @@ class Types(unittest.TestCase):
             silent += [name] if not inspect.getdoc(thing) else []
             if inspect.isclass(thing) and thing.__module__.startswith("tan."):
                 silent += [f"{name}.{member}" for member, value in vars(thing).items() if not member.startswith("_")
-                           and (callable(value) or isinstance(value, property)) and not inspect.getdoc(value)]
+                           and (callable(value) or isinstance(value, property)) and not inspect.getdoc(getattr(thing, member))]
         self.assertEqual(silent, [])
 
     def test_no_qt(self):

@@ -175,7 +175,7 @@ class Files(ModuleTest):
         self.assertEqual(part.shape, (7, 7, 7))
 
     def test_files_that_are_none(self):
-        self.refused(OSError, "none.nrrd.*No such file", tan.build, self.folder / "none.nrrd", self.folder / "x.tan")
+        self.refused(OSError, "none.nrrd.*does not exist", tan.build, self.folder / "none.nrrd", self.folder / "x.tan")
         (self.folder / "text.nrrd").write_text("nothing")
         self.refused(tan.BadInput, "text.nrrd", tan.build, self.folder / "text.nrrd", self.folder / "x.tan")
         self.refused(tan.WrongUsage, "magic", tan.build, self.file, self.folder / "x.tan", method="magic")

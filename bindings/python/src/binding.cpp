@@ -15,6 +15,33 @@ using namespace std::chrono_literals;
 /// How often signals are looked at, and so how long Ctrl-C waits at most until work is asked to stop.
 constexpr auto glance = 25ms;
 
+/// Whether Python is ending: a thread that asks for the GIL then is ended by force, which C++ does not survive.
+bool isEnding()
+{
+#if PY_VERSION_HEX >= 0x030d0000
+    return Py_IsInitialized() == 0 || Py_IsFinalizing() != 0;
+#else
+    return Py_IsInitialized() == 0 || _Py_IsFinalizing() != 0;
+#endif
+}
+
+/// Without the GIL for as long as it lives. A thread of the program that nobody waits for at its end stays in here.
+class Unlocked {
+public:
+    Unlocked() : state_(PyEval_SaveThread()) {}
+    ~Unlocked()
+    {
+        while (isEnding())
+            std::this_thread::sleep_for(1h);
+        PyEval_RestoreThread(state_);
+    }
+    Unlocked(const Unlocked&) = delete;
+    Unlocked& operator=(const Unlocked&) = delete;
+
+private:
+    PyThreadState* state_;
+};
+
 /// What the two threads tell each other.
 struct Shared {
     std::mutex mutex;
@@ -43,7 +70,7 @@ void tell(const py::object& callback, Shared& shared)
 /// Whether the work has ended, after at most a glance. Without the GIL.
 bool waited(Shared& shared)
 {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     std::unique_lock lock(shared.mutex);
     return shared.ended.wait_for(lock, glance, [&] { return shared.done; });
 }
@@ -69,7 +96,7 @@ public:
     explicit Joined(std::thread thread) : thread_(std::move(thread)) {}
     ~Joined()
     {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         thread_.join();
     }
     Joined(const Joined&) = delete;
@@ -146,7 +173,7 @@ std::shared_ptr<const std::byte> memoryOf(const py::array& array)
     PyObject* const held = array.ptr();
     Py_INCREF(held);
     return {bytes, [held](const std::byte*) {
-                if (Py_IsInitialized() == 0)
+                if (isEnding())
                     return;
                 const py::gil_scoped_acquire gil;
                 Py_DECREF(held);

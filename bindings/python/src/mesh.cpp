@@ -45,7 +45,6 @@ py::dict factsOf(const MeshOfModel& held)
 
 double volume(const MeshOfModel& held)
 {
-    const py::gil_scoped_release unlocked;
     const TetrahedralMesh& mesh = held.mesh();
     double sum = 0;
     for (const auto& [a, b, c, d] : mesh.tetrahedra) {

@@ -22,6 +22,8 @@ from ._verdict import Verdict
 from ._view import View
 
 __version__ = _version()
+for _kind in (Error, WrongUsage, BadInput, CannotWrite, OutOfResource, Cancelled):
+    _kind.__module__ = "tan"
 __all__ = ["BadInput", "Box", "Cancelled", "CannotWrite", "Cells", "Data", "Error", "Explorer", "Grid", "HalfSpace", "Lattice", "Mesh", "Model",
            "OutOfResource", "Points", "Region", "Server", "Size", "Sphere", "Surface", "Verdict", "View", "WrongUsage", "box", "build",
            "half_space", "open", "serve", "sphere"]

@@ -27,7 +27,7 @@ def open(place: Any, *, error: Optional[float] = None, token: str = "", progress
     >>> open("none.tan")
     Traceback (most recent call last):
     ...
-    tan._errors.BadInput: Cannot open 'none.tan': No such file or directory. Check its name.
+    tan.BadInput: Cannot read 'none.tan': No such file or directory. Check its name and folder.
     """
     named = path_text(place, "place")
     needed = None if error is None else number(error, "error", least=0)

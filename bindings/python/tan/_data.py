@@ -72,7 +72,7 @@ def _masked(values: Any, mask: Any) -> Tuple[Any, Optional[npt.NDArray[np.bool_]
     """The values, and where there are none: True is a hole, as in numpy.ma."""
     hidden: Optional[npt.NDArray[np.bool_]] = None
     if isinstance(values, np.ma.MaskedArray):
-        hidden = np.ma.getmaskarray(values)
+        hidden = np.array(np.broadcast_to(np.asarray(values.mask, dtype=bool), values.shape))
         values = values.data
     if mask is not None:
         array = np.asarray(mask)

@@ -185,6 +185,7 @@ class Model:
         if field is not None and focus is not None:
             raise WrongUsage("A field says all of the error. Leave focus out, or write it into the field.")
         query = _tan.Query()
+        query.warping, query.border = "100", "intersecting"
         query.budget = None if budget is None else whole(budget, "budget", 1)
         query.error = text(field, "field") if field is not None else error_field(self._percent(error, budget, absolute), focus)
         if warping is not None and not self._about["warps"]:
@@ -345,4 +346,5 @@ class Explorer:
         return self._model.mesh(**{**self._usual, **query})
 
     def close(self) -> None:
+        """Ends it; the block does so."""
         self._model = None

@@ -22,9 +22,11 @@ class Region:
     falloff: float
 
     def shape(self) -> str:
+        """Its beginning in the text of a field."""
         raise NotImplementedError
 
     def field(self, outside: float) -> str:
+        """The error field of this focus as a text, where the error elsewhere is `outside`, in %."""
         if self.error is None:
             raise WrongUsage("A focus needs an error: tan.sphere(centre, radius, error=0.2).")
         return f"{self.shape()}; {_written(min(self.error, outside), outside, self.falloff)})"
@@ -32,6 +34,8 @@ class Region:
 
 @dataclasses.dataclass(frozen=True)
 class Sphere(Region):
+    """A ball: sphere() makes one."""
+
     centre: Tuple[float, ...]
     radius: float
 
@@ -41,6 +45,8 @@ class Sphere(Region):
 
 @dataclasses.dataclass(frozen=True)
 class Box(Region):
+    """A box along the axes: box() makes one."""
+
     least: Tuple[float, ...]
     largest: Tuple[float, ...]
     border: str
@@ -51,6 +57,8 @@ class Box(Region):
 
 @dataclasses.dataclass(frozen=True)
 class HalfSpace(Region):
+    """What lies on one side of a plane: half_space() makes one."""
+
     normal: Tuple[float, ...]
     offset: float
 

@@ -18,6 +18,7 @@ class Verdict:
 
     @property
     def text(self) -> str:
+        """What was found, a line for each level."""
         lines = list(self.failures)
         for level in self.levels:
             largest = level["error_statistics"]["largest"]

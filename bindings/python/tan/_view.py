@@ -130,12 +130,11 @@ class View:
     def _isovalue(part: Any, index: int) -> Dict[str, Any]:
         palette = ((0.90, 0.62, 0.0), (0.34, 0.71, 0.91), (0.0, 0.62, 0.45), (0.84, 0.37, 0.0), (0.0, 0.45, 0.70), (0.80, 0.47, 0.65),
                    (0.94, 0.89, 0.26))  # of Okabe and Ito, for all kinds of sight
-        value, colour, opacity = part, palette[index % len(palette)], 1.0
-        if hasattr(part, "__len__"):
-            if not 1 <= len(part) <= 3:
-                raise WrongUsage("An isovalue is a number, (value, colour) or (value, colour, opacity).")
-            value, colour, opacity = (*part, *(value, colour, opacity)[len(part):])
-        opacity = number(opacity, "opacity", least=0)
+        parts: List[Any] = list(part) if hasattr(part, "__len__") and not isinstance(part, str) else [part]
+        if not 1 <= len(parts) <= 3:
+            raise WrongUsage("An isovalue is a number, (value, colour) or (value, colour, opacity).")
+        value, colour = parts[0], parts[1] if len(parts) > 1 else palette[index % len(palette)]
+        opacity = number(parts[2], "opacity", least=0) if len(parts) > 2 else 1.0
         if not 0 < opacity <= 1:
             raise WrongUsage(f"opacity is above 0 and at most 1, not {opacity:g}.")
         return {"value": number(value, "isovalues"), "colour": _colour(colour, "the colour of an isovalue"), "opacity": opacity, "visible": True}
