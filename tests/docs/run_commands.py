@@ -17,7 +17,7 @@ from page_commands import commands_of, examples_built
 # What is not run, and why.
 SKIPPED = [
     (r"^\./dev |^\.ci/run", "builds and installs; CI runs these"),
-    (r"^cmake --preset|^cmake -S|^cmake --build build |^build/fuzz/", "builds everything again in another way"),
+    (r"^cmake --preset|^cmake -S|^cmake --build build[ -]|^cmake --install build/|^build/fuzz/", "builds everything again in another way"),
     (r"^tan-desktop |^xvfb-run ", "opens the window; tests/ui and tests/package do"),
     (r"https?://example", "needs a server; test_model_forms has one"),
     (r"^tan serve |^ssh |--at-server", "serves until it is stopped; test_serve runs it"),

@@ -18,10 +18,11 @@ from module import FOLDER, tan
 MODULES = ["_build", "_data", "_errors", "_mesh", "_model", "_numbers", "_progress", "_regions", "_verdict", "_view"]
 SAMPLE = """
 import numpy as np
+import numpy.typing as npt
 import tan
 m = tan.build(np.zeros((4, 4, 4)), "a.tan", spacing=(1, 1, 2.5), name="CT", progress=print)
 mesh = m.mesh(error=5, focus=tan.sphere((64, 64, 32), 20, error=0.2, falloff=10), window=tan.box((0, 0, 0), (9, 9, 9)), values=(80, 120))
-points: np.ndarray = mesh.points
+points: npt.NDArray[np.float64] = mesh.points
 values = mesh.sample(points)
 surface = mesh.isosurface(100)
 area: float = surface.area() + mesh.slice(normal=(0, 0, 1), at=32).area()
@@ -63,6 +64,20 @@ class Types(unittest.TestCase):
             self.assertEqual(outcome.failed, 0, name)
             tried += outcome.attempted
         self.assertGreater(tried, 15)
+
+    def test_the_manual(self):
+        page = (pathlib.Path(__file__).parents[2] / "docs/python.md").read_text(encoding="utf-8")
+        first = page.split("```python\n")[1].split("```")[0]
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                shown = {}
+                exec(compile(first, "docs/python.md", "exec"), shown)
+                self.assertEqual(shown["picture"].shape, (600, 800, 4))
+                self.assertTrue(pathlib.Path("wells.png").exists())
+            finally:
+                os.chdir(before)
 
     def test_everything_public_says_what_it_is(self):
         silent = []

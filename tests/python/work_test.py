@@ -85,7 +85,11 @@ class Work(ModuleTest):
         data = tan.Lattice(bumpy(100))
         data.dataset()
         path = self.folder / "never.tan"
-        waits = [self.interrupted(lambda: tan.build(data, path, method=method)) for method in ("refinement", "decimation")]
+        places = np.zeros((20_000_000, 3))
+        mesh = self.ball.mesh(error=0)
+        mesh.sample(places[:1])
+        waits = [self.interrupted(work) for work in (lambda: tan.build(data, path, method="refinement", block="none"),
+                                                     lambda: tan.build(data, path, method="refinement", block=20), lambda: mesh.sample(places))]
         self.assertFalse(path.exists())
         self.assertEqual([name for name in os.listdir(self.folder) if "never" in name], [])
         print("Ctrl-C after", ", ".join(f"{1000 * wait:.0f} ms" for wait in waits))
@@ -120,7 +124,7 @@ class Work(ModuleTest):
             except Exception as failure:  # noqa: BLE001
                 failures.append(failure)
 
-        threads = [threading.Thread(target=ask, args=(errors * 8,)) for errors in ((0, 5), (20, 1), (5, 0))]
+        threads = [threading.Thread(target=ask, args=(errors * 3,)) for errors in ((0, 5), (20, 1), (5, 0))]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -192,7 +196,7 @@ class Files(ModuleTest):
         timer = threading.Timer(1, _thread.interrupt_main)
         timer.start()
         with self.assertRaises(KeyboardInterrupt):
-            tan.build(large, self.folder / "never.tan", method="decimation")
+            tan.build(large, self.folder / "never.tan", method="refinement")
         timer.join()
         self.assertEqual([name for name in os.listdir(self.folder) if "never" in name], [])
 

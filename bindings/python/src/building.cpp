@@ -7,8 +7,6 @@
 #include <tan/build.h>
 #include <tan/verify.h>
 
-#include <pybind11/stl.h>
-
 namespace tetra::python {
 
 namespace {

@@ -6,8 +6,6 @@
 
 #include <tan/data.h>
 
-#include <pybind11/stl.h>
-
 #include <algorithm>
 #include <cstring>
 #include <limits>

@@ -7,8 +7,6 @@
 #include <tan/version.h>
 #include <tan/view.h>
 
-#include <pybind11/stl.h>
-
 #include <dlfcn.h>
 
 namespace tetra::python {

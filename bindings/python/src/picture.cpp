@@ -7,8 +7,6 @@
 #include <tan/transfer.h>
 #include <tan/view.h>
 
-#include <pybind11/stl.h>
-
 #include <algorithm>
 
 namespace tetra::python {

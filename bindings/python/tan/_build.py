@@ -70,6 +70,7 @@ def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warpi
     ((0.0, 5.656854249492381), (9, 9, 9), 'mm')
     >>> bool(m.mesh(error=2).error <= 2)
     True
+    >>> folder.cleanup()
     """
     target = path_text(output, "output")
     said: Dict[str, Any] = {"error": number(error, "error", least=0), "warping": number(warping, "warping", least=0), "builder": method,
