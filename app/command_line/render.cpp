@@ -328,8 +328,8 @@ std::optional<SessionDifference> missingTools(PluginHost& host, const ViewValue&
             names += (names.empty() ? "'" : ", '") + id + "'";
     if (names.empty())
         return std::nullopt;
-    return SessionDifference{"tools", "What these tools show is not drawn, as their plugins are not there: " + names +
-                                          ". Install them."};
+    return SessionDifference{"tools", "The plugins of these tools are missing, so what they show is not drawn: " +
+                                          names + ". Install the plugins."};
 }
 
 /// What of the session the picture will not show; an error if that is not to be.

@@ -96,8 +96,9 @@ Result<Picture> PictureMaker::Parts::draw(const ViewValue& view, const Provided<
     wanted.tools = keptDrawings(keptTools(*host, view), model->description(),
                                 matteringParameters(parameters, view.appearance.settings), view, view.camera,
                                 sizeInUnits(wanted), {});
-    const bool hasTexts = view.lens.isOn() || !wanted.tools.empty() ||
-                          std::ranges::any_of(view.annotations.places, &AnnotationPlace::shown);
+    const bool hasTexts =
+        view.lens.isOn() || std::ranges::any_of(view.annotations.places, &AnnotationPlace::shown) ||
+        std::ranges::any_of(wanted.tools, [](const ToolDrawing& drawing) { return !drawing.texts.empty(); });
     if (hasTexts && !fonts) {
         const auto opened = openFonts();
         if (!opened)

@@ -77,7 +77,7 @@ void ToolDesk::select(const std::string& handle)
     viewport_.setAccessibleDescription(there ? translatedMessage(there->name) : QString());
 }
 
-/// Those that are still to be looked at.
+/// Drops the places that are still to be looked at.
 void ToolDesk::forgetPlaces()
 {
     wanted_.clear();

@@ -91,7 +91,7 @@ private:
     void endDrag();
     void cancelDrag();
     void endSeries();
-    /// A handle, which who cannot see it is told of; empty: none.
+    /// Selects a handle and tells screen readers its name; empty: none.
     void select(const std::string& handle);
     void forgetPlaces();
     void selectNext();

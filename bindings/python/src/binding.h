@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What all parts of the Python module share: errors as exceptions, work that can be interrupted, arrays.
+/// What all parts of the Python module share: errors as exceptions, work that can be interrupted, arrays and datasets.
 
 #include <tan/base.h>
+#include <tan/data.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -25,6 +26,12 @@
 namespace tetra::python {
 
 namespace py = pybind11;
+
+/// A dataset that was made of arrays. Values of a lattice or a grid may lie in the memory of the array that they came
+/// in, which the dataset keeps.
+struct HeldDataset {
+    Dataset dataset;
+};
 
 /// The error as an exception of tan._errors, with its sentence. Needs the GIL.
 [[noreturn]] void raise(const Error& error);

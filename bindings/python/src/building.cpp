@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models out of datasets, and the proof that they are what they claim to be.
 #include "binding.h"
-#include "held_dataset.h"
 #include "opened_model.h"
 
 #include <tan/build.h>

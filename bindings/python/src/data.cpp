@@ -2,7 +2,6 @@
 // Datasets of arrays: lattices, grids, points, cells. What is refused here rather than in Python is what would be read
 // beyond an array's end.
 #include "binding.h"
-#include "held_dataset.h"
 
 #include <tan/data.h>
 
