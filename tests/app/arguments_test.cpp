@@ -8,7 +8,8 @@
 
 #include <QTest>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 using Words = std::vector<std::string>;
@@ -249,7 +250,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_APPLESS_MAIN(tetra::ArgumentsTest)
+QTEST_APPLESS_MAIN(ArgumentsTest)
 #include "arguments_test.moc"

@@ -12,7 +12,8 @@
 
 #include <unistd.h>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 /// Where the major version stands in a .tan file (core/history/FORMAT.md).
@@ -242,7 +243,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::BadInputTest)
+QTEST_GUILESS_MAIN(BadInputTest)
 #include "bad_input_test.moc"

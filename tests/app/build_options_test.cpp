@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace tetra {
+using namespace tetra;
 
 class BuildOptionsTest : public QObject {
     Q_OBJECT
@@ -254,7 +254,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::BuildOptionsTest)
+QTEST_GUILESS_MAIN(BuildOptionsTest)
 #include "build_options_test.moc"

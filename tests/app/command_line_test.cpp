@@ -16,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace tetra {
+using namespace tetra;
 
 class CommandLineTest : public QObject {
     Q_OBJECT
@@ -785,7 +785,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::CommandLineTest)
+QTEST_GUILESS_MAIN(CommandLineTest)
 #include "command_line_test.moc"

@@ -11,7 +11,8 @@
 
 #include <random>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 /// What is asked of the model m.tan; OUT stands for a file.
@@ -106,7 +107,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::DamagedModelTest)
+QTEST_GUILESS_MAIN(DamagedModelTest)
 #include "damaged_model_test.moc"

@@ -12,7 +12,8 @@
 
 #include <algorithm>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 QString contentOf(const QString& name)
@@ -146,7 +147,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::DocumentationTest)
+QTEST_GUILESS_MAIN(DocumentationTest)
 #include "documentation_test.moc"

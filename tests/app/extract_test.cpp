@@ -15,7 +15,7 @@
 #include <map>
 #include <set>
 
-namespace tetra {
+using namespace tetra;
 
 class ExtractTest : public QObject {
     Q_OBJECT
@@ -520,7 +520,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ExtractTest)
+QTEST_GUILESS_MAIN(ExtractTest)
 #include "extract_test.moc"

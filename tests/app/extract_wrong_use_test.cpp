@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace tetra {
+using namespace tetra;
 
 class ExtractWrongUseTest : public QObject {
     Q_OBJECT
@@ -139,7 +139,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ExtractWrongUseTest)
+QTEST_GUILESS_MAIN(ExtractWrongUseTest)
 #include "extract_wrong_use_test.moc"

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace tetra {
+using namespace tetra;
 
 class ImportOptionsTest : public QObject {
     Q_OBJECT
@@ -142,7 +142,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ImportOptionsTest)
+QTEST_GUILESS_MAIN(ImportOptionsTest)
 #include "import_options_test.moc"

@@ -15,7 +15,8 @@
 #include <functional>
 #include <sstream>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 /// A second is promised; other tests may keep the machine busy meanwhile. The build would take far longer.
@@ -195,7 +196,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::InterruptionTest)
+QTEST_GUILESS_MAIN(InterruptionTest)
 #include "interruption_test.moc"

@@ -19,7 +19,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 constexpr rlim_t noLimit = RLIM_INFINITY;
@@ -300,7 +301,5 @@ void LimitsTest::addCommands(const std::function<void(const char* name, const QS
     add("render a volume", {"render", "noise.tan", "--mode", "volume", "--size", "99x99", "-o", "picture.png"});
 }
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::LimitsTest)
+QTEST_GUILESS_MAIN(LimitsTest)
 #include "limits_test.moc"

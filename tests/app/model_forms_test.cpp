@@ -17,7 +17,7 @@
 
 #include <atomic>
 
-namespace tetra {
+using namespace tetra;
 
 class ModelFormsTest : public QObject {
     Q_OBJECT
@@ -301,7 +301,5 @@ private:
     QTemporaryDir folder_;
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ModelFormsTest)
+QTEST_GUILESS_MAIN(ModelFormsTest)
 #include "model_forms_test.moc"

@@ -11,7 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 const QString oldModelsFolder = TAN_SOURCE_DIR "/tests/core/history/old_files";
@@ -118,7 +119,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::OldModelsTest)
+QTEST_GUILESS_MAIN(OldModelsTest)
 #include "old_models_test.moc"

@@ -16,7 +16,8 @@
 #include <array>
 #include <cmath>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 /// Red from 100 on, of this opacity in a length of one; else nothing.
@@ -670,7 +671,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::RenderTest)
+QTEST_GUILESS_MAIN(RenderTest)
 #include "render_test.moc"

@@ -16,7 +16,8 @@
 #include <cmath>
 #include <map>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 constexpr const char* table2 =
@@ -397,7 +398,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ReproductionTest)
+QTEST_GUILESS_MAIN(ReproductionTest)
 #include "reproduction_test.moc"

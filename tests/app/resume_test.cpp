@@ -14,7 +14,7 @@
 #include <csignal>
 #include <random>
 
-namespace tetra {
+using namespace tetra;
 
 class ResumeTest : public QObject {
     Q_OBJECT
@@ -157,7 +157,5 @@ private:
     qint64 usual_ = 0; ///< milliseconds that an undisturbed build takes
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ResumeTest)
+QTEST_GUILESS_MAIN(ResumeTest)
 #include "resume_test.moc"

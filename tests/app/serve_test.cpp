@@ -42,7 +42,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 using std::chrono::milliseconds;
@@ -1358,7 +1359,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ServeTest)
+QTEST_GUILESS_MAIN(ServeTest)
 #include "serve_test.moc"

@@ -12,7 +12,7 @@
 #include <pty.h>
 #include <unistd.h>
 
-namespace tetra {
+using namespace tetra;
 
 class StandardOutputTest : public QObject {
     Q_OBJECT
@@ -146,7 +146,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::StandardOutputTest)
+QTEST_GUILESS_MAIN(StandardOutputTest)
 #include "standard_output_test.moc"

@@ -16,7 +16,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-namespace tetra {
+using namespace tetra;
 
 using Request = FaultyHttpServer::Request;
 using Reply = FaultyHttpServer::Reply;
@@ -217,7 +217,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::UntrustedTest)
+QTEST_GUILESS_MAIN(UntrustedTest)
 #include "untrusted_test.moc"

@@ -9,7 +9,8 @@
 #include <QStandardPaths>
 #include <QTest>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 QString outputOf(const QString& program, const QStringList& words)
@@ -168,7 +169,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::DocumentsTest)
+QTEST_GUILESS_MAIN(DocumentsTest)
 #include "documents_test.moc"

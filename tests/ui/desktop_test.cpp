@@ -13,7 +13,7 @@
 
 #include <sys/types.h>
 
-namespace tetra {
+using namespace tetra;
 
 class DesktopTest : public QObject {
     Q_OBJECT
@@ -95,7 +95,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::DesktopTest)
+QTEST_GUILESS_MAIN(DesktopTest)
 #include "desktop_test.moc"

@@ -69,7 +69,7 @@ void ImportDialogTest::init()
 {
     QSettings().clear();
     PluginHostOptions options;
-    options.folders = {TAN_BINARY_DIR "/lib/tan/plugins", TAN_FIXTURES};
+    options.folders = {TAN_BINARY_DIR "/lib/tan/plugins", TAN_CHOICES};
     window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, std::make_unique<PluginHost>(options));
     window_->window.show();
 }

@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace tetra {
+using namespace tetra;
 
 /// In place of a web browser.
 class Browser : public QObject {
@@ -146,7 +146,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_MAIN(tetra::ManualTest)
+QTEST_MAIN(ManualTest)
 #include "manual_test.moc"

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace tetra {
+using namespace tetra;
 
 namespace {
 
@@ -290,7 +290,5 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ResumedBuildTest)
+QTEST_GUILESS_MAIN(ResumedBuildTest)
 #include "resumed_build_test.moc"

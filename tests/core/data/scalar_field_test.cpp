@@ -12,8 +12,6 @@
 
 using namespace tetra;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -284,7 +284,6 @@ private:
 };
 
 using Damage = void (*)(FileParts&);
-Q_DECLARE_METATYPE(Damage)
 
 void ExtractionTest::aDamagedFileIsAnError_data()
 {

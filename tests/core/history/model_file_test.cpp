@@ -19,8 +19,6 @@
 using namespace tetra;
 using format::SectionId;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 template <class T> T valueAt(const std::vector<std::byte>& bytes, std::size_t offset)
@@ -257,7 +255,6 @@ void ModelFileTest::compareTetrahedra(const Model& model, const RecordedHistory&
 }
 
 using Damage = void (*)(FileParts&);
-Q_DECLARE_METATYPE(Damage)
 
 void ModelFileTest::whatCannotBeReadIsRefused_data()
 {
@@ -367,7 +364,6 @@ void ModelFileTest::whatCannotBeReadIsRefused()
 }
 
 using Mistake = void (*)(RecordedHistory&);
-Q_DECLARE_METATYPE(Mistake)
 
 void ModelFileTest::aWrongHistoryIsNotWritten_data()
 {

@@ -25,8 +25,6 @@ using Eigen::Vector3d;
 using testing::latticeMesh;
 using testing::Split;
 
-Q_DECLARE_METATYPE(tetra::testing::Split)
-
 namespace {
 
 TriangleMesh extracted(const TetrahedralMesh& mesh, double isovalue)

@@ -17,9 +17,6 @@ using Eigen::Vector3d;
 using testing::latticeMesh;
 using testing::Split;
 
-Q_DECLARE_METATYPE(tetra::testing::Split)
-Q_DECLARE_METATYPE(tetra::HalfSpace)
-
 namespace {
 
 constexpr double extent = 5;

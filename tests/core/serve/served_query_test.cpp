@@ -7,7 +7,8 @@
 
 #include <tuple>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 auto partsOf(const MeshQuery& query)
@@ -36,8 +37,6 @@ Result<MeshQuery> read(const std::string& text)
 }
 
 } // namespace
-} // namespace tetra
-
 using namespace tetra;
 
 class ServedQueryTest : public QObject {

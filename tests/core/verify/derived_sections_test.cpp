@@ -274,7 +274,6 @@ private:
 };
 
 using DerivedDamage = void (*)(FileParts&);
-Q_DECLARE_METATYPE(DerivedDamage)
 
 void DerivedSectionsTest::damageIsFound_data()
 {

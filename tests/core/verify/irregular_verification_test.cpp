@@ -179,8 +179,6 @@ RecordedHistory withCoarseBlock(const Dataset& dataset, float claimed)
 }
 
 } // namespace
-Q_DECLARE_METATYPE(Lie)
-Q_DECLARE_METATYPE(Domain)
 
 class IrregularVerificationTest : public QObject {
     Q_OBJECT

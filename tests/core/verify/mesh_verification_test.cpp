@@ -57,7 +57,6 @@ std::vector<double> errorsOf(const Dataset& dataset, const TetrahedralMesh& mesh
 using Damage = std::function<void(Case&)>;
 
 } // namespace
-Q_DECLARE_METATYPE(Damage)
 
 class MeshVerificationTest : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@
 using namespace tetra;
 using format::SectionId;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 using Others = std::array<std::uint32_t, 3>;
@@ -180,7 +178,6 @@ private:
 };
 
 using Damage = void (*)(FileParts&);
-Q_DECLARE_METATYPE(Damage)
 
 void VerificationTest::findsWhatIsWrong_data()
 {

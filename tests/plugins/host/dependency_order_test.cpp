@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 std::size_t place(const DependencyOrder& order, std::size_t index)
@@ -57,7 +58,5 @@ private slots:
     void nothingGivesNothing() { QVERIFY(dependencyOrder({}).order.empty()); }
 };
 
-} // namespace tetra
-
-QTEST_APPLESS_MAIN(tetra::DependencyOrderTest)
+QTEST_APPLESS_MAIN(DependencyOrderTest)
 #include "dependency_order_test.moc"

@@ -18,7 +18,8 @@
 #include <stop_token>
 #include <thread>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -365,7 +366,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::LiveBuildTest)
+QTEST_GUILESS_MAIN(LiveBuildTest)
 #include "live_build_test.moc"

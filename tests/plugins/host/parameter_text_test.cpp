@@ -6,7 +6,8 @@
 
 #include <QTest>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 Parameter described(ParameterValue byDefault, double least = 0, double most = 0)
@@ -189,7 +190,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_APPLESS_MAIN(tetra::ParameterTextTest)
+QTEST_APPLESS_MAIN(ParameterTextTest)
 #include "parameter_text_test.moc"

@@ -17,7 +17,8 @@
 #include <dlfcn.h>
 #include <link.h>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -269,7 +270,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_APPLESS_MAIN(tetra::PluginFileTest)
+QTEST_APPLESS_MAIN(PluginFileTest)
 #include "plugin_file_test.moc"

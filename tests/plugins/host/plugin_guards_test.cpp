@@ -11,7 +11,8 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -261,7 +262,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_APPLESS_MAIN(tetra::PluginGuardsTest)
+QTEST_APPLESS_MAIN(PluginGuardsTest)
 #include "plugin_guards_test.moc"

@@ -18,7 +18,8 @@
 
 #include <unistd.h>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -395,7 +396,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::PluginHostTest)
+QTEST_GUILESS_MAIN(PluginHostTest)
 #include "plugin_host_test.moc"

@@ -15,7 +15,8 @@
 #define TAN_COMPILER_MAJOR __GNUC__
 #endif
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 QJsonObject own()
@@ -320,7 +321,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_APPLESS_MAIN(tetra::PluginMetadataTest)
+QTEST_APPLESS_MAIN(PluginMetadataTest)
 #include "plugin_metadata_test.moc"

@@ -19,7 +19,8 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -265,7 +266,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_GUILESS_MAIN(tetra::ServicesTest)
+QTEST_GUILESS_MAIN(ServicesTest)
 #include "services_test.moc"

@@ -7,7 +7,8 @@
 #include <array>
 #include <vector>
 
-namespace tetra {
+using namespace tetra;
+
 namespace {
 
 std::vector<Version> grid()
@@ -95,7 +96,5 @@ private slots:
     }
 };
 
-} // namespace tetra
-
-QTEST_APPLESS_MAIN(tetra::VersionTest)
+QTEST_APPLESS_MAIN(VersionTest)
 #include "version_test.moc"

@@ -27,8 +27,6 @@ Dataset sample(std::string_view name, std::uint32_t size, std::optional<SampleTy
 
 } // namespace
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 class AnalyticFieldsTest : public QObject {
     Q_OBJECT
 

@@ -18,8 +18,6 @@
 using namespace tetra;
 namespace fs = std::filesystem;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 Dataset volume(SampleType type, std::uint32_t size = 9)

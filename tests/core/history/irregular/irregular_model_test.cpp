@@ -33,7 +33,6 @@ void rename(FileParts& parts, SectionId id, std::uint32_t name, std::uint32_t fl
 }
 
 } // namespace
-Q_DECLARE_METATYPE(Damage)
 
 class IrregularModelTest : public QObject {
     Q_OBJECT

@@ -53,8 +53,6 @@ std::vector<Tetrahedron> bySites(const ExtractedMesh& mesh)
 
 } // namespace
 
-Q_DECLARE_METATYPE(Damage)
-
 class HistoryPartTest : public QObject {
     Q_OBJECT
 

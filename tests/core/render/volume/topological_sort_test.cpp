@@ -19,8 +19,6 @@
 using namespace tetra;
 using namespace tetra::testing;
 
-Q_DECLARE_METATYPE(TetrahedralMesh)
-
 namespace {
 
 VolumeMesh volumeOf(const TetrahedralMesh& mesh)

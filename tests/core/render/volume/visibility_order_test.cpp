@@ -24,8 +24,6 @@ using namespace tetra;
 using namespace tetra::testing;
 using Eigen::Vector3d;
 
-Q_DECLARE_METATYPE(TetrahedralMesh)
-
 namespace {
 
 VolumeMesh volumeOf(const TetrahedralMesh& mesh)

@@ -22,9 +22,6 @@ using namespace tetra;
 using namespace tetra::testing;
 using Eigen::Vector3d;
 
-Q_DECLARE_METATYPE(tetra::Camera)
-Q_DECLARE_METATYPE(tetra::TetrahedralMesh)
-
 namespace {
 
 constexpr int width = 28;

@@ -15,8 +15,6 @@
 
 using namespace tetra;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 QString failuresOf(const VerificationReport& verdict)

@@ -46,9 +46,6 @@ private:
     std::unique_ptr<EditorFixture> editor_;
 };
 
-Q_DECLARE_METATYPE(std::function<tetra::EditedSelection(const tetra::JoinedFunction&, const tetra::TransferSelection&,
-                                                        tetra::TransferLimits)>)
-
 void TransferMenuTest::everyActionIsOneStep_data()
 {
     QTest::addColumn<TransferSelection>("selected");

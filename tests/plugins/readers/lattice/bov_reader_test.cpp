@@ -7,8 +7,6 @@
 
 using namespace tetra;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 /// A header with the usual lines for 4 x 5 x 6 points; those in `lines` stand for these.

@@ -10,8 +10,6 @@
 
 using namespace tetra;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 /// A file of version 1 whose numbers begin at a multiple of 64 bytes, as NumPy writes it.

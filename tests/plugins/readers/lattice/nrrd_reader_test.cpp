@@ -10,8 +10,6 @@
 
 using namespace tetra;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 using Three = QList<double>;

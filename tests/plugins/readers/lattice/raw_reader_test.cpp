@@ -11,9 +11,6 @@
 
 using namespace tetra;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-Q_DECLARE_METATYPE(tetra::ParameterValues)
-
 namespace {
 
 QStringList guessTexts(std::string_view name, std::uint64_t bytes)

@@ -11,8 +11,6 @@
 using namespace tetra;
 namespace fs = std::filesystem;
 
-Q_DECLARE_METATYPE(tetra::SampleType)
-
 namespace {
 
 const fs::path dataFolder = fs::path(TAN_SOURCE_DIR) / ".." / "shared" / "data";

@@ -11,8 +11,6 @@
 
 using namespace tetra;
 
-Q_DECLARE_METATYPE(tetra::ParameterValues)
-
 namespace {
 
 /// "Density, Velocity (3), Heat of cells in K".
