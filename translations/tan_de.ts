@@ -12103,6 +12103,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Opacity of slices</source>
         <translation>Deckkraft der Schnitte</translation>
     </message>
+    <message>
+        <source>The table of an optical model has %1 entries; at most %2 can be used.</source>
+        <translation>Die Tabelle eines optischen Modells hat %1 Einträge; höchstens %2 können verwendet werden.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; has an optical model with a table of %2 entries; at most %3 can be used. This is a fault of the plugin; tell its author.</source>
+        <translation>Das Plugin „%1“ hat ein optisches Modell mit einer Tabelle aus %2 Einträgen; höchstens %3 können verwendet werden. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -12103,6 +12103,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Opacity of slices</source>
         <translation>Opacità delle sezioni</translation>
     </message>
+    <message>
+        <source>The table of an optical model has %1 entries; at most %2 can be used.</source>
+        <translation>La tabella di un modello ottico ha %1 voci; se ne possono usare al massimo %2.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; has an optical model with a table of %2 entries; at most %3 can be used. This is a fault of the plugin; tell its author.</source>
+        <translation>Il plugin «%1» ha un modello ottico con una tabella di %2 voci; se ne possono usare al massimo %3. È un difetto del plugin; segnalarlo al suo autore.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

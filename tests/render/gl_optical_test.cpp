@@ -133,6 +133,38 @@ private slots:
         }
     }
 
+    /// The same text with other data: each picture has its own.
+    void tablesOfRaysAreData()
+    {
+        OpticalModel model = *maximumIntensity(0, 1, {1, 1, 1});
+        model.rayShader = "vec4 lightOfRay(float opacity)\n{\n"
+                          "    return vec4(rayDatum(rayDataCount() - 1).rgb, 1.0);\n}\n";
+        SceneParts scene = fogCube(0.5f);
+        const PictureOptions options{.width = 20, .height = 20};
+        for (int round = 0; round < 3; ++round) {
+            const auto share = static_cast<float>(round) / 2;
+            model.rayData.assign(static_cast<std::size_t>(1 + 100 * round), {0, 0, 0, 0});
+            model.rayData.back() = {share, 1 - share, 0.2f, 0};
+            model.lightOfRay = [colour = model.rayData.back()](float) {
+                return std::array{colour[0], colour[1], colour[2], 1.0f};
+            };
+            scene.volume->model = std::make_shared<const OpticalModel>(model);
+            const auto cpu = cpu_->render(scene, beforeCube(), options), gl = gl_->render(scene, beforeCube(), options);
+            QVERIFY(cpu.ok());
+            QVERIFY2(gl.ok(), gl ? "" : gl.error().text().c_str());
+            const auto& pixel = gl->pixels[10 * 20 + 10];
+            QVERIFY(std::abs(pixel[0] - 255 * share) <= 1 && std::abs(pixel[1] - 255 * (1 - share)) <= 1);
+            QCOMPARE(pixel, cpu->pixels[10 * 20 + 10]);
+        }
+        model.rayData.resize(65'537);
+        scene.volume->model = std::make_shared<const OpticalModel>(model);
+        Scene made = scene;
+        made.maker = "example.rays";
+        const auto refused = gl_->render(made, beforeCube(), options);
+        QVERIFY(!refused && refused.error().kind == ErrorKind::BadInput);
+        QVERIFY2(refused.error().text().find("'example.rays'") != std::string::npos, refused.error().text().c_str());
+    }
+
     void aShaderThatIsNoneIsAnError()
     {
         SceneParts scene = fogCube(0.5f);

@@ -225,6 +225,9 @@ struct OpticalModel {
     /// The same as a function in the shading language; needed if lightOfRay is set:
     ///     vec4 lightOfRay(float opacity) { ... }
     std::string rayShader{};
+    /// What that text reads as rayDatum(0) and on, each a vec4; rayDataCount() are there, at most 65,536. A table that
+    /// people edit belongs here, as each text is compiled anew, and the same one with other data is not.
+    std::vector<std::array<float, 4>> rayData{};
 };
 
 /// The largest value along each ray, as opacity: 0 at `least`, 1 at `largest`; in one colour.

@@ -239,6 +239,11 @@ void fillSegments(const GlFunctions& gl, const ScaledSegments& segments, Texture
     fillTextureBuffer(gl, buffer, gl::rgba32f, byteCount(texels), gl::streamDraw);
 }
 
+void fillRayData(const GlFunctions& gl, std::span<const std::array<float, 4>> data, TextureBuffer& buffer)
+{
+    fillTextureBuffer(gl, buffer, gl::rgba32f, byteCount(data), gl::streamDraw);
+}
+
 Result<VolumeBuffers*> VolumeBufferCache::buffersOf(const std::shared_ptr<const VolumeMesh>& mesh, const Camera& camera)
 {
     const auto found = entries_.find(mesh.get());

@@ -114,6 +114,8 @@ struct VolumeBuffers {
 Status fillCells(const GlFunctions& gl, const Volume& volume, VolumeBuffers& buffers);
 /// Three texels for each segment, as slab.frag reads them.
 void fillSegments(const GlFunctions& gl, const ScaledSegments& segments, TextureBuffer& buffer);
+/// Sends OpticalModel::rayData.
+void fillRayData(const GlFunctions& gl, std::span<const std::array<float, 4>> data, TextureBuffer& buffer);
 
 /// Keeps the buffers of every mesh that still lives. The context must be current for everything, also when it goes;
 /// `gl` must outlive it.

@@ -202,7 +202,12 @@ Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const
 Result<std::unique_ptr<GlProgram>> makeRayProgram(const GlFunctions& gl, const std::string& shader,
                                                   const std::string& maker)
 {
-    const std::string text = "#version 330 core\n" + shader;
+    const std::string text = "#version 330 core\n"
+                             "uniform samplerBuffer rayData;\n"
+                             "vec4 rayDatum(int number) { return texelFetch(rayData, number); }\n"
+                             "int rayDataCount() { return textureSize(rayData); }\n"
+                             "#line 1\n" +
+                             shader;
     return GlProgram::make(gl, shaders::screenVert, std::array{shaders::rayFrag, text.c_str()}, refusalOf(maker));
 }
 

@@ -242,6 +242,7 @@ Status ScenePainter::Implementation::drawVolumeBefore(unsigned nearest, const Pr
         gl_.disable(gl::depthTest);
         rays->use();
         rays->setTexture("gathered", 0, targets_.gathered.name());
+        volume_.setRayData();
         drawOverScreen();
     }
     return status;

@@ -94,6 +94,8 @@ constexpr MarkedText drawingVolume = Message::marked("Drawing the volume");
 constexpr int verticesPerCell = 12;
 /// How often in a picture the samples that nothing can be added to are marked: a pass over all samples each.
 constexpr std::size_t marks = 16;
+/// Texels that every texture buffer of OpenGL 3.3 can have.
+constexpr std::size_t mostRayData = 65'536;
 /// Less light than this from behind is none, as on the CPU.
 constexpr float leastLight = 1.0f / 16384;
 
@@ -204,14 +206,36 @@ Status VolumePainter::prepareModel(const Volume& volume, const std::string& make
     const auto program = keptProgram(models_, makeModelProgram, volume.model->shader, maker);
     if (!program)
         return program.error();
-    if (volume.model->lightOfRay && combiner_ != Combiner::Over) {
-        const auto ray = keptProgram(rays_, makeRayProgram, volume.model->rayShader, maker);
-        if (!ray)
-            return ray.error();
-        rayProgram_ = *ray;
-    }
+    if (volume.model->lightOfRay && combiner_ != Combiner::Over)
+        if (Status status = prepareRays(volume.model, maker); !status)
+            return status;
     program_ = *program;
     return {};
+}
+
+Status VolumePainter::prepareRays(const std::shared_ptr<const OpticalModel>& model, const std::string& maker)
+{
+    if (const std::size_t size = model->rayData.size(); size > mostRayData)
+        return Error{ErrorKind::BadInput,
+                     maker.empty()
+                         ? Message::say("The table of an optical model has %1 entries; at most %2 can be used.", size,
+                                        mostRayData)
+                         : Message::say("The plugin '%1' has an optical model with a table of %2 entries; at "
+                                        "most %3 can be used. This is a fault of the plugin; tell its author.",
+                                        maker, size, mostRayData)};
+    const auto program = keptProgram(rays_, makeRayProgram, model->rayShader, maker);
+    if (!program)
+        return program.error();
+    if (rayDataOf_.lock() != model)
+        fillRayData(gl_, model->rayData, rayData_);
+    rayDataOf_ = model;
+    rayProgram_ = *program;
+    return {};
+}
+
+void VolumePainter::setRayData() const
+{
+    rayProgram_->setTexture("rayData", 1, rayData_.texture.name(), gl::textureBuffer);
 }
 
 Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const PictureOptions& options,

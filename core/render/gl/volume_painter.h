@@ -62,6 +62,8 @@ public:
 
     /// Gives what the pieces of a ray make together its light (OpticalModel::lightOfRay); null if they are it.
     const GlProgram* rayProgram() const noexcept { return rayProgram_; }
+    /// Sets what that reads besides what is gathered; it is in use.
+    void setRayData() const;
 
     /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
     /// vertices than the driver allows, no memory, cancelled.
@@ -107,6 +109,7 @@ private:
                     const VolumePart& part, const Progress& progress) const;
     void setPartUniforms(const GlProgram& program, const DrawnVolume& volume, const VolumePart& part) const;
     Status prepareModel(const Volume& volume, const std::string& maker);
+    Status prepareRays(const std::shared_ptr<const OpticalModel>& model, const std::string& maker);
     using Programs = std::map<std::string, std::unique_ptr<GlProgram>>; ///< by their text, the last few
     using MakeProgram = Result<std::unique_ptr<GlProgram>> (*)(const GlFunctions& gl, const std::string& shader,
                                                                const std::string& maker);
@@ -132,6 +135,8 @@ private:
     const GlProgram* rayProgram_ = nullptr;
     Programs models_;
     Programs rays_;
+    TextureBuffer rayData_;
+    std::weak_ptr<const OpticalModel> rayDataOf_; ///< whose data are sent
 };
 
 } // namespace tetra

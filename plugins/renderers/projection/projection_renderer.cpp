@@ -113,26 +113,37 @@ struct RangeColours {
         };
         return {mixed(0), mixed(1), mixed(2), 1};
     }
+    /// What the shader reads of them.
+    std::vector<std::array<float, 4>> table() const
+    {
+        std::vector<std::array<float, 4>> rows;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            rows.push_back({colours[i][0], colours[i][1], colours[i][2], places[i]});
+        return rows;
+    }
 };
 
-/// RangeColours::at() in GLSL.
-std::string rayShader(const RangeColours& range, const Opacities& opacities)
+/// RangeColours::at() in GLSL, of the table. The text is the same for all functions.
+std::string rayShader(bool largestCounts)
 {
-    std::string places, colours;
-    for (std::size_t i = 0; i < range.places.size(); ++i) {
-        const std::string comma = i == 0 ? "" : ", ";
-        const auto& [red, green, blue] = range.colours[i];
-        places += comma + inGlsl(range.places[i]);
-        colours += comma + "vec3(" + inGlsl(red) + ", " + inGlsl(green) + ", " + inGlsl(blue) + ")";
+    return std::string("vec4 lightOfRay(float opacity)\n{\n    float share = ") +
+           (largestCounts ? "2.0 * opacity - 1.0" : "2.0 - 2.0 * opacity") +
+           R"(;
+    int above = 0;
+    for (int last = rayDataCount(); above < last;) {
+        int middle = (above + last) / 2;
+        if (rayDatum(middle).w <= share)
+            above = middle + 1;
+        else
+            last = middle;
     }
-    const std::string count = std::to_string(range.places.size());
-    return "vec4 lightOfRay(float opacity)\n{\n    const float places[" + count + "] = float[" + count + "](" + places +
-           ");\n    const vec3 colours[" + count + "] = vec3[" + count + "](" + colours +
-           ");\n    float share = " + (opacities.largestCounts ? "2.0 * opacity - 1.0" : "2.0 - 2.0 * opacity") +
-           ";\n    int above = 0;\n    while (above < " + count + " && places[above] <= share)\n        ++above;\n" +
-           "    if (above == 0 || above == " + count + ")\n        return vec4(colours[max(above - 1, 0)], 1.0);\n" +
-           "    float part = (share - places[above - 1]) / (places[above] - places[above - 1]);\n" +
-           "    return vec4(mix(colours[above - 1], colours[above], part), 1.0);\n}\n";
+    vec4 lower = rayDatum(max(above - 1, 0));
+    if (above == 0 || above == rayDataCount())
+        return vec4(lower.rgb, 1.0);
+    vec4 upper = rayDatum(above);
+    return vec4(mix(lower.rgb, upper.rgb, (share - lower.w) / (upper.w - lower.w)), 1.0);
+}
+)";
 }
 
 /// The value that counts, of all pieces of a ray, in its colour.
@@ -151,7 +162,8 @@ std::shared_ptr<const OpticalModel> projectionModel(const ValueRange& range, boo
     };
     model.shader = pieceShader(opacities);
     model.lightOfRay = [opacities, colours](float opacity) { return colours->at(opacities.shareOf(opacity)); };
-    model.rayShader = rayShader(*colours, opacities);
+    model.rayShader = rayShader(largestCounts);
+    model.rayData = colours->table();
     return std::make_shared<const OpticalModel>(std::move(model));
 }
 

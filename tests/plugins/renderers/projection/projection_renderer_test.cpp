@@ -185,6 +185,22 @@ private slots:
         }
     }
 
+    /// What is edited by hand is data of a program that OpenGL compiles once.
+    void anotherFunctionIsTheSameShader()
+    {
+        const auto session = open("projection", cubeOf(wavy));
+        const auto modelOf = [&](const char* projection, const TransferFunction& function) {
+            return *partsOf(*prepared(*session, values(projection, function))).volume->model;
+        };
+        const TransferFunction red = transferFunctionFromPoints({{0, {1, 0, 0}, 1}});
+        for (const char* projection : {"maximum", "minimum"}) {
+            const OpticalModel one = modelOf(projection, manyColours()), other = modelOf(projection, red);
+            QCOMPARE(one.shader, other.shader);
+            QCOMPARE(one.rayShader, other.rayShader);
+            QVERIFY(one.rayData != other.rayData);
+        }
+    }
+
     void valuesThatAreNoNumbersAreRefused()
     {
         const auto endless = std::make_shared<const TetrahedralMesh>(latticeMesh(
