@@ -13,6 +13,7 @@ struct CellInView {
     vec3 valueRange;          // smallest, largest, and 1 if values count from 0, else from the segment's origin
     vec2 reference;           // the sample that a, b, c count from, as in gl_FragCoord
     float perGradient;        // 1 / length of the gradient, in values for one unit of w; 0 without one
+    vec4 light[3];            // the gradient for light, right, down and away from the eye, each as the slope
     bool inverted;            // its corners run the other way round
 };
 
@@ -70,8 +71,17 @@ bool isElsewhere(vec4 images[4])
     return focusPart != before && !nearAny;
 }
 
-// False if nothing of the cell is drawn. `segmentOrigin`: of its segment, if it is the only one.
-bool setUpCell(vec4 images[4], bool oneSegment, float segmentOrigin, out CellInView cell)
+// An affine function from its values at the corners, as the slope of CellInView; its gradient in u, v, w, too.
+vec4 slopeOf(vec4 values, vec3 normals[4], float volume, vec3 corner, out vec3 gradient)
+{
+    vec3 rises = (values.yzw - values.x) / volume;
+    gradient = rises.x * normals[1] + rises.y * normals[2] + rises.z * normals[3];
+    float atOrigin = values.x - dot(gradient, corner);
+    return vec4(gradient.xy, perspective ? gradient.z : atOrigin, perspective ? atOrigin : -gradient.z);
+}
+
+// False if nothing of the cell is drawn. `segmentOrigin`: of its segment, if it is the only one. `gradients`: for light.
+bool setUpCell(vec4 images[4], vec3 gradients[4], bool oneSegment, float segmentOrigin, out CellInView cell)
 {
     if (isElsewhere(images))
         return false;
@@ -102,16 +112,23 @@ bool setUpCell(vec4 images[4], bool oneSegment, float segmentOrigin, out CellInV
         cell.faceBounds[face] = boundOf(normals[face] * side, dot(normals[face], c[face == 0 ? 1 : 0]) * side);
 
     vec4 values = vec4(images[0].w, images[1].w, images[2].w, images[3].w);
-    vec3 rises = (values.yzw - values.x) / volume;
-    vec3 gradient = rises.x * normals[1] + rises.y * normals[2] + rises.z * normals[3];
-    float atOrigin = values.x - dot(gradient, c[0]);
-    cell.slope = vec4(gradient.xy, perspective ? gradient.z : atOrigin, perspective ? atOrigin : -gradient.z);
+    vec3 gradient;
+    cell.slope = slopeOf(values, normals, volume, c[0], gradient);
     vec3 across = vec3(gradient.xy * lengths, perspective ? gradient.z - dot(gradient.xy, shift) : gradient.z);
     float squared = dot(across, across);
     cell.perGradient = squared > 1e-30 ? inversesqrt(squared) : 0.0;
     cell.valueRange = vec3(min(min(values.x, values.y), min(values.z, values.w)),
                            max(max(values.x, values.y), max(values.z, values.w)), 1.0);
-    if (oneSegment && abs(volume) > width.x * width.y * width.z * thinnestCell) {
+    // Of a thin cell how something changes across it is not trusted.
+    bool thick = abs(volume) > width.x * width.y * width.z * thinnestCell;
+    vec3 mean = 0.25 * (gradients[0] + gradients[1] + gradients[2] + gradients[3]);
+    for (int axis = 0; axis < 3; ++axis) {
+        vec4 components = thick ? vec4(gradients[0][axis], gradients[1][axis], gradients[2][axis], gradients[3][axis])
+                                : vec4(mean[axis]);
+        vec3 unused;
+        cell.light[axis] = slopeOf(components, normals, volume, c[0], unused);
+    }
+    if (oneSegment && thick) {
         cell.slope -= perspective ? vec4(0.0, 0.0, 0.0, segmentOrigin) : vec4(0.0, 0.0, segmentOrigin, 0.0);
         cell.valueRange = vec3(cell.valueRange.xy - segmentOrigin, 0.0);
     }

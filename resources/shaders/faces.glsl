@@ -6,6 +6,7 @@ flat out vec3 valueRange;
 flat out ivec2 segmentRange;
 flat out vec2 reference;
 flat out float perGradient;
+flat out vec4 gradientAlong[3];
 
 const int faceCorners[12] = int[](0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
 const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
@@ -24,4 +25,5 @@ void handOn(CellInView cell, ivec2 segmentsOfIt)
     segmentRange = segmentsOfIt;
     reference = cell.reference;
     perGradient = cell.perGradient;
+    gradientAlong = cell.light;
 }

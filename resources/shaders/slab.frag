@@ -22,8 +22,8 @@ Segment segmentAt(int index)
     return Segment(a.x, a.y, a.z, a.w > 0.5, b.x, b.y, vec3(b.zw, c.x), c.yzw);
 }
 
-// Of optical depth up to 1. `seen` is light and opacity so far.
-void addThinSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, float way)
+// Of optical depth up to 1. `seen` is light and opacity so far; `colourIn` and `colourRise` the colours along it.
+void addThinSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, float way, vec3 colourIn, vec3 colourRise)
 {
     float extinctionIn = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
     float extinctionOut = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
@@ -39,13 +39,21 @@ void addThinSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut
     float light = 1.0 - seen.a;
     float opacity = depth * p * light;
     float weight = p * (0.5 * depth + rise * odd + ofDepth + ofRise) * light;
-    float value = valueIn * opacity + (valueOut - valueIn) * weight;
-    seen += vec4(segment.colour * opacity + segment.colourPerValue * value, opacity);
+    seen += vec4(colourIn * opacity + colourRise * weight, opacity);
 }
 
-// Of any optical depth; values count from the segment's origin.
-void addSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, float way)
+// A colour under light at a share of the way (lightAlong of volume.frag).
+vec3 lit(vec3 colour, vec4 lightAlong, float share)
 {
+    return min(vec3(1.0), colour * (lightAlong.x + lightAlong.y * share) + lightAlong.z + lightAlong.w * share);
+}
+
+// Of any optical depth; values count from the segment's origin. `shares`: of the ray's way through the cell, between
+// which the slab lies. Its colours are lit at its ends.
+void addSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, float way, vec4 lightAlong, vec2 shares)
+{
+    vec3 colourIn = lit(segment.colour + segment.colourPerValue * valueIn, lightAlong, shares.x);
+    vec3 colourOut = lit(segment.colour + segment.colourPerValue * valueOut, lightAlong, shares.y);
     // With s from 0 to 1 along the slab the optical depth before s is s (atStart + s rise).
     float atStart = max(2.0 * way * (segment.halfExtinction + segment.halfExtinctionPerValue * valueIn), 0.0);
     float rise = way * segment.halfExtinctionPerValue * (valueOut - valueIn);
@@ -55,19 +63,21 @@ void addSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, fl
     float count = ceil(max(1.0, max(share * atStart, share * (atStart + 2.0 * share * rise))));
     float perPart = share * (valueOut - valueIn) / count;
     float part = share * way / count;
+    vec3 colourPerPart = share * (colourOut - colourIn) / count;
     for (float i = 0.0; i < count; i += 1.0)
-        addThinSlab(seen, segment, valueIn + i * perPart, valueIn + (i + 1.0) * perPart, part);
+        addThinSlab(seen, segment, valueIn + i * perPart, valueIn + (i + 1.0) * perPart, part,
+                    colourIn + i * colourPerPart, colourPerPart);
 }
 
 // A ray through the segments `first` to `last`, a slab for each in the order in which the ray meets them. Values count
 // from 0, or from the one segment's origin.
-vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way)
+vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong)
 {
     vec4 seen = vec4(0.0);
     if (range.x == range.y) {
         Segment segment = segmentAt(range.x);
         float origin = fromOrigin ? 0.0 : segment.origin;
-        addSlab(seen, segment, valueIn - origin, valueOut - origin, way);
+        addSlab(seen, segment, valueIn - origin, valueOut - origin, way, lightAlong, vec2(0.0, 1.0));
         return seen;
     }
     float rise = valueOut - valueIn;
@@ -81,7 +91,8 @@ vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, f
         float share = clamp((knot - valueIn) * perRise, 0.0, 1.0);
         float to = valueIn + share * rise;
         if (!segment.transparent && share > shareBefore)
-            addSlab(seen, segment, from - segment.origin, to - segment.origin, way * (share - shareBefore));
+            addSlab(seen, segment, from - segment.origin, to - segment.origin, way * (share - shareBefore), lightAlong,
+                    vec2(shareBefore, share));
         shareBefore = share;
         from = to;
     }

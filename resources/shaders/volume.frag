@@ -25,14 +25,14 @@ flat in vec4 slope;
 flat in vec3 valueRange;
 flat in ivec2 segmentRange;
 flat in vec2 reference;
-flat in float perGradient;
+flat in vec4 gradientAlong[3];
 
 layout(location = 0) out vec4 result;
 
 const uint noLayer = 0xffffffffu;
 const float farBound = 1e30;
 
-vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way);
+vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong);
 vec2 rangeOfPart(vec2 fromCentre, vec2 shown);
 float weightAt(vec2 fromCentre, float w);
 
@@ -105,16 +105,34 @@ vec2 rangeOfLayers()
     return range;
 }
 
-// Light and opacity of a cell, lit as a surface across the gradient would be (core/render/scene.h). The cosine between
-// the gradient and the ray is the value's change for one unit of w, over that for one unit of length along the gradient
-// and the ray's length for one unit of w.
-vec4 litByGradient(vec4 seen, float change, float ray)
+// The factor of a colour and the highlight added to it at a place w of the ray, as of a surface across the gradient
+// (core/render/shading.h); what no gradient tells is left as it is. `ray`: where it goes for one unit of w.
+vec2 lightAt(vec2 place, vec3 ray, float w)
 {
-    float cosine = min(1.0, abs(change) * perGradient / ray);
-    float power4 = cosine * cosine * cosine * cosine;
-    float power16 = power4 * power4 * power4 * power4;
-    vec3 colour = seen.rgb * (light.x + light.y * cosine) + light.z * power16 * power16 * seen.a;
-    return vec4(min(colour, vec3(seen.a)), seen.a);
+    const float leastSquare = 1e-12;
+    vec3 gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+        float slope = dot(gradientAlong[axis].xy, place) + gradientAlong[axis].z;
+        gradient[axis] = perspective ? slope * w + gradientAlong[axis].w : slope - gradientAlong[axis].w * w;
+    }
+    float square = dot(gradient, gradient);
+    if (!(square > leastSquare))
+        return vec2(1.0, 0.0);
+    float along = dot(gradient, ray);
+    float squaredCosine = min(1.0, along * along / (square * dot(ray, ray)));
+    float power2 = squaredCosine * squaredCosine;
+    float power4 = power2 * power2;
+    float power8 = power4 * power4;
+    return vec2(light.x + light.y * sqrt(squaredCosine), light.z * power8 * power8);
+}
+
+// At the ends of the ray's way, affine between them: factor and its rise, highlight and its rise.
+vec4 lightBetween(vec2 place, vec3 ray, float enter, float leave)
+{
+    if (!shaded)
+        return vec4(1.0, 0.0, 0.0, 0.0);
+    vec2 first = lightAt(place, ray, enter), last = lightAt(place, ray, leave);
+    return vec4(first.x, last.x - first.x, first.y, last.y - first.y);
 }
 
 void main()
@@ -142,7 +160,6 @@ void main()
     // A part of the optical depth is that of a part of the way.
     float way = (leave - enter) * ray * weightAt(fromCentre, 0.5 * (enter + leave));
     result = lightOfSlabs(segmentRange, valueRange.z == 0.0, clamp(valueIn, valueRange.x, valueRange.y),
-                          clamp(valueOut, valueRange.x, valueRange.y), way);
-    if (shaded && perGradient > 0.0)
-        result = litByGradient(result, perspective ? perPlace : slope.w, ray);
+                          clamp(valueOut, valueRange.x, valueRange.y), way,
+                          lightBetween(place, vec3(slopes, 1.0), enter, leave));
 }

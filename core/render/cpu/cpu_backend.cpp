@@ -238,19 +238,20 @@ Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartVie
         volumes, std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}, {}};
     if (volumes.volume) {
         const Volume& volume = volumes.volume->volume;
-        part.volume = projectVolume(*volume.mesh, *volume.transfer, volumes.volume->order, view.volume, grid, progress);
-        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume,
-                                    volume.shaded || volume.model != nullptr);
+        part.volume = projectVolume(*volume.mesh, *volume.transfer, volumes.volume->order, view.volume, grid,
+                                    volume.shaded && !volume.model, progress);
+        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume);
+        part.source.measured = volume.model != nullptr;
         part.model = tileModelOf(volume, *part.volume, view.volume);
     }
     if (volumes.focus != nullptr) {
         const Volume& fine = volumes.fine->volume;
         part.focus.emplace(ProjectedFocus{
-            projectVolume(*fine.mesh, *fine.transfer, volumes.fine->order, view.volume, grid, progress),
+            projectVolume(*fine.mesh, *fine.transfer, volumes.fine->order, view.volume, grid, fine.shaded, progress),
             {},
             FocusRays(volumes.focus->regions, view.volume),
         });
-        part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume, fine.shaded);
+        part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume);
     }
     if (progress.cancelled())
         return cancelledError(drawingParts);

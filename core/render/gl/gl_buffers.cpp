@@ -176,20 +176,24 @@ ChunkData visibleCells(const TetrahedralMesh& mesh, const VolumeTransfer& transf
 }
 
 /// Relative to buffers.origin. Errors: more vertices than the driver allows, out of memory.
-Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBuffers& buffers)
+Status fillVertices(const GlFunctions& gl, const VolumeMesh& volume, VolumeBuffers& buffers)
 {
+    const TetrahedralMesh& mesh = *volume.mesh;
     int limit = 0;
     gl.getIntegerv(gl::maximumTextureBufferSize, &limit);
     if (mesh.positions.size() > static_cast<std::size_t>(limit))
         return Error{ErrorKind::OutOfResource, Message::say("This OpenGL driver draws volumes of at most %1 vertices. "
                                                             "Lower the accuracy of the mesh, or use the CPU back end.",
                                                             limit)};
-    Buffer<std::array<float, 4>> vertices(mesh.positions.size());
+    Buffer<std::array<float, 4>> vertices(mesh.positions.size()), gradients(mesh.positions.size());
     tbb::parallel_for(std::size_t(0), vertices.size(), [&](std::size_t i) {
         const Eigen::Vector3f place = (mesh.positions[i] - buffers.origin).cast<float>();
         vertices[i] = {place.x(), place.y(), place.z(), mesh.values[i]};
+        const Eigen::Vector3f& gradient = volume.gradients[i];
+        gradients[i] = {gradient.x(), gradient.y(), gradient.z(), 0};
     });
     fillTextureBuffer(gl, buffers.vertices, gl::rgba32f, byteCount(vertices));
+    fillTextureBuffer(gl, buffers.gradients, gl::rgba32f, byteCount(gradients));
     buffers.vertexCount = vertices.size();
     return gl.getError() == gl::outOfMemory ? Status(outOfMemory()) : Status();
 }
@@ -202,7 +206,7 @@ Status fillCells(const GlFunctions& gl, const Volume& volume, VolumeBuffers& buf
     const TetrahedralMesh& mesh = *cut.mesh->mesh;
     const VolumeTransfer& transfer = *cut.transfer;
     if (buffers.order.cutCells() > 0 || buffers.vertexCount != mesh.positions.size())
-        if (Status status = fillVertices(gl, mesh, buffers); !status)
+        if (Status status = fillVertices(gl, *cut.mesh, buffers); !status)
             return status;
     const std::span<const std::uint32_t> order = buffers.order.cells();
     std::vector<ChunkData> data((order.size() + cellsPerChunk - 1) / cellsPerChunk);
@@ -253,7 +257,7 @@ Result<VolumeBuffers*> VolumeBufferCache::buffersOf(const std::shared_ptr<const 
     const Eigen::Vector3d first = meshOrigin(mesh->mesh->positions);
     VolumeBuffers buffers;
     buffers.origin = isTooFar(first, camera) ? camera.target : first;
-    if (Status status = fillVertices(gl_, *mesh->mesh, buffers); !status)
+    if (Status status = fillVertices(gl_, *mesh, buffers); !status)
         return status.error();
     Entry& entry = entries_[mesh.get()];
     entry = {mesh, std::move(buffers)};

@@ -97,9 +97,10 @@ struct CellChunk {
     int count = 0;
 };
 
-/// A volume in the memory of the graphics card: 16 bytes a vertex, 20 a visible cell.
+/// A volume in the memory of the graphics card: 32 bytes a vertex, 20 a visible cell.
 struct VolumeBuffers {
-    TextureBuffer vertices; ///< places relative to `origin`, and values
+    TextureBuffer vertices;  ///< places relative to `origin`, and values
+    TextureBuffer gradients; ///< VolumeMesh::gradients
     Eigen::Vector3d origin{0, 0, 0};
     std::size_t vertexCount = 0; ///< more than the mesh has where cells were cut
     std::vector<CellChunk> chunks;

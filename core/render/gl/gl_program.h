@@ -16,7 +16,7 @@
 namespace tetra {
 
 /// Texture units that are used here; every OpenGL 3.3 has as many.
-inline constexpr int textureUnits = 8;
+inline constexpr int textureUnits = 9;
 
 /// A shader program. The context must be current for everything, also when it goes; `gl` must outlive it.
 class GlProgram {

@@ -287,6 +287,8 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set(
         "lengths",
         Eigen::Vector2f((view_.imageFromWorld.leftCols<3>().topRows<2>().rowwise().norm() * view_.unit).cast<float>()));
+    program.set("viewAxes", Eigen::Matrix3f(
+                                view_.imageFromWorld.leftCols<3>().rowwise().normalized().cast<float>()));
     setRegions(program, regions_);
 }
 
@@ -343,6 +345,7 @@ Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTarg
     const GlProgram& program = program_ != nullptr ? *program_ : *programs.volume;
     setPartUniforms(program, volume, part);
     program.setTexture("vertices", 3, volume.buffers->vertices.texture.name(), gl::textureBuffer);
+    program.setTexture("gradients", 7, volume.buffers->gradients.texture.name(), gl::textureBuffer);
     program.set("layered", layers.behind != 0 ? 1 : 0);
     program.setTexture("opaqueDepth", 0, layers.opaqueDepth);
     program.setTexture("layerBefore", 1, layers.before);

@@ -14,6 +14,11 @@ struct alignas(16) ProjectedVertex {
     float u, v, w, value;
 };
 
+/// The field's gradient at a vertex for light, in any unit: right, down, and away from the eye.
+struct alignas(16) VertexGradient {
+    float right, down, away, unused;
+};
+
 /// The corners of eight cells, a lane each.
 struct CellCorners {
     Float8 u[4], v[4], w[4], value[4];
@@ -59,16 +64,26 @@ TETRA_SIMD_INLINE void transposeBack(Float8 a, Float8 b, Float8 c, Float8 d, Flo
     }
 }
 
+/// What one corner of eight cells has, four numbers a vertex: lane i gets those of cells[i].
+template <class Vertex> TETRA_SIMD_INLINE void loadCorner(const Vertex* vertices,
+                                                          const std::array<std::uint32_t, 4>* const (&cells)[8],
+                                                          std::size_t corner, Float8& a, Float8& b, Float8& c,
+                                                          Float8& d)
+{
+    Float4 rows[8];
+    static_assert(sizeof(Vertex) == sizeof(Float4));
+    for (std::size_t lane = 0; lane < 8; ++lane)
+        std::memcpy(&rows[lane], &vertices[(*cells[lane])[corner]], sizeof rows[lane]);
+    transpose(rows, a, b, c, d);
+}
+
 /// Lane i gets the corners of cells[i].
 TETRA_SIMD_INLINE void loadCorners(const ProjectedVertex* vertices,
                                    const std::array<std::uint32_t, 4>* const (&cells)[8], CellCorners& corners)
 {
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        Float4 rows[8];
-        for (std::size_t lane = 0; lane < 8; ++lane)
-            std::memcpy(&rows[lane], &vertices[(*cells[lane])[corner]], sizeof rows[lane]);
-        transpose(rows, corners.u[corner], corners.v[corner], corners.w[corner], corners.value[corner]);
-    }
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        loadCorner(vertices, cells, corner, corners.u[corner], corners.v[corner], corners.w[corner],
+                   corners.value[corner]);
 }
 
 TETRA_SIMD_INLINE void makePlanes(const CellCorners& c, CellPlanes& planes)

@@ -57,9 +57,6 @@ private:
 };
 
 static_assert(blockWidth == 4 && blockHeight == 2, "lanes are named by their place in the block");
-constexpr Float8 laneX = {0, 1, 2, 3, 0, 1, 2, 3};
-constexpr Float8 laneY = {0, 0, 0, 0, 1, 1, 1, 1};
-
 TETRA_SIMD_INLINE Float8 atLanes(const AffineFunction& function, float x, float y)
 {
     return function.a * (laneX + x) + (function.b * (laneY + y) + function.c);
@@ -116,7 +113,7 @@ public:
                 for (int i = 0; i < 7; ++i)
                     now[i] += right[i] * static_cast<float>(left - cell.left);
             }
-            addRow(cell, now, right, blocks_ + std::ptrdiff_t(row) * columns_ + left, end - left);
+            addRow(cell, now, right, left, row, end - left);
             for (int i = 0; i < 7; ++i)
                 rows[i] += down[i];
         }
@@ -136,14 +133,14 @@ public:
             if constexpr (lanes == 16)
                 if (i + 1 < count_ && next[0].cell == next[1].cell &&
                     (extras != KernelFeatures::All || next[1].meets == nullptr)) {
-                    shadeTwo<perspective, extras>(next[0], next[1], shading_.segments, shading_.depth);
+                    shadeTwo<perspective, extras>(next[0], next[1], shading_);
                     i += 2;
                     continue;
                 }
             if constexpr (lanes == 4)
-                shadeHalves<perspective, extras>(*next, shading_.segments, shading_.depth);
+                shadeHalves<perspective, extras>(*next, shading_);
             else
-                shadeOne<perspective, extras>(*next, shading_.segments, shading_.depth);
+                shadeOne<perspective, extras>(*next, shading_);
             ++i;
         }
         shaded_ += static_cast<std::size_t>(count_);
@@ -168,9 +165,12 @@ private:
             shadeAmongSurfaces<perspective, Float8>(covered, 0, shading_);
     }
 
-    TETRA_SIMD_INLINE void addRow(const CellSetup& cell, Float8 (&now)[7], const float (&right)[7], SampleBlock* block,
+    TETRA_SIMD_INLINE void addRow(const CellSetup& cell, Float8 (&now)[7], const float (&right)[7], int column, int row,
                                   int count)
     {
+        SampleBlock* block = blocks_ + std::ptrdiff_t(row) * columns_ + column;
+        [[maybe_unused]] float x = static_cast<float>(column * blockWidth);
+        [[maybe_unused]] const float y = static_cast<float>(row * blockHeight);
         if (count_ > capacity - longestRow)
             shade();
         for (; count > 0; --count, ++block) {
@@ -207,8 +207,12 @@ private:
             next.slope = now[6];
             next.block = block;
             next.cell = &cell;
-            if constexpr (extras == KernelFeatures::All)
+            if constexpr (extras == KernelFeatures::All) {
                 next.meets = limits != nullptr && meetsSurface(next, limits->next) ? limits : nullptr;
+                next.x = x;
+                next.y = y;
+                x += blockWidth;
+            }
             count_ += covers ? 1 : 0;
             for (int i = 0; i < 7; ++i)
                 now[i] += right[i];

@@ -21,8 +21,77 @@ template <class Lanes> struct CellRays {
     Lanes enter, leave;       ///< w where they come in and go out
 };
 
-template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
-shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments, Gathered<Lanes>& gathered)
+/// Where lit rays are: their samples in the tile, and for one unit of w how far they go right and down, and how long
+/// they are.
+template <class Lanes> struct LitRays {
+    Lanes x, y;
+    Lanes right, down, ray;
+};
+
+/// `x`, `y`: samples of the tile.
+template <class Lanes>
+TETRA_SIMD_INLINE LitRays<Lanes> litRays(const TileShading& shading, Lanes x, Lanes y, Lanes ray)
+{
+    return {x, y, (x + shading.firstX) * shading.slopePerSample[0], (y + shading.firstY) * shading.slopePerSample[1],
+            ray};
+}
+
+template <class Lanes> TETRA_SIMD_INLINE Lanes squareRoot(Lanes square)
+{
+    constexpr int count = static_cast<int>(sizeof(Lanes) / sizeof(float));
+    float roots[count];
+    std::memcpy(roots, &square, sizeof roots);
+    for (float& root : roots)
+        root = std::sqrt(root);
+    Lanes result;
+    std::memcpy(&result, roots, sizeof roots);
+    return result;
+}
+
+/// The light at places w of rays through a cell, as that of a surface across the gradient (shading.h); what no gradient
+/// tells is left as it is.
+template <bool perspective, class Lanes>
+TETRA_SIMD_INLINE void lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& factor,
+                               Lanes& highlight)
+{
+    constexpr float leastSquare = 1e-12f; // of a gradient, of the longest
+    Lanes components[3];
+    for (int i = 0; i < 3; ++i) {
+        const AffineFunction& of = light.components[i];
+        const Lanes slope = of.a * rays.x + (of.b * rays.y + of.c);
+        components[i] = perspective ? slope * w + of.more : slope - of.more * w;
+    }
+    const auto& [right, down, away] = components;
+    const Lanes along = right * rays.right + down * rays.down + away;
+    const Lanes square = right * right + down * down + away * away;
+    const auto known = square > leastSquare;
+    const Lanes ones = Lanes{} + 1.0f;
+    const Lanes squaredCosine = smaller(along * along / ((known ? square : ones) * rays.ray * rays.ray), ones);
+    Lanes power = squaredCosine;
+    for (int doubled = 0; doubled < 4; ++doubled)
+        power *= power;
+    factor = known ? Shading::ambient + Shading::diffuse * squareRoot(squaredCosine) : ones;
+    highlight = known ? Shading::specular * power : Lanes{};
+}
+
+/// The light is taken where a ray comes in and goes out, and is affine between.
+template <bool perspective, class Lanes>
+TETRA_SIMD_INLINE LightAlong<Lanes> lightAlong(const CellLight& light, const LitRays<Lanes>& lit,
+                                               const CellRays<Lanes>& rays)
+{
+    LightAlong<Lanes> along;
+    Lanes factorOut, highlightOut;
+    lightAt<perspective>(light, lit, rays.enter, along.factorIn, along.highlightIn);
+    lightAt<perspective>(light, lit, rays.leave, factorOut, highlightOut);
+    along.factorRise = factorOut - along.factorIn;
+    along.highlightRise = highlightOut - along.highlightIn;
+    return along;
+}
+
+/// `lit`: where the rays are if the cell may be lit; else null.
+template <bool perspective, class Lanes>
+TETRA_SIMD_INLINE void shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments,
+                             Gathered<Lanes>& gathered, const LitRays<Lanes>* lit)
 {
     const Lanes ones = Lanes{} + 1.0f;
     const Lanes front = rays.front > rays.back ? rays.front : ones;
@@ -41,32 +110,18 @@ shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segment
         valueOut = rays.slope + cell.constant * back;
     }
     const Lanes length = (rays.leave - rays.enter) * rays.ray;
-    if (cell.simple)
-        addSlab(gathered, segments[cell.firstSegment], cell.thickness, valueIn, valueOut, length);
+    const auto addAll = [&](const auto& light) __attribute__((always_inline))
+    {
+        if (cell.simple)
+            addSlab(gathered, segments[cell.firstSegment], cell.thickness, valueIn, valueOut, length, light, Lanes{},
+                    ones);
+        else
+            addSlices(gathered, segments, cell, valueIn, valueOut, length, light);
+    };
+    if (lit != nullptr && cell.light != nullptr)
+        addAll(lightAlong<perspective>(*cell.light, *lit, rays));
     else
-        addSlices(gathered, segments, cell, valueIn, valueOut, length);
-}
-
-/// Lights what a cell added, as a surface across the gradient would be lit (shading.h). The cosine between the gradient
-/// and a ray is the value's change for one unit of w, over that for one unit of length along the gradient and the ray's
-/// length for one unit of w.
-template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
-relight(Gathered<Lanes>& gathered, const Gathered<Lanes>& before, const CellRays<Lanes>& rays, const CellSetup& cell)
-{
-    const Lanes ones = Lanes{} + 1.0f;
-    Lanes change = Lanes{} + cell.constant;
-    if constexpr (perspective)
-        change = rays.slope;
-    const Lanes cosine = smaller(larger(change, -change) * cell.perGradient / rays.ray, ones);
-    const Lanes factor = Shading::ambient + Shading::diffuse * cosine;
-    Lanes power = cosine * cosine;
-    for (int doubled = 0; doubled < 4; ++doubled)
-        power *= power;
-    const Lanes opacity = before.transmittance - gathered.transmittance;
-    const Lanes specular = Shading::specular * power * opacity;
-    gathered.red = before.red + smaller((gathered.red - before.red) * factor + specular, opacity);
-    gathered.green = before.green + smaller((gathered.green - before.green) * factor + specular, opacity);
-    gathered.blue = before.blue + smaller((gathered.blue - before.blue) * factor + specular, opacity);
+        addAll(NoLight{});
 }
 
 /// Shades blocks that a cell covers. For use inside functions compiled for several instruction sets.
@@ -77,7 +132,12 @@ struct CoveredBlock {
     SampleBlock* block;
     const CellSetup* cell;
     BlockLimits* meets; ///< the block's, if one of its rays meets a surface in the cell or before it
+    float x, y;         ///< of its first sample in the tile; of KernelFeatures::All
 };
+
+inline constexpr Float8 laneX = {0, 1, 2, 3, 0, 1, 2, 3};
+inline constexpr Float8 laneY = {0, 0, 0, 0, 1, 1, 1, 1};
+
 
 /// What is drawn beside the cells' own slabs.
 enum class KernelFeatures {
@@ -110,23 +170,23 @@ TETRA_SIMD_INLINE void store(SampleBlock& block, Float8 red, Float8 green, Float
 }
 
 template <bool perspective, KernelFeatures extras>
-TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const ScaledSegment* segments, bool depth)
+TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const TileShading& shading)
 {
     SampleBlock& block = *covered.block;
     CellRays<Float8> rays = {covered.front, covered.back, covered.slope, block.ray, {}, {}};
     Gathered<Float8> gathered = {block.red, block.green, block.blue, block.transmittance};
-    shade<perspective>(rays, *covered.cell, segments, gathered);
-    if constexpr (extras == KernelFeatures::All)
-        if (covered.cell->perGradient > 0)
-            relight<perspective>(gathered, {block.red, block.green, block.blue, block.transmittance}, rays,
-                                 *covered.cell);
-    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth))
+    if constexpr (extras == KernelFeatures::All) {
+        const auto lit = litRays(shading, laneX + covered.x, laneY + covered.y, block.ray);
+        shade<perspective>(rays, *covered.cell, shading.segments, gathered, &lit);
+    } else
+        shade<perspective, Float8>(rays, *covered.cell, shading.segments, gathered, nullptr);
+    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && shading.depth))
         keepDepth(block, 0, gathered.transmittance, rays.enter, rays.leave);
     store(block, gathered.red, gathered.green, gathered.blue, gathered.transmittance);
 }
 
 template <bool perspective, KernelFeatures extras>
-TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegment* segments, bool depth)
+TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const TileShading& shading)
 {
     SampleBlock& block = *covered.block;
     const Halves front = halvesOf(covered.front), back = halvesOf(covered.back), slope = halvesOf(covered.slope);
@@ -134,16 +194,16 @@ TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegm
     const Halves red = halvesOf(block.red), green = halvesOf(block.green), blue = halvesOf(block.blue);
     CellRays<Float4> rays[2] = {{front.low, back.low, slope.low, ray.low, {}, {}},
                                 {front.high, back.high, slope.high, ray.high, {}, {}}};
-    const Gathered<Float4> before[2] = {{red.low, green.low, blue.low, left.low},
-                                        {red.high, green.high, blue.high, left.high}};
-    Gathered<Float4> gathered[2] = {before[0], before[1]};
-    for (int half = 0; half < 2; ++half) {
-        shade<perspective>(rays[half], *covered.cell, segments, gathered[half]);
-        if constexpr (extras == KernelFeatures::All)
-            if (covered.cell->perGradient > 0)
-                relight<perspective>(gathered[half], before[half], rays[half], *covered.cell);
-    }
-    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth))
+    Gathered<Float4> gathered[2] = {{red.low, green.low, blue.low, left.low},
+                                    {red.high, green.high, blue.high, left.high}};
+    for (int half = 0; half < 2; ++half)
+        if constexpr (extras == KernelFeatures::All) {
+            const Float4 x = Float4{0, 1, 2, 3} + covered.x, y = Float4{} + (covered.y + static_cast<float>(half));
+            const auto lit = litRays(shading, x, y, half == 0 ? ray.low : ray.high);
+            shade<perspective>(rays[half], *covered.cell, shading.segments, gathered[half], &lit);
+        } else
+            shade<perspective, Float4>(rays[half], *covered.cell, shading.segments, gathered[half], nullptr);
+    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && shading.depth))
         keepDepth(block, 0, whole(gathered[0].transmittance, gathered[1].transmittance),
                   whole(rays[0].enter, rays[1].enter), whole(rays[0].leave, rays[1].leave));
     store(block, whole(gathered[0].red, gathered[1].red), whole(gathered[0].green, gathered[1].green),
@@ -163,9 +223,9 @@ TETRA_SIMD_INLINE Float8 highHalf(Float16 lanes)
     return __builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
-/// Two blocks of one cell. `depth`: whether it is wanted, of KernelFeatures::All.
-template <bool perspective, KernelFeatures extras> TETRA_SIMD_INLINE void
-shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment* segments, bool depth)
+/// Two blocks of one cell.
+template <bool perspective, KernelFeatures extras>
+TETRA_SIMD_INLINE void shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const TileShading& shading)
 {
     SampleBlock &a = *one.block, &b = *other.block;
     CellRays<Float16> rays = {joined(one.front, other.front),
@@ -176,14 +236,13 @@ shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment
                               {}};
     Gathered<Float16> gathered = {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
                                   joined(a.transmittance, b.transmittance)};
-    shade<perspective>(rays, *one.cell, segments, gathered);
-    if constexpr (extras == KernelFeatures::All)
-        if (one.cell->perGradient > 0)
-            relight<perspective>(gathered,
-                                 {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
-                                  joined(a.transmittance, b.transmittance)},
-                                 rays, *one.cell);
-    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth)) {
+    if constexpr (extras == KernelFeatures::All) {
+        const auto lit = litRays(shading, joined(laneX + one.x, laneX + other.x), joined(laneY + one.y, laneY + other.y),
+                                 rays.ray);
+        shade<perspective>(rays, *one.cell, shading.segments, gathered, &lit);
+    } else
+        shade<perspective, Float16>(rays, *one.cell, shading.segments, gathered, nullptr);
+    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && shading.depth)) {
         keepDepth(a, 0, lowHalf(gathered.transmittance), lowHalf(rays.enter), lowHalf(rays.leave));
         keepDepth(b, 0, highHalf(gathered.transmittance), highHalf(rays.enter), highHalf(rays.leave));
     }
@@ -220,6 +279,7 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
     const Lanes slope = lanesOf<Lanes>(covered.slope, first);
     const Lanes ray = lanesOf<Lanes>(block.ray, first);
     const auto inside = front > back;
+    const auto lit = litRays(shading, lanesOf<Lanes>(laneX + covered.x, first), lanesOf<Lanes>(laneY + covered.y, first), ray);
     bool more = true;
     while (more) {
         const Lanes next = lanesOf<Lanes>(limits.next, first);
@@ -227,12 +287,9 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
         const auto meets = inside & (next > back) & (before > opaqueThreshold);
         const Lanes end = meets ? (shading.splitCells ? smaller(next, front) : front) : back;
         CellRays<Lanes> rays = {front, end, slope, ray, {}, {}};
-        const Gathered<Lanes> unlit = {lanesOf<Lanes>(block.red, first), lanesOf<Lanes>(block.green, first),
-                                       lanesOf<Lanes>(block.blue, first), before};
-        Gathered<Lanes> gathered = unlit;
-        shade<perspective>(rays, *covered.cell, shading.segments, gathered);
-        if (covered.cell->perGradient > 0)
-            relight<perspective>(gathered, unlit, rays, *covered.cell);
+        Gathered<Lanes> gathered = {lanesOf<Lanes>(block.red, first), lanesOf<Lanes>(block.green, first),
+                                    lanesOf<Lanes>(block.blue, first), before};
+        shade<perspective>(rays, *covered.cell, shading.segments, gathered, &lit);
         keepDepth(block, first, gathered.transmittance, rays.enter, rays.leave);
         putLanes(gathered.red, first, block.red);
         putLanes(gathered.green, first, block.green);

@@ -245,12 +245,9 @@ TETRA_SIMD_INLINE void collectLayer(const CellSetup& cell, bool fine, const Bord
     const Float8 back = to > from ? (perspective ? perTo : -to) : ones;
     // A part of the optical depth is that of a part of the way.
     CellRays<Float8> rays = {front, back, slope, block.ray * weight, {}, {}};
-    const Gathered<Float8> before = {{}, {}, {}, ones};
-    Gathered<Float8> gathered = before;
-    shade<perspective>(rays, cell, tile.segments, gathered);
-    rays.ray = block.ray;
-    if (cell.perGradient > 0)
-        relight<perspective>(gathered, before, rays, cell);
+    Gathered<Float8> gathered = {{}, {}, {}, ones};
+    const auto lit = litRays(tile.shading, laneX + place.x(), laneY + place.y(), block.ray);
+    shade<perspective>(rays, cell, tile.shading.segments, gathered, &lit);
     for (int lane = 0; lane < 8; ++lane)
         if (to[lane] > from[lane] && gathered.transmittance[lane] < 1) {
             const int x = place.column * blockWidth + lane % blockWidth;
@@ -309,7 +306,7 @@ TETRA_SIMD_INLINE void collect(std::span<const CellSetup> cells, bool fine, cons
             continue;
         for (int row = cell.top; row < cell.bottom; ++row)
             for (int column = cell.left; column < cell.right; ++column)
-                if (tile.perspective)
+                if (tile.shading.perspective)
                     collectBlock<true>(cell, fine, tile, {column, row}, fragments);
                 else
                     collectBlock<false>(cell, fine, tile, {column, row}, fragments);

@@ -93,8 +93,7 @@ struct BorderTile {
     std::span<const BlockInterval> intervals; ///< for each block
     std::span<const SampleBlock> blocks;
     int columns = 0; ///< blocks a row
-    const ScaledSegment* segments = nullptr;
-    bool perspective = true;
+    const TileShading& shading; ///< of the volume that is drawn
 };
 
 /// Adds what `cells` show in the border, weighted as those of the fine volume or of the other, in no order: the ways

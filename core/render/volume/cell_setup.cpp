@@ -23,6 +23,7 @@ struct SetupRows {
     Float4 faces[6][8]; ///< a, b, c of the bound; after the cell's four, what does not bind as a front and as a back
     Float4 slopes[8];   ///< a, b, c
     Float4 fields[8];   ///< the constant, smallest, largest
+    Float4 lights[3][8]; ///< of CellLight; if cells are lit
     Int8 fronts;        ///< bit f: face f is seen from outside
     Int8 simple, flat;  ///< 0 or 1
     Int8 thickness, direction;
@@ -94,34 +95,69 @@ TETRA_SIMD_INLINE Int8 directionOf(Float8 a, Float8 b, Float8 c, Float8 constant
     return lowest > 0.0f ? Int8{} + rising : mixed;
 }
 
+/// An affine function of (u, v, w) in the cells from its values at their corners, as a function of the samples.
+struct CellFunction {
+    Float8 u, v, slope, constant;
+
+    TETRA_SIMD_INLINE CellFunction(const CellCorners& c, const CellPlanes& planes, Float8 perVolume,
+                                   const Float8 (&values)[4], Float8 origin, bool perspective)
+    {
+        Float8 w = {};
+        u = v = Float8{};
+        for (int i = 1; i < 4; ++i) {
+            const Float8 difference = (values[i] - values[0]) * perVolume;
+            u += difference * planes.u[i];
+            v += difference * planes.v[i];
+            w += difference * planes.w[i];
+        }
+        const Float8 atOrigin = values[0] - (u * c.u[0] + v * c.v[0] + w * c.w[0]) - origin;
+        slope = perspective ? w : atOrigin;
+        constant = perspective ? atOrigin : -w;
+    }
+};
+
+/// -1 where a cell is thick enough to tell how something changes across it.
+TETRA_SIMD_INLINE Int8 hasTrustedGradient(const CellCorners& c, const CellPlanes& planes)
+{
+    return magnitude(planes.volume) > extent(c.u) * extent(c.v) * extent(c.w) * thinnestCell;
+}
+
 TETRA_SIMD_INLINE void makeField(const CellCorners& c, const CellPlanes& planes, bool perspective,
                                  Float8 roundingVolume, const TransferOfCells& transfer, const BinnedCell* binned,
                                  SetupRows& rows)
 {
     const Float8 safe = magnitude(planes.volume) > 1e-36f ? planes.volume : Float8{} + 1e-36f;
-    const Float8 scale = 1.0f / safe;
-    Float8 u = {}, v = {}, w = {};
-    for (int i = 1; i < 4; ++i) {
-        const Float8 difference = (c.value[i] - c.value[0]) * scale;
-        u += difference * planes.u[i];
-        v += difference * planes.v[i];
-        w += difference * planes.w[i];
-    }
     const Float8 volume = magnitude(planes.volume);
-    const Float8 thin = extent(c.u) * extent(c.v) * extent(c.w) * thinnestCell;
     const Int8 hasVolume = volume > largerOf(roundingVolume, Float8{} + 1e-35f);
-    const Int8 isSimple = transfer.oneSegment & (volume > thin);
-    const Float8 atOrigin =
-        c.value[0] - (u * c.u[0] + v * c.v[0] + w * c.w[0]) - (isSimple ? transfer.origin : Float8{});
-    const Float8 slope = perspective ? w : atOrigin;
-    const Float8 constant = perspective ? atOrigin : -w;
-    transposeBack(u, v, slope, Float8{}, rows.slopes);
-    transposeBack(constant, smallerOf(smallerOf(c.value[0], c.value[1]), smallerOf(c.value[2], c.value[3])),
+    const Int8 isSimple = transfer.oneSegment & hasTrustedGradient(c, planes);
+    const CellFunction value(c, planes, 1.0f / safe, c.value, isSimple ? transfer.origin : Float8{}, perspective);
+    transposeBack(value.u, value.v, value.slope, Float8{}, rows.slopes);
+    transposeBack(value.constant, smallerOf(smallerOf(c.value[0], c.value[1]), smallerOf(c.value[2], c.value[3])),
                   largerOf(largerOf(c.value[0], c.value[1]), largerOf(c.value[2], c.value[3])), Float8{}, rows.fields);
     rows.flat = ~hasVolume & 1;
     rows.simple = isSimple & 1;
-    const Int8 direction = directionOf(u, v, slope, constant, binned, perspective);
+    const Int8 direction = directionOf(value.u, value.v, value.slope, value.constant, binned, perspective);
     rows.direction = isSimple ? Int8{} + static_cast<int>(Direction::Mixed) : direction;
+}
+
+/// `trusted`: -1 where the gradient's change along a cell is; in others it is the mean of those at the corners.
+TETRA_SIMD_INLINE void makeLight(const VertexGradient* gradients, const std::array<std::uint32_t, 4>* const (&cells)[8],
+                                 const CellCorners& c, const CellPlanes& planes, Int8 trusted, bool perspective,
+                                 SetupRows& rows)
+{
+    const Float8 safe = magnitude(planes.volume) > 1e-36f ? planes.volume : Float8{} + 1e-36f;
+    const Float8 perVolume = trusted ? 1.0f / safe : Float8{};
+    Float8 components[3][4], unused;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        loadCorner(gradients, cells, corner, components[0][corner], components[1][corner], components[2][corner],
+                   unused);
+    for (int i = 0; i < 3; ++i) {
+        Float8(&values)[4] = components[i];
+        const Float8 mean = (values[0] + values[1] + values[2] + values[3]) * 0.25f;
+        values[0] = trusted ? values[0] : mean;
+        const CellFunction along(c, planes, perVolume, values, Float8{}, perspective);
+        transposeBack(along.u, along.v, along.slope, along.constant, rows.lights[i]);
+    }
 }
 
 /// `binned` are eight cells.
@@ -148,6 +184,9 @@ TETRA_SIMD_INLINE void setUpRows(const SetupSource& source, const TileFrame& fra
     const Float8 roundingVolume =
         setupRounding * (farU * widthV * widthW + farV * widthU * widthW + farW * widthU * widthV);
     makeField(corners, planes, perspective, roundingVolume, transfer, binned, rows);
+    if (!source.gradients.empty())
+        makeLight(source.gradients.data(), cells, corners, planes, hasTrustedGradient(corners, planes), perspective,
+                  rows);
     const Float8 depth = transfer.extinction * widthW * frame.longestRay;
     rows.thickness = -(depth > faintDepth) - (depth > 1.0f);
 }
@@ -205,7 +244,7 @@ void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, c
     setup.constant = rows.fields[row][0];
     setup.smallest = rows.fields[row][1];
     setup.largest = rows.fields[row][2];
-    setup.perGradient = source.shaded ? perGradientOf(rows, row, source, frame) : 0;
+    setup.perGradient = source.measured ? perGradientOf(rows, row, source, frame) : 0;
     const CellClass ofCell = source.classes[binned.cell];
     setup.firstSegment = ofCell.first;
     setup.lastSegment = ofCell.last;
@@ -218,6 +257,13 @@ void finish(const SetupRows& rows, std::size_t row, const SetupSource& source, c
     setup.simple = rows.simple[row] != 0;
     setup.flat = rows.flat[row] != 0 || fronts == allFaces;
     setup.around = fronts == 0;
+}
+
+const CellLight& takeLight(const SetupRows& rows, std::size_t row, CellLight& light)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        light.components[i] = functionOf(rows.lights[i][row]);
+    return light;
 }
 
 /// `cells` are eight.
@@ -253,7 +299,7 @@ void fetchCorners(const SetupSource& source, std::span<const BinnedCell> cells)
 }
 
 void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<const BinnedCell> cells,
-                std::span<CellSetup> setups)
+                std::span<CellSetup> setups, std::span<CellLight> lights)
 {
     SetupRows rows;
     fillFarBounds(rows);
@@ -265,8 +311,12 @@ void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<con
         TransferOfCells transfer;
         askTransfer(source, eight, transfer);
         dispatch<setUpRows>(source, frame, transfer, eight, rows);
-        for (std::size_t row = 0; row < count; ++row)
+        for (std::size_t row = 0; row < count; ++row) {
             finish(rows, row, source, frame, eight[row], setups[first + row]);
+            setups[first + row].light = nullptr;
+            if (!source.gradients.empty())
+                setups[first + row].light = &takeLight(rows, row, lights[first + row]);
+        }
     }
 }
 

@@ -12,7 +12,7 @@ namespace tetra {
 /// a x + b y + c; x and y in samples from a tile's first.
 struct alignas(16) AffineFunction {
     float a, b, c;
-    float unused;
+    float more; ///< what a user of it keeps with it
 };
 
 /// The largest optical depth that a ray through a cell may have.
@@ -29,6 +29,13 @@ enum class Direction : std::uint8_t {
     Mixed, ///< one or the other from ray to ray
 };
 
+/// The field's gradient in a cell whose light changes along the rays, between those at its corners. Each component is a
+/// function like the value of CellSetup: components[i] is slope(x, y) / q + constant in perspective, else slope(x, y) +
+/// constant * q. The components are those right, down and away from the eye (VertexGradient).
+struct CellLight {
+    AffineFunction components[3]; ///< the slopes, with the constant as the fourth number
+};
+
 /// A cell made ready to be drawn in a tile.
 ///
 /// With q = 1 / w in perspective, else -w, each face's plane is affine in the tile: q = bound(x, y). A ray is inside
@@ -40,7 +47,8 @@ struct CellSetup {
     AffineFunction functions[7];
     float constant;
     float smallest, largest; ///< values
-    float perGradient; ///< 1 / length of the gradient if the cell is lit, else 0; see relight() in block_shading.h
+    float perGradient;      ///< 1 / length of the gradient, if wanted; 0 without one
+    const CellLight* light; ///< null if the cell is not lit
     std::uint16_t firstSegment, lastSegment;
     std::uint8_t left, top, right, bottom; ///< blocks of the tile
     Thickness thickness;
@@ -57,7 +65,8 @@ struct SetupSource {
     std::span<const CellClass> classes;
     std::span<const ScaledSegment> segments;
     bool perspective = true;
-    bool shaded = false; ///< cells are lit
+    std::span<const VertexGradient> gradients{}; ///< of the vertices if cells are lit, else none
+    bool measured = false;                       ///< CellSetup::perGradient is wanted
     /// How long u and v are for one unit of length across the view, in units of w for one along it.
     std::array<float, 2> lengths{1, 1};
 };
@@ -77,8 +86,8 @@ inline constexpr float farBound = 1e30f;
 void fetchCells(const SetupSource& source, std::span<const BinnedCell> cells);
 void fetchCorners(const SetupSource& source, std::span<const BinnedCell> cells);
 
-/// Sets up `cells` into as many `setups`.
+/// Sets up `cells` into as many `setups`, which refer to as many `lights` if the source has gradients.
 void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<const BinnedCell> cells,
-                std::span<CellSetup> setups);
+                std::span<CellSetup> setups, std::span<CellLight> lights);
 
 } // namespace tetra

@@ -22,6 +22,7 @@ namespace tetra {
 struct ProjectedVolume {
     ScaledSegments scaled;
     ProjectedVertices projected;
+    Buffer<VertexGradient> gradients; ///< of the vertices if it is lit, else none
     CellBins bins;
 };
 
@@ -29,11 +30,11 @@ struct ProjectedVolume {
 /// tiles), on all threads of the current arena. Incomplete if cancelled. May throw std::bad_alloc.
 ProjectedVolume projectVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer,
                               std::span<const std::uint32_t> order, const VolumeView& view, const TileGrid& grid,
-                              const Progress& progress);
+                              bool lit, const Progress& progress);
 
 /// What its cells are set up from; all arguments must outlive it.
 SetupSource setupSourceOf(const VolumeMesh& mesh, const VolumeTransfer& transfer, const ProjectedVolume& volume,
-                          const VolumeView& view, bool shaded);
+                          const VolumeView& view);
 
 /// What drawing by the volume's optical model needs; nothing if it has none. `volume` outlives it.
 std::optional<TileModel> tileModelOf(const Volume& volume, const ProjectedVolume& projected, const VolumeView& view);

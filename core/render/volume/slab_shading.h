@@ -63,9 +63,81 @@ template <class Lanes> struct Gathered {
     Lanes red, green, blue, transmittance;
 };
 
+/// The colours along a slab that no light changes: those of its segment.
+struct SegmentColours {
+    template <class Lanes>
+    TETRA_SIMD_INLINE void add(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn, Lanes valueOut,
+                               Lanes opacity, Lanes weight) const
+    {
+        const Lanes value = valueIn * opacity + (valueOut - valueIn) * weight;
+        gathered.red += segment.colour[0] * opacity + segment.colourPerValue[0] * value;
+        gathered.green += segment.colour[1] * opacity + segment.colourPerValue[1] * value;
+        gathered.blue += segment.colour[2] * opacity + segment.colourPerValue[2] * value;
+    }
+    /// Those of a part that begins at a share of the slab and is a share of it.
+    template <class Lanes> TETRA_SIMD_INLINE SegmentColours part(Lanes, Lanes) const { return {}; }
+};
+
+/// The colours along a lit slab: affine along the ray.
+template <class Lanes> struct LitColours {
+    Lanes in[3], rise[3];
+
+    TETRA_SIMD_INLINE void add(Gathered<Lanes>& gathered, const ScaledSegment&, Lanes, Lanes, Lanes opacity,
+                               Lanes weight) const
+    {
+        gathered.red += in[0] * opacity + rise[0] * weight;
+        gathered.green += in[1] * opacity + rise[1] * weight;
+        gathered.blue += in[2] * opacity + rise[2] * weight;
+    }
+    TETRA_SIMD_INLINE LitColours part(Lanes from, Lanes share) const
+    {
+        LitColours some;
+        for (int channel = 0; channel < 3; ++channel) {
+            some.in[channel] = in[channel] + rise[channel] * from;
+            some.rise[channel] = rise[channel] * share;
+        }
+        return some;
+    }
+};
+
+/// No light on a ray's way through a cell.
+struct NoLight {
+    template <class Lanes>
+    TETRA_SIMD_INLINE SegmentColours coloursOf(const ScaledSegment&, Lanes, Lanes, Lanes, Lanes) const
+    {
+        return {};
+    }
+};
+
+/// The light on a ray's way through a cell: what a colour is multiplied by, and the highlight that is added to it. Both
+/// are affine along the way.
+template <class Lanes> struct LightAlong {
+    Lanes factorIn, factorRise, highlightIn, highlightRise;
+
+    /// The colours of a slab between two shares of the way: lit at its ends.
+    TETRA_SIMD_INLINE LitColours<Lanes> coloursOf(const ScaledSegment& segment, Lanes valueIn, Lanes valueOut,
+                                                  Lanes shareIn, Lanes shareOut) const
+    {
+        const Lanes ones = Lanes{} + 1.0f;
+        const Lanes factor = factorIn + factorRise * shareIn, factorOut = factorIn + factorRise * shareOut;
+        const Lanes highlight = highlightIn + highlightRise * shareIn;
+        const Lanes highlightOut = highlightIn + highlightRise * shareOut;
+        LitColours<Lanes> colours;
+        for (int channel = 0; channel < 3; ++channel) {
+            const float colour = segment.colour[channel], perValue = segment.colourPerValue[channel];
+            const Lanes in = smaller((colour + perValue * valueIn) * factor + highlight, ones);
+            const Lanes out = smaller((colour + perValue * valueOut) * factorOut + highlightOut, ones);
+            colours.in[channel] = in;
+            colours.rise[channel] = out - in;
+        }
+        return colours;
+    }
+};
+
 /// Adds a slab whose optical depth is at most 1, or faintDepth; values count from the segment's origin.
-template <bool faint, class Lanes> TETRA_SIMD_INLINE void
-addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn, Lanes valueOut, Lanes length)
+template <bool faint, class Lanes, class Colours> TETRA_SIMD_INLINE void
+addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn, Lanes valueOut, Lanes length,
+            const Colours& colours)
 {
     const Lanes in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
     const Lanes out = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
@@ -77,20 +149,19 @@ addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes value
         slabLight(depth, length * (out - in), slab);
     const Lanes opacity = slab.opacity * gathered.transmittance;
     const Lanes weight = slab.weight * gathered.transmittance;
-    const Lanes value = valueIn * opacity + (valueOut - valueIn) * weight;
-    gathered.red += segment.colour[0] * opacity + segment.colourPerValue[0] * value;
-    gathered.green += segment.colour[1] * opacity + segment.colourPerValue[1] * value;
-    gathered.blue += segment.colour[2] * opacity + segment.colourPerValue[2] * value;
+    colours.add(gathered, segment, valueIn, valueOut, opacity, weight);
     gathered.transmittance -= opacity;
 }
 
 /// Adds a slab of any optical depth, cut into thin ones.
-template <class Lanes> TETRA_SIMD_INLINE void addThickSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment,
-                                                           Lanes valueIn, Lanes valueOut, Lanes length)
+template <class Lanes, class Colours>
+TETRA_SIMD_INLINE void addThickSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn,
+                                    Lanes valueOut, Lanes length, const Colours& colours)
 {
     const Lanes in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
     const Lanes out = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
     float parts = 1;
+    Lanes seen = Lanes{} + 1.0f; // of the slab
     for (int lane = 0; lane < static_cast<int>(sizeof(Lanes) / sizeof(float)); ++lane) {
         // With s from 0 to 1 along the slab the optical depth before s is s (atStart + s rise).
         const float atStart = std::max(2 * length[lane] * in[lane], 0.0f);
@@ -100,6 +171,7 @@ template <class Lanes> TETRA_SIMD_INLINE void addThickSlab(Gathered<Lanes>& gath
             share = 2 * deepestSlab / (atStart + std::sqrt(std::max(atStart * atStart + 4 * rise * deepestSlab, 0.0f)));
             share = std::min(share, 1.0f);
             length[lane] *= share;
+            seen[lane] = share;
             valueOut[lane] = valueIn[lane] + share * (valueOut[lane] - valueIn[lane]);
         }
         parts = std::max({parts, share * atStart, share * (atStart + 2 * share * rise)});
@@ -107,25 +179,32 @@ template <class Lanes> TETRA_SIMD_INLINE void addThickSlab(Gathered<Lanes>& gath
     const float count = std::ceil(parts);
     const Lanes step = (valueOut - valueIn) * (1 / count);
     const Lanes part = length * (1 / count);
+    const Lanes share = seen * (1 / count);
     for (float i = 0; i < count; ++i)
-        addThinSlab<false>(gathered, segment, valueIn + i * step, valueIn + (i + 1) * step, part);
+        addThinSlab<false>(gathered, segment, valueIn + i * step, valueIn + (i + 1) * step, part,
+                           colours.part(i * share, share));
 }
 
-template <class Lanes> TETRA_SIMD_INLINE void addSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment,
-                                                      Thickness thickness, Lanes valueIn, Lanes valueOut, Lanes length)
+/// The slab lies between two shares of the ray's way through the cell.
+template <class Lanes, class Light>
+TETRA_SIMD_INLINE void addSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Thickness thickness,
+                               Lanes valueIn, Lanes valueOut, Lanes length, const Light& light, Lanes shareIn,
+                               Lanes shareOut)
 {
+    const auto colours = light.coloursOf(segment, valueIn, valueOut, shareIn, shareOut);
     if (thickness == Thickness::Faint)
-        addThinSlab<true>(gathered, segment, valueIn, valueOut, length);
+        addThinSlab<true>(gathered, segment, valueIn, valueOut, length, colours);
     else if (thickness == Thickness::Thin)
-        addThinSlab<false>(gathered, segment, valueIn, valueOut, length);
+        addThinSlab<false>(gathered, segment, valueIn, valueOut, length, colours);
     else
-        addThickSlab(gathered, segment, valueIn, valueOut, length);
+        addThickSlab(gathered, segment, valueIn, valueOut, length, colours);
 }
 
 /// Adds the slabs of rays that meet a cell's segments upwards, or downwards.
-template <class Lanes> TETRA_SIMD_INLINE void addSlicesOneWay(Gathered<Lanes>& gathered, const ScaledSegment* segments,
-                                                              const CellSetup& cell, bool upwards, Lanes valueIn,
-                                                              Lanes rise, Lanes perRise, Lanes length)
+template <class Lanes, class Light>
+TETRA_SIMD_INLINE void addSlicesOneWay(Gathered<Lanes>& gathered, const ScaledSegment* segments, const CellSetup& cell,
+                                       bool upwards, Lanes valueIn, Lanes rise, Lanes perRise, Lanes length,
+                                       const Light& light)
 {
     Lanes shareBefore = {};
     Lanes from = valueIn;
@@ -136,7 +215,7 @@ template <class Lanes> TETRA_SIMD_INLINE void addSlicesOneWay(Gathered<Lanes>& g
         const Lanes to = valueIn + share * rise;
         if (!segment.transparent)
             addSlab(gathered, segment, cell.thickness, from - segment.origin, to - segment.origin,
-                    length * (share - shareBefore));
+                    length * (share - shareBefore), light, shareBefore, share);
         shareBefore = share;
         from = to;
     }
@@ -144,9 +223,9 @@ template <class Lanes> TETRA_SIMD_INLINE void addSlicesOneWay(Gathered<Lanes>& g
 
 /// Adds the part of a ray through a cell with the knots of several segments: a slab for each, in the order in which the
 /// ray meets them (R22).
-template <class Lanes> TETRA_SIMD_INLINE void addSlices(Gathered<Lanes>& gathered, const ScaledSegment* segments,
-                                                        const CellSetup& cell, Lanes valueIn, Lanes valueOut,
-                                                        Lanes length)
+template <class Lanes, class Light>
+TETRA_SIMD_INLINE void addSlices(Gathered<Lanes>& gathered, const ScaledSegment* segments, const CellSetup& cell,
+                                 Lanes valueIn, Lanes valueOut, Lanes length, const Light& light)
 {
     const Lanes lowest = Lanes{} + cell.smallest;
     const Lanes highest = Lanes{} + cell.largest;
@@ -159,12 +238,12 @@ template <class Lanes> TETRA_SIMD_INLINE void addSlices(Gathered<Lanes>& gathere
     const Lanes level = Lanes{} + (down ? -levelRise : levelRise);
     const Lanes perRise = 1.0f / (larger(rise, -rise) < levelRise ? level : rise);
     if (cell.direction != Direction::Mixed)
-        return addSlicesOneWay(gathered, segments, cell, !down, valueIn, rise, perRise, length);
+        return addSlicesOneWay(gathered, segments, cell, !down, valueIn, rise, perRise, length, light);
     // Comparisons stand where they choose: compilers do badly when they have to keep 16 of them.
-    addSlicesOneWay(gathered, segments, cell, true, valueIn, rise, perRise, perRise < 0.0f ? Lanes{} : length);
+    addSlicesOneWay(gathered, segments, cell, true, valueIn, rise, perRise, perRise < 0.0f ? Lanes{} : length, light);
     const Lanes falling = perRise < 0.0f ? length : Lanes{};
     if (anyPositive(falling))
-        addSlicesOneWay(gathered, segments, cell, false, valueIn, rise, perRise, falling);
+        addSlicesOneWay(gathered, segments, cell, false, valueIn, rise, perRise, falling, light);
 }
 
 /// Parts of a block's vectors, and several of them at a time. For use inside functions compiled for several instruction

@@ -49,7 +49,8 @@ bool isLimited(const TileSurroundings& surroundings)
 } // namespace
 
 VolumeTilePainter::VolumeTilePainter(const SetupSource& source, const VolumeView& view)
-    : source_(source), view_(view), blocks_(static_cast<std::size_t>(columns * rows)), setups_(cellsInBatch)
+    : source_(source), view_(view), blocks_(static_cast<std::size_t>(columns * rows)), setups_(cellsInBatch),
+      lights_(cellsInBatch)
 {
 }
 
@@ -94,7 +95,7 @@ void VolumeTilePainter::setLimits(const SampleRectangle& tile, const TileSurroun
         }
 }
 
-TileShading VolumeTilePainter::shadingOf(const TileSurroundings& surroundings)
+TileShading VolumeTilePainter::shadingOf(const SampleRectangle& tile, const TileSurroundings& surroundings)
 {
     const bool limited = isLimited(surroundings);
     TileShading shading;
@@ -102,7 +103,13 @@ TileShading VolumeTilePainter::shadingOf(const TileSurroundings& surroundings)
     shading.nearestBound = view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound;
     shading.perspective = view_.perspective;
     shading.depth = surroundings.depth;
-    shading.extras = limited || source_.shaded;
+    shading.extras = limited || !source_.gradients.empty();
+    shading.firstX = static_cast<float>(tile.left + view_.firstX());
+    shading.firstY = static_cast<float>(tile.top + view_.firstY());
+    if (view_.perspective) {
+        shading.slopePerSample[0] = static_cast<float>(1 / view_.samplesPerSlope.x());
+        shading.slopePerSample[1] = static_cast<float>(1 / view_.samplesPerSlope.y());
+    }
     shading.limits = limited ? limits_.data() : nullptr;
     shading.fragments = surroundings.surfaces != nullptr ? surroundings.surfaces->fragments.data() : nullptr;
     shading.splitCells = surroundings.splitCells;
@@ -149,7 +156,7 @@ void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCe
     fetchCells(source, batchFrom(cellsInBatch));
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += cellsInBatch) {
         const auto now = batchFrom(first);
-        setUpCells(source, frame, now, setups_);
+        setUpCells(source, frame, now, setups_, lights_);
         // What comes next is asked for before a long time of drawing.
         fetchCorners(source, batchFrom(first + cellsInBatch));
         fetchCells(source, batchFrom(first + 2 * cellsInBatch));
@@ -176,7 +183,7 @@ DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const 
     else if (surroundings.focus != nullptr && setIntervals(tile, *surroundings.focus->rays))
         drawWithFocus(tile, cells, surroundings, progress, drawn);
     else {
-        const TileShading shading = shadingOf(surroundings);
+        const TileShading shading = shadingOf(tile, surroundings);
         draw(source_, cells, tile, shading, progress, drawn);
         finish(tile, shading);
     }
@@ -254,7 +261,7 @@ void VolumeTilePainter::drawTotals(const SampleRectangle& tile, std::span<const 
                                    const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn)
 {
     totals_.assign(blocks_.size(), BlockTotal{{}, {}, {}, {}});
-    TileShading shading = shadingOf(surroundings);
+    TileShading shading = shadingOf(tile, surroundings);
     const std::vector<BlockLimits> whole = limits_;
     if (surroundings.surfaces != nullptr)
         endAtOpaque(*surroundings.surfaces);
@@ -319,18 +326,18 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
     const auto positions = fine ? focus.finePositions : focus.positions;
     const std::vector<FocusWeights> weights = focus.rays->weightsFrom(tile.left, tile.top);
     const TileFrame frame = frameOf(tile);
+    TileShading shading = shadingOf(tile, {});
+    shading.segments = source.segments.data();
     std::vector<BinnedCell> outside;
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += borderBatch) {
         outside.clear();
         for (const BinnedCell& cell : cells.subspan(first, std::min(borderBatch, cells.size() - first)))
             if (!focus.rays->holds(source.tetrahedra[cell.cell], positions))
                 outside.push_back(cell);
-        setUpCells(source, frame, outside, setups_);
+        setUpCells(source, frame, outside, setups_, lights_);
         for (const auto& intervals : intervals_)
             collectBorder(std::span(setups_).first(outside.size()), fine,
-                          {weights, tile, intervals, blocks_, volumeTileSide / blockWidth, source.segments.data(),
-                           view_.perspective},
-                          border_);
+                          {weights, tile, intervals, blocks_, volumeTileSide / blockWidth, shading}, border_);
     }
 }
 
@@ -373,7 +380,7 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
     TileSurroundings among = surroundings;
     among.surfaces = &amongBorder_;
     setLimits(tile, among);
-    TileShading shading = shadingOf(among);
+    TileShading shading = shadingOf(tile, among);
     shading.extras = true;
 
     const std::vector<BlockLimits> whole = limits_;

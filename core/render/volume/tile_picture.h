@@ -73,7 +73,7 @@ private:
                     const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn);
     void endAtOpaque(const SurfaceFragments& surfaces);
     void takeTotals(const TileShading& shading);
-    TileShading shadingOf(const TileSurroundings& surroundings);
+    TileShading shadingOf(const SampleRectangle& tile, const TileSurroundings& surroundings);
     TileFrame frameOf(const SampleRectangle& tile) const;
     bool allOpaque();
     void finish(const SampleRectangle& tile, const TileShading& shading);
@@ -83,6 +83,7 @@ private:
     std::vector<SampleBlock> blocks_;
     std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
+    std::vector<CellLight> lights_;
     std::size_t firstLit_ = 0;                          ///< all blocks before it are opaque
     std::vector<BlockTotal> totals_;                    ///< of the blocks, if there is a model
     std::vector<std::vector<BlockInterval>> intervals_; ///< of the blocks, if the tile meets a focus: FocusRays'

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,6 +175,28 @@ Eigen::AlignedBox3d boundsOf(const TetrahedralMesh& mesh)
     return bounds;
 }
 
+/// Lengths of 1 at most, so that squares of them are floats whatever the units; what is no number tells no direction.
+Buffer<Eigen::Vector3f> lightGradients(const TetrahedralMesh& mesh)
+{
+    Buffer<Eigen::Vector3f> gradients = vertexGradients(mesh);
+    const tbb::blocked_range<std::size_t> all(0, gradients.size(), 1 << 15);
+    const auto largestOf = [&](const tbb::blocked_range<std::size_t>& range, double largest) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+            if (gradients[i].allFinite())
+                largest = std::max(largest, gradients[i].cast<double>().norm());
+        return largest;
+    };
+    const double largest =
+        tbb::parallel_reduce(all, 0.0, largestOf, [](double one, double other) { return std::max(one, other); });
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+            gradients[i] = gradients[i].allFinite() && largest > 0
+                               ? Eigen::Vector3f((gradients[i].cast<double>() / largest).cast<float>())
+                               : Eigen::Vector3f(0, 0, 0);
+    });
+    return gradients;
+}
+
 } // namespace
 
 Result<VolumeMesh> makeVolumeMesh(std::shared_ptr<const TetrahedralMesh> mesh)
@@ -185,6 +208,7 @@ Result<VolumeMesh> makeVolumeMesh(std::shared_ptr<const TetrahedralMesh> mesh)
         result.adjacency = matchFaces(mesh->tetrahedra);
         result.bounds = boundsOf(*mesh);
         result.convex = hasConvexBoundary(*mesh, result.adjacency);
+        result.gradients = lightGradients(*mesh);
         result.mesh = std::move(mesh);
         return result;
     });

@@ -17,6 +17,8 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <atomic>
 
@@ -61,7 +63,7 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
 {
     progress.report(0, renderingVolume);
     const TileGrid grid = gridOf(view);
-    const ProjectedVolume volume = projectVolume(mesh, transfer, order, view, grid, progress);
+    const ProjectedVolume volume = projectVolume(mesh, transfer, order, view, grid, false, progress);
     if (progress.cancelled())
         return cancelledError(renderingVolume);
 
@@ -70,7 +72,7 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
     picture.samples.resize(samples);
     picture.depth.resize(options.depth ? samples : 0);
 
-    const SetupSource source = setupSourceOf(mesh, transfer, volume, view, false);
+    const SetupSource source = setupSourceOf(mesh, transfer, volume, view);
     const TileSurroundings surroundings{.depth = options.depth};
     SharedProgress tiles(progress.part(0.2, 1), static_cast<double>(grid.count()), renderingVolume);
     std::atomic<std::size_t> drawnCells = 0;
@@ -100,13 +102,43 @@ template <class Value, class Added> Buffer<Value> joined(const Buffer<Value>& va
     return all;
 }
 
+/// The gradients at the vertices of pieces: a piece has the field of its cell, and so its light.
+std::vector<Eigen::Vector3f> gradientsOfPieces(const VolumeMesh& mesh, const CellPieces& pieces)
+{
+    const TetrahedralMesh& whole = *mesh.mesh;
+    std::vector<Eigen::Vector3f> gradients(pieces.positions.size(), Eigen::Vector3f(0, 0, 0));
+    for (std::size_t piece = 0; piece < pieces.tetrahedra.size(); ++piece) {
+        const auto& corners = whole.tetrahedra[pieces.cells[piece]];
+        const Eigen::Vector3d& origin = whole.positions[corners[0]];
+        Eigen::Matrix3d edges;
+        Eigen::Matrix3f rises;
+        for (int edge = 0; edge < 3; ++edge) {
+            const std::uint32_t corner = corners[static_cast<std::size_t>(edge) + 1];
+            edges.col(edge) = whole.positions[corner] - origin;
+            rises.col(edge) = mesh.gradients[corner] - mesh.gradients[corners[0]];
+        }
+        const Eigen::Matrix3d shares = edges.inverse();
+        for (const std::uint32_t vertex : pieces.tetrahedra[piece])
+            if (vertex >= whole.positions.size()) {
+                const std::size_t added = vertex - whole.positions.size();
+                const Eigen::Vector3d at = shares * (pieces.positions[added] - origin);
+                gradients[added] = mesh.gradients[corners[0]] + rises * at.cast<float>();
+            }
+    }
+    return gradients;
+}
+
 /// The mesh with the pieces after its own cells, without their neighbours.
 VolumeMesh meshWithPieces(const VolumeMesh& mesh, const CellPieces& pieces)
 {
     const TetrahedralMesh& whole = *mesh.mesh;
     TetrahedralMesh cut{joined(whole.positions, pieces.positions), joined(whole.values, pieces.values),
                         joined(whole.tetrahedra, pieces.tetrahedra)};
-    return {std::make_shared<const TetrahedralMesh>(std::move(cut)), {}, mesh.bounds, mesh.convex};
+    return {std::make_shared<const TetrahedralMesh>(std::move(cut)),
+            {},
+            mesh.bounds,
+            mesh.convex,
+            joined(mesh.gradients, gradientsOfPieces(mesh, pieces))};
 }
 
 /// Pieces lie in no more segments than their cells.

@@ -23,10 +23,49 @@ Eigen::AlignedBox3d boundsOf(const TetrahedralMesh& mesh)
     return bounds;
 }
 
-/// A headlight's, of shading.h, on one channel.
-double lit(double channel, double cosine)
+bool isUsable(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners)
 {
-    return std::min(1.0, channel * (0.25 + 0.75 * cosine) + 0.15 * std::pow(cosine, 32));
+    return std::ranges::all_of(corners, [&](std::uint32_t corner) {
+        return mesh.positions[corner].allFinite() && std::isfinite(mesh.values[corner]);
+    });
+}
+
+Eigen::Matrix3d edgesOf(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners)
+{
+    Eigen::Matrix3d edges;
+    for (int i = 0; i < 3; ++i)
+        edges.col(i) = mesh.positions[corners[static_cast<std::size_t>(i) + 1]] - mesh.positions[corners[0]];
+    return edges;
+}
+
+/// For light, at each vertex.
+std::vector<Vector3d> gradientsForLight(const TetrahedralMesh& mesh)
+{
+    std::vector<Vector3d> sums(mesh.positions.size(), Vector3d::Zero());
+    std::vector<double> volumes(sums.size(), 0);
+    for (const auto& corners : mesh.tetrahedra) {
+        const Eigen::Matrix3d edges = edgesOf(mesh, corners);
+        const double volume = std::abs(edges.determinant());
+        if (!isUsable(mesh, corners) || volume == 0)
+            continue;
+        Vector3d rises;
+        for (int i = 0; i < 3; ++i)
+            rises[i] = double(mesh.values[corners[static_cast<std::size_t>(i) + 1]]) - mesh.values[corners[0]];
+        const Vector3d gradient = edges.inverse().transpose() * rises;
+        for (const std::uint32_t corner : corners) {
+            sums[corner] += volume * gradient;
+            volumes[corner] += volume;
+        }
+    }
+    double longest = 0;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        if (volumes[i] > 0)
+            sums[i] /= volumes[i];
+        longest = std::max(longest, sums[i].norm());
+    }
+    for (Vector3d& gradient : sums)
+        gradient /= longest > 0 ? longest : 1;
+    return sums;
 }
 
 } // namespace
@@ -41,30 +80,28 @@ RayIntegrator::RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction
         extinctions_.push_back(extinctionOf(point.opacity, function_.unitDistance));
         mostExtinction_ = std::max(mostExtinction_, extinctions_.back());
     }
-    for (const auto& corners : mesh.tetrahedra) {
-        const auto usable = [&](std::uint32_t corner) {
-            return mesh.positions[corner].allFinite() && std::isfinite(mesh.values[corner]);
-        };
-        if (std::ranges::all_of(corners, usable))
-            addCell(mesh, corners);
-    }
+    const std::vector<Vector3d> gradients = gradientsForLight(mesh);
+    for (const auto& corners : mesh.tetrahedra)
+        if (isUsable(mesh, corners))
+            addCell(mesh, corners, gradients);
 }
 
-void RayIntegrator::addCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners)
+void RayIntegrator::addCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners,
+                            const std::vector<Vector3d>& gradients)
 {
     Vector3d places[4];
     for (std::size_t i = 0; i < 4; ++i)
         places[i] = mesh.positions[corners[i]].cast<double>();
-    Eigen::Matrix3d edges;
-    edges << places[1] - places[0], places[2] - places[0], places[3] - places[0];
+    const Eigen::Matrix3d edges = edgesOf(mesh, corners);
     if (edges.determinant() == 0)
         return;
     Cell cell;
     cell.corner = places[0];
     cell.inverse = edges.inverse();
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; ++i) {
         cell.values[static_cast<int>(i)] = mesh.values[corners[i]];
-    cell.gradient = cell.inverse.transpose() * (cell.values.tail<3>() - Vector3d::Constant(cell.values[0]));
+        cell.gradients.col(static_cast<int>(i)) = gradients[corners[i]];
+    }
     cell.centre = (places[0] + places[1] + places[2] + places[3]) / 4;
     cell.squaredRadius = 0;
     for (const Vector3d& place : places)
@@ -112,8 +149,9 @@ bool RayIntegrator::cut(const Ray& ray, const Cell& cell, Piece& piece) const
     };
     piece.valueIn = valueAt(piece.enter);
     piece.valueOut = valueAt(piece.leave);
-    const double steepness = cell.gradient.norm();
-    piece.cosine = scene_.shaded && steepness > 0 ? std::abs(cell.gradient.dot(ray.direction)) / steepness : -1;
+    piece.cell = &cell;
+    piece.weights = weights;
+    piece.perLength = perLength;
     return true;
 }
 
@@ -170,39 +208,115 @@ TransferSample RayIntegrator::look(double value) const
 }
 
 /// A part of a cell in which the colour changes little; where knots are in it, cut in halves first.
-void RayIntegrator::step(Light& light, double length, double valueIn, double valueOut, double cosine, double at,
-                         int halvings) const
+void RayIntegrator::step(Light& light, double length, double valueIn, double valueOut, double at, int halvings) const
 {
     const auto isCrossed = [&](const auto& point) { return (point.value - valueIn) * (point.value - valueOut) < 0; };
     const bool crosses =
         std::ranges::any_of(function_.colours, isCrossed) || std::ranges::any_of(function_.opacities, isCrossed);
     if (halvings > 0 && crosses) {
         const double middle = (valueIn + valueOut) / 2;
-        step(light, length / 2, valueIn, middle, cosine, at, halvings - 1);
-        step(light, length / 2, middle, valueOut, cosine, at + length / 2, halvings - 1);
+        step(light, length / 2, valueIn, middle, at, halvings - 1);
+        step(light, length / 2, middle, valueOut, at + length / 2, halvings - 1);
         return;
     }
     const TransferSample sample = look((valueIn + valueOut) / 2);
-    const double through = std::exp(-sample.extinction * length);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const double colour = cosine < 0 ? sample.colour[channel] : lit(sample.colour[channel], cosine);
-        light.colour[channel] += light.left * (1 - through) * colour;
-    }
+    pass(light, {sample.colour[0], sample.colour[1], sample.colour[2]}, sample.extinction, length, at);
+}
+
+/// A length of one colour and extinction.
+void RayIntegrator::pass(Light& light, const std::array<double, 3>& colour, double extinction, double length,
+                         double at) const
+{
+    const double through = std::exp(-extinction * length);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        light.colour[channel] += light.left * (1 - through) * colour[channel];
     if (light.left > 0.5 && light.left * through <= 0.5)
-        light.halfAt = at + std::log(2 * light.left) / sample.extinction;
+        light.halfAt = at + std::log(2 * light.left) / extinction;
     light.left *= through;
 }
 
-/// From one part of a piece to another, both in [0, 1].
-void RayIntegrator::march(Light& light, const Piece& piece, double from, double to) const
+RayIntegrator::Falling RayIntegrator::fallingAt(const Ray& ray, const Piece& piece, double place) const
 {
+    const Vector3d gradient = piece.cell->gradients * (piece.weights + place * piece.perLength);
+    if (gradient.norm() < 1e-6)
+        return {};
+    const double cosine = std::min(1.0, std::abs(gradient.dot(ray.direction)) / gradient.norm());
+    return {0.25 + 0.75 * cosine, 0.15 * std::pow(cosine, 32)};
+}
+
+/// The values of points of the transfer function between two values, in the order from the first to the second.
+std::vector<double> RayIntegrator::knotsBetween(double valueIn, double valueOut) const
+{
+    std::vector<double> knots;
+    const auto add = [&](const auto& point) {
+        if ((point.value - valueIn) * (point.value - valueOut) < 0)
+            knots.push_back(point.value);
+    };
+    std::ranges::for_each(function_.colours, add);
+    std::ranges::for_each(function_.opacities, add);
+    std::ranges::sort(knots);
+    if (valueIn > valueOut)
+        std::ranges::reverse(knots);
+    return knots;
+}
+
+/// As march(), under light, slab by slab.
+void RayIntegrator::marchLit(const Ray& ray, Light& light, const Piece& piece, double from, double to) const
+{
+    const double enter = std::lerp(piece.enter, piece.leave, from), leave = std::lerp(piece.enter, piece.leave, to);
+    const double valueIn = std::lerp(piece.valueIn, piece.valueOut, from);
+    const double valueOut = std::lerp(piece.valueIn, piece.valueOut, to);
+    const Falling first = fallingAt(ray, piece, enter), last = fallingAt(ray, piece, leave);
+    std::vector<double> ends = knotsBetween(valueIn, valueOut);
+    ends.push_back(valueOut);
+    double value = valueIn, share = 0;
+    for (const double end : ends) {
+        const bool isLast = &end == &ends.back();
+        const double endShare = isLast ? 1 : (end - valueIn) / (valueOut - valueIn);
+        const auto colourAt = [&](double place, double at) {
+            // From within the slab, where the colours step at its ends.
+            const TransferSample sample = look(std::lerp(at, (value + end) / 2, 1e-9));
+            std::array<double, 3> lit{};
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                lit[channel] = std::min(1.0, sample.colour[channel] * std::lerp(first.factor, last.factor, place) +
+                                                 std::lerp(first.highlight, last.highlight, place));
+            return lit;
+        };
+        marchSlab(light, {std::lerp(enter, leave, share), std::lerp(enter, leave, endShare), value, end,
+                          colourAt(share, value), colourAt(endShare, end)});
+        value = end;
+        share = endShare;
+    }
+}
+
+void RayIntegrator::marchSlab(Light& light, const Slab& slab) const
+{
+    const double length = slab.leave - slab.enter;
+    const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 16.0, 3000.0));
+    for (int i = 0; i < steps && light.left > 1e-9; ++i) {
+        const double middle = (i + 0.5) / steps;
+        std::array<double, 3> colour{};
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            colour[channel] = std::lerp(slab.colourIn[channel], slab.colourOut[channel], middle);
+        pass(light, colour, look(std::lerp(slab.valueIn, slab.valueOut, middle)).extinction, length / steps,
+             slab.enter + i * length / steps);
+    }
+}
+
+/// From one part of a piece to another, both in [0, 1].
+void RayIntegrator::march(const Ray& ray, Light& light, const Piece& piece, double from, double to) const
+{
+    if (scene_.shaded) {
+        marchLit(ray, light, piece, from, to);
+        return;
+    }
     const double whole = piece.leave - piece.enter;
     const double length = (to - from) * whole;
     const int steps = static_cast<int>(std::clamp(length * mostExtinction_ * 30, 16.0, 3000.0));
     for (int i = 0; i < steps && light.left > 1e-9; ++i) {
         const double begin = std::lerp(from, to, double(i) / steps), end = std::lerp(from, to, (i + 1.0) / steps);
         step(light, length / steps, std::lerp(piece.valueIn, piece.valueOut, begin),
-             std::lerp(piece.valueIn, piece.valueOut, end), piece.cosine, piece.enter + begin * whole, 10);
+             std::lerp(piece.valueIn, piece.valueOut, end), piece.enter + begin * whole, 10);
     }
 }
 
@@ -217,7 +331,7 @@ void RayIntegrator::meet(Light& light, const IsoLayer& layer, double at) const
 }
 
 /// A piece with the layers in it.
-void RayIntegrator::through(Light& light, const Piece& piece) const
+void RayIntegrator::through(const Ray& ray, Light& light, const Piece& piece) const
 {
     std::vector<std::pair<double, const IsoLayer*>> met;
     for (const IsoLayer& layer : scene_.layers)
@@ -227,12 +341,12 @@ void RayIntegrator::through(Light& light, const Piece& piece) const
     double from = 0;
     for (const auto& [at, layer] : met) {
         if (!scene_.wholeCells) {
-            march(light, piece, from, at);
+            march(ray, light, piece, from, at);
             from = at;
         }
         meet(light, *layer, std::lerp(piece.enter, piece.leave, at));
     }
-    march(light, piece, from, 1);
+    march(ray, light, piece, from, 1);
 }
 
 RayIntegrator::Sample RayIntegrator::trace(double column, double row) const
@@ -246,7 +360,7 @@ RayIntegrator::Sample RayIntegrator::trace(double column, double row) const
     std::ranges::sort(pieces, {}, [](const Piece& one) { return one.enter + one.leave; });
     Light light;
     for (const Piece& one : pieces)
-        through(light, one);
+        through(ray, light, one);
     double depth = std::numeric_limits<double>::infinity();
     if (light.halfAt >= 0) {
         const Vector3d place = ray.start + light.halfAt * ray.direction;

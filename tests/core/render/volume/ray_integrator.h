@@ -34,8 +34,8 @@ struct RayScene {
 };
 
 /// The volume-rendering integral, slowly and in double precision: every ray is cut with every cell by itself, the
-/// pieces are sorted by depth, and each is marched through in small steps of constant colour and extinction. Layers are
-/// met where the piecewise-linear field has their value.
+/// pieces are sorted by depth, and each is marched through in small steps of constant colour and extinction. Its light
+/// is that of docs/tetrahedral-graphics.md, from gradients of its own. Layers are met where the piecewise-linear field has their value.
 class RayIntegrator {
 public:
     RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction& function, const Camera& camera, int width,
@@ -62,14 +62,24 @@ private:
         Eigen::Vector3d corner;
         Eigen::Matrix3d inverse;
         Eigen::Vector4d values;
-        Eigen::Vector3d gradient;
+        Eigen::Matrix<double, 3, 4> gradients; ///< at the corners, for light
         Eigen::Vector3d centre;
         double squaredRadius;
     };
     /// A ray in a cell: from `enter` to `leave` along it, where the values are `valueIn` and `valueOut`.
     struct Piece {
         double enter, leave, valueIn, valueOut;
-        double cosine; ///< between the ray and the gradient; negative if the cell is not lit
+        const Cell* cell;
+        Eigen::Vector4d weights, perLength; ///< of the corners, at the start of the ray and for one unit of length
+    };
+    /// The light at a place of a ray: what colours are multiplied by, and what is added.
+    struct Falling {
+        double factor = 1, highlight = 0;
+    };
+    /// A slab of a piece, from one place of the ray to another: values, and colours under light at its ends.
+    struct Slab {
+        double enter, leave, valueIn, valueOut;
+        std::array<double, 3> colourIn, colourOut;
     };
     struct Light {
         std::array<double, 3> colour{0, 0, 0};
@@ -77,16 +87,21 @@ private:
         double halfAt = -1; ///< along the ray; negative where there is none
     };
 
-    void addCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners);
+    void addCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners,
+                 const std::vector<Eigen::Vector3d>& gradients);
     Ray rayOf(double column, double row) const;
     bool cut(const Ray& ray, const Cell& cell, Piece& piece) const;
     bool clip(const Ray& ray, Piece& piece) const;
-    void through(Light& light, const Piece& piece) const;
+    void through(const Ray& ray, Light& light, const Piece& piece) const;
     TransferSample look(double value) const;
     void meet(Light& light, const IsoLayer& layer, double at) const;
-    void march(Light& light, const Piece& piece, double from, double to) const;
-    void step(Light& light, double length, double valueIn, double valueOut, double cosine, double at,
-              int halvings) const;
+    Falling fallingAt(const Ray& ray, const Piece& piece, double place) const;
+    void march(const Ray& ray, Light& light, const Piece& piece, double from, double to) const;
+    void marchLit(const Ray& ray, Light& light, const Piece& piece, double from, double to) const;
+    void marchSlab(Light& light, const Slab& slab) const;
+    void step(Light& light, double length, double valueIn, double valueOut, double at, int halvings) const;
+    void pass(Light& light, const std::array<double, 3>& colour, double extinction, double length, double at) const;
+    std::vector<double> knotsBetween(double valueIn, double valueOut) const;
 
     const TransferFunction& function_;
     Camera camera_;
