@@ -113,14 +113,6 @@ inline TetrahedralMesh column(std::uint32_t count)
     return mesh;
 }
 
-/// The camera with its eye at a place, looking where it looked.
-inline Camera withEyeAt(const Camera& camera, const Eigen::Vector3d& place)
-{
-    Camera result = camera;
-    result.target += place - eyePosition(camera);
-    return result;
-}
-
 /// The part of the pixels that are not `colour`: something is seen there.
 inline double shareOfOther(const Picture& picture, const std::array<std::uint8_t, 4>& colour)
 {

@@ -102,12 +102,4 @@ inline Camera cameraAround(const Eigen::AlignedBox3d& bounds, bool perspective)
     return zoomed(fitted(camera, bounds), 0.8);
 }
 
-/// The camera with its eye at a place, looking where it looked.
-inline Camera withEyeAt(const Camera& camera, const Eigen::Vector3d& place)
-{
-    Camera result = camera;
-    result.target += place - eyePosition(camera);
-    return result;
-}
-
 } // namespace tetra::testing

@@ -95,7 +95,7 @@ private slots:
     {
         const Dataset dataset = bentBumps(SampleType::Float32, size);
         const auto model = write(dataset);
-        const RecordedHistory& history = historyOf(dataset);
+        const RecordedSteps& history = historyOf(dataset);
         QCOMPARE(model->ownWarpings().size(), std::size_t(model->tetrahedronCount()));
         std::multiset<double> claimed;
         for (std::uint64_t t = 0; t < model->tetrahedronCount(); ++t) {
@@ -193,7 +193,7 @@ private slots:
     void withoutTheWeightNothingIsWritten()
     {
         const Dataset dataset = bentBumps(SampleType::Float32, size);
-        const RecordedHistory& history = historyOf(dataset);
+        const RecordedSteps& history = historyOf(dataset);
         const auto writer = ModelWriter::create(path(), dataset, {});
         QVERIFY(writer.ok());
         const auto& step = history.steps[0];

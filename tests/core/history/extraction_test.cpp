@@ -157,7 +157,7 @@ private slots:
     /// Keys may be up when a build is stopped. Then the last mesh says so, and no query ends at it.
     void aHistoryMayEndWorseThanItWas()
     {
-        const std::vector<RecordedHistory::Step>& steps = history().steps;
+        const std::vector<RecordedSteps::Step>& steps = history().steps;
         std::size_t stop = 0, bestMesh = 0;
         for (std::size_t sites = 9, best = 8; sites < steps.size(); ++sites) {
             if (steps[sites].keyBefore > steps[best].keyBefore) {
@@ -167,7 +167,7 @@ private slots:
                 best = sites;
         }
         QVERIFY(stop > 8);
-        RecordedHistory stopped;
+        RecordedSteps stopped;
         stopped.traits = history().traits;
         stopped.steps.assign(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(stop));
         stopped.finalKey = steps[stop].keyBefore;
@@ -276,7 +276,7 @@ private:
         return model ? *model : nullptr;
     }
     std::uint32_t someSites() const { return meshSizeAt(*model_, {20}).sites; }
-    const RecordedHistory& history() const { return historyOf(dataset_); }
+    const RecordedSteps& history() const { return historyOf(dataset_); }
 
     QTemporaryDir folder_;
     const Dataset dataset_ = bumps(SampleType::Int16, {5, 4, 6});

@@ -50,7 +50,7 @@ private slots:
         dataset.source.taken = {{TakenPart::Array, std::string("a = b\n"), true},
                                 {TakenPart::Fill, std::string("-32767")}};
         dataset.source.leftOut = {Message::say("It holds %1 volumes.", 20), Message("The others\nare not read.")};
-        const RecordedHistory& history = historyOf(dataset);
+        const RecordedSteps& history = historyOf(dataset);
         writeModel(path(), dataset);
         const auto opened = Model::open(path());
         QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());
@@ -84,7 +84,7 @@ private slots:
     void theFormatIsAsDocumented()
     {
         const Dataset dataset = bumps(SampleType::UInt8, {4, 3, 5});
-        const RecordedHistory& history = historyOf(dataset);
+        const RecordedSteps& history = historyOf(dataset);
         writeModel(path(), dataset);
         const std::vector<std::byte> bytes = readBytes(path());
         QCOMPARE(std::memcmp(bytes.data(), "\x89TAN\r\n\x1a\n", 8), 0);
@@ -159,7 +159,7 @@ private slots:
             auto writer = ModelWriter::create(path(), dataset, {});
             QVERIFY(writer.ok());
             for (std::uint32_t site = 0; site < 9; ++site) {
-                const RecordedHistory::Step& step = historyOf(dataset).steps[site];
+                const RecordedSteps::Step& step = historyOf(dataset).steps[site];
                 QVERIFY(writer.value()->add({step.point, step.keyBefore, step.star, step.destroyed}).ok());
             }
             QCOMPARE(writer.value()->siteCount(), 9u);
@@ -191,14 +191,14 @@ private:
         return FileParts(readBytes(path()));
     }
 
-    static void compareSites(const Model& model, const RecordedHistory& history, const Dataset& dataset);
-    static void compareTetrahedra(const Model& model, const RecordedHistory& history);
+    static void compareSites(const Model& model, const RecordedSteps& history, const Dataset& dataset);
+    static void compareTetrahedra(const Model& model, const RecordedSteps& history);
 
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
 /// Batch by batch: within one, sites are in the order of the file format and not in that of the history.
-void ModelFileTest::compareSites(const Model& model, const RecordedHistory& history, const Dataset& dataset)
+void ModelFileTest::compareSites(const Model& model, const RecordedSteps& history, const Dataset& dataset)
 {
     QCOMPARE(std::size_t(model.siteCount()), history.steps.size());
     QCOMPARE(model.starOffsets().size(), history.steps.size() + 1);
@@ -220,7 +220,7 @@ void ModelFileTest::compareSites(const Model& model, const RecordedHistory& hist
     }
 }
 
-void ModelFileTest::compareTetrahedra(const Model& model, const RecordedHistory& history)
+void ModelFileTest::compareTetrahedra(const Model& model, const RecordedSteps& history)
 {
     const std::vector<std::uint32_t> historyPoints = history.points();
     std::map<std::array<std::uint64_t, 4>, float> ownErrors;
@@ -363,7 +363,7 @@ void ModelFileTest::whatCannotBeReadIsRefused()
     QVERIFY2(text.contains(says) && text.startsWith("'"), qPrintable(text));
 }
 
-using Mistake = void (*)(RecordedHistory&);
+using Mistake = void (*)(RecordedSteps&);
 
 void ModelFileTest::aWrongHistoryIsNotWritten_data()
 {
@@ -373,31 +373,31 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
         QTest::newRow(name) << mistake << QString(says);
     };
     row(
-        "point", [](RecordedHistory& h) { h.steps[9].point = 60; }, "wrong at site 9: point 60 is not in the dataset");
+        "point", [](RecordedSteps& h) { h.steps[9].point = 60; }, "wrong at site 9: point 60 is not in the dataset");
     row(
-        "order", [](RecordedHistory& h) { h.steps[9].star[0].sites[1] = 9; }, "a site that comes after it");
+        "order", [](RecordedSteps& h) { h.steps[9].star[0].sites[1] = 9; }, "a site that comes after it");
     row(
-        "own error", [](RecordedHistory& h) { h.steps[9].star[0].error = NAN; },
+        "own error", [](RecordedSteps& h) { h.steps[9].star[0].error = NAN; },
         "an error or a warping that is not a number");
     row(
-        "error", [](RecordedHistory& h) { h.steps[9].keyBefore = -1; }, "the error before it is not a number");
+        "error", [](RecordedSteps& h) { h.steps[9].keyBefore = -1; }, "the error before it is not a number");
     row(
-        "unborn", [](RecordedHistory& h) { h.steps[8].destroyed[0] = 99; }, "tetrahedron 99, which is not in the mesh");
+        "unborn", [](RecordedSteps& h) { h.steps[8].destroyed[0] = 99; }, "tetrahedron 99, which is not in the mesh");
     row(
-        "dead", [](RecordedHistory& h) { h.steps[9].destroyed = h.steps[8].destroyed; }, "which is not in the mesh");
+        "dead", [](RecordedSteps& h) { h.steps[9].destroyed = h.steps[8].destroyed; }, "which is not in the mesh");
     row(
-        "dead now", [](RecordedHistory& h) { h.steps[8].destroyed.push_back(h.steps[8].destroyed[0]); },
+        "dead now", [](RecordedSteps& h) { h.steps[8].destroyed.push_back(h.steps[8].destroyed[0]); },
         "wrong at site 8: it destroys tetrahedron");
     row(
-        "site twice", [](RecordedHistory& h) { h.steps[9].star[0].sites[1] = h.steps[9].star[0].sites[0]; },
+        "site twice", [](RecordedSteps& h) { h.steps[9].star[0].sites[1] = h.steps[9].star[0].sites[0]; },
         "wrong at site 9: a tetrahedron of its star has a site twice");
     row(
-        "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the sites of its first mesh");
+        "few", [](RecordedSteps& h) { h.steps.resize(7); }, "needs at least the sites of its first mesh");
     row(
-        "final", [](RecordedHistory& h) { h.finalKey = INFINITY; }, "the final error is not a number");
+        "final", [](RecordedSteps& h) { h.finalKey = INFINITY; }, "the final error is not a number");
     row(
         "blocks",
-        [](RecordedHistory& h) {
+        [](RecordedSteps& h) {
             h.traits.blockCells = {4, 0, 4};
         },
         "wrong at site 0: its blocks have 4 x 0 x 4 cells");
@@ -408,7 +408,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten()
     QFETCH(Mistake, mistake);
     QFETCH(QString, says);
     const Dataset dataset = bumps(SampleType::UInt8, {4, 3, 5});
-    RecordedHistory history = historyOf(dataset);
+    RecordedSteps history = historyOf(dataset);
     mistake(history);
     ModelDescription description;
     description.builder = "careless";

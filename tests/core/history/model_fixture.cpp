@@ -75,13 +75,13 @@ Dataset faultyGrid()
     return dataset;
 }
 
-Status RecordedHistory::begin(const HistoryTraits& given)
+Status RecordedSteps::begin(const HistoryTraits& given)
 {
     traits = given;
     return {};
 }
 
-Status RecordedHistory::add(const HistoryStep& step)
+Status RecordedSteps::add(const HistoryStep& step)
 {
     steps.push_back({step.point,
                      step.keyBefore,
@@ -90,13 +90,13 @@ Status RecordedHistory::add(const HistoryStep& step)
     return {};
 }
 
-Status RecordedHistory::finish(float error)
+Status RecordedSteps::finish(float error)
 {
     finalKey = error;
     return {};
 }
 
-std::vector<std::array<std::uint32_t, 4>> RecordedHistory::meshOf(std::size_t sites) const
+std::vector<std::array<std::uint32_t, 4>> RecordedSteps::meshOf(std::size_t sites) const
 {
     std::map<std::uint32_t, std::array<std::uint32_t, 4>> alive;
     std::uint32_t next = 0;
@@ -112,7 +112,7 @@ std::vector<std::array<std::uint32_t, 4>> RecordedHistory::meshOf(std::size_t si
     return mesh;
 }
 
-std::vector<std::uint32_t> RecordedHistory::points() const
+std::vector<std::uint32_t> RecordedSteps::points() const
 {
     std::vector<std::uint32_t> points;
     for (const Step& step : steps)
@@ -137,20 +137,20 @@ bool endsBatch(const Model& model, std::uint32_t sites)
     return sites == 0 || sites == model.siteCount() || model.runningKeys()[sites] < model.runningKeys()[sites - 1];
 }
 
-const RecordedHistory& historyOf(const Dataset& dataset)
+const RecordedSteps& historyOf(const Dataset& dataset)
 {
-    static std::map<std::uint64_t, RecordedHistory> known;
+    static std::map<std::uint64_t, RecordedSteps> known;
     const auto [place, isNew] = known.try_emplace(dataset.source.hash);
     if (isNew && !refineSlowly(dataset, place->second))
         std::abort();
     return place->second;
 }
 
-Status replay(const RecordedHistory& history, HistorySink& sink)
+Status replay(const RecordedSteps& history, HistorySink& sink)
 {
     if (const Status begun = sink.begin(history.traits); !begun)
         return begun;
-    for (const RecordedHistory::Step& step : history.steps)
+    for (const RecordedSteps::Step& step : history.steps)
         if (const Status added = sink.add({step.point, step.keyBefore, step.star, step.destroyed}); !added)
             return added;
     return sink.finish(history.finalKey);

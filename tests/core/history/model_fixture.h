@@ -26,7 +26,7 @@ Dataset bentBumps(SampleType type, std::array<std::uint32_t, 3> size, bool preci
 Dataset faultyGrid();
 
 /// A history in memory, as it was handed over.
-struct RecordedHistory final : HistorySink {
+struct RecordedSteps final : HistorySink {
     struct Step {
         std::uint64_t point = 0;
         float keyBefore = 0;
@@ -57,10 +57,10 @@ TetrahedraByPoints byPoints(std::span<const std::array<std::uint32_t, 4>> tetrah
 bool endsBatch(const Model& model, std::uint32_t sites);
 
 /// The history of the slow reference refinement; made once for each kind of dataset and kept.
-const RecordedHistory& historyOf(const Dataset& dataset);
+const RecordedSteps& historyOf(const Dataset& dataset);
 
 /// Hands a recorded history on.
-Status replay(const RecordedHistory& history, HistorySink& sink);
+Status replay(const RecordedSteps& history, HistorySink& sink);
 
 /// Writes the model of `dataset`. What fails here fails the test.
 void writeModel(const std::filesystem::path& path, const Dataset& dataset);

@@ -18,12 +18,12 @@ private slots:
     void samplesAreKeptWhereTheyAreCheap()
     {
         const Dataset dataset = bumps(SampleType::Float64, {7, 6, 8});
-        const RecordedHistory& history = historyOf(dataset);
+        const RecordedSteps& history = historyOf(dataset);
         QVERIFY(!history.steps.empty());
         for (std::uint32_t sites = 9; sites < history.steps.size(); sites += 7) {
             auto writer = ModelWriter::create(path(), dataset, {});
             for (std::uint32_t site = 0; site < sites; ++site) {
-                const RecordedHistory::Step& step = history.steps[site];
+                const RecordedSteps::Step& step = history.steps[site];
                 QVERIFY((*writer)->add({step.point, step.keyBefore, step.star, step.destroyed}).ok());
             }
             QVERIFY((*writer)->finishEarly().ok());

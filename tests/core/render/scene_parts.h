@@ -11,6 +11,14 @@
 
 namespace tetra::testing {
 
+/// The camera with its eye at a place, looking where it looked.
+inline Camera withEyeAt(const Camera& camera, const Eigen::Vector3d& place)
+{
+    Camera result = camera;
+    result.target += place - eyePosition(camera);
+    return result;
+}
+
 /// The fine part of a blend.
 struct FinePart {
     Volume fine;

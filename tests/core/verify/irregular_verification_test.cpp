@@ -122,9 +122,9 @@ QString pictureFault(const Model& model)
 }
 
 /// A model whose only mesh are these tetrahedra of the grid, whatever the dataset's are.
-RecordedHistory oneMesh(const Dataset& dataset, const std::vector<std::array<std::uint32_t, 4>>& tetrahedra)
+RecordedSteps oneMesh(const Dataset& dataset, const std::vector<std::array<std::uint32_t, 4>>& tetrahedra)
 {
-    RecordedHistory history;
+    RecordedSteps history;
     history.traits = {1, false};
     history.finalKey = 0;
     history.steps.resize(dataset.pointCount());
@@ -147,9 +147,9 @@ RecordedHistory oneMesh(const Dataset& dataset, const std::vector<std::array<std
 }
 
 /// The blocks in contact by one mesh, which has of the first one the eight corners alone, and claims this error.
-RecordedHistory withCoarseBlock(const Dataset& dataset, float claimed)
+RecordedSteps withCoarseBlock(const Dataset& dataset, float claimed)
 {
-    RecordedHistory history;
+    RecordedSteps history;
     history.traits = {1, false};
     history.finalKey = claimed;
     std::vector<std::uint32_t> siteOf(dataset.pointCount());
@@ -354,7 +354,7 @@ private slots:
             values.push_back(place.sum());
         const Dataset dataset = datasetOfTetrahedra(positions, values, tetrahedra);
         for (const bool filled : {false, true}) {
-            RecordedHistory history =
+            RecordedSteps history =
                 oneMesh(dataset, filled ? cubes([](const Cube&) { return true; }) : cubes(notched));
             const auto sites = latestFirst({first, first + 2, first + 1, first + 3});
             history.steps[sites[0]].star.push_back({{sites[1], sites[2], sites[3]}, 0, 0});
@@ -399,11 +399,11 @@ private slots:
     void openFacesAreFound()
     {
         const Dataset dataset = randomIrregular(4);
-        RecordedHistory history = decimated(dataset);
+        RecordedSteps history = decimated(dataset);
         const auto right = verify(*modelOf(path(), dataset, history), dataset, {});
         QVERIFY2(right.ok() && right->ok(), qPrintable(textOf(right)));
         const auto splits = std::ranges::find_if(
-            history.steps, [](const RecordedHistory::Step& step) { return step.destroyed.size() > 1; });
+            history.steps, [](const RecordedSteps::Step& step) { return step.destroyed.size() > 1; });
         splits->destroyed.pop_back();
         const auto verdict = verify(*modelOf(path(), dataset, history), dataset, {});
         QVERIFY2(textOf(verdict).contains("not every closed set with it has a mesh"), qPrintable(textOf(verdict)));
@@ -440,7 +440,7 @@ private slots:
         QVERIFY(weighting.ok());
         const auto weights = pointWeights(*weighting, dataset, {});
         QVERIFY(weights.ok());
-        const RecordedHistory history = decimated(dataset, *weights);
+        const RecordedSteps history = decimated(dataset, *weights);
         const auto right = verify(*modelOf(path(), dataset, history, {{"weights", text}}), dataset, levels);
         QVERIFY2(right.ok() && right->ok(), qPrintable(textOf(right)));
         const auto without = verify(*modelOf(path(), dataset, history), dataset, levels);

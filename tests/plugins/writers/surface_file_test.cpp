@@ -70,7 +70,7 @@ std::vector<Eigen::Vector3f> turned(std::vector<Eigen::Vector3f> vectors)
     return vectors;
 }
 
-QByteArray contentOf(const QString& path)
+QByteArray bytesOf(const QString& path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -137,7 +137,7 @@ private slots:
         const QString path = folder_.filePath("far." + ending);
         const Status written = writeSurface(path.toStdString(), contentOf(far.part("far"), far.part("again")));
         QVERIFY2(written, written ? "" : written.error().text().c_str());
-        const QByteArray bytes = ::contentOf(path);
+        const QByteArray bytes = bytesOf(path);
         Eigen::Vector3d shift(0, 0, 0);
         const double step =
             ending == "stl" || ending == "glb" ? 1e-7 : 0; // of doubles at 3e8, and more than of floats up to 0.2
@@ -204,7 +204,7 @@ private slots:
         QCOMPARE(leftOutInFloats(1, "a.stl").text(),
                  std::string(
                      "In 'a.stl' one triangle is left out, because two of its corners coincide in single precision."));
-        const QByteArray bytes = ::contentOf(path);
+        const QByteArray bytes = bytesOf(path);
         if (ending == "stl") {
             QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 3U);
             QCOMPARE(bytes.size(), 84 + 3 * 50);
@@ -263,7 +263,7 @@ private slots:
         content.parts[1].colour = {0.5F, 0, 1, 0.25F};
         const QString path = folder_.filePath("surface.glb");
         QVERIFY(writeSurface(path.toStdString(), content));
-        const QByteArray bytes = ::contentOf(path);
+        const QByteArray bytes = bytesOf(path);
         QCOMPARE(bytes.first(4), QByteArray("glTF"));
         QCOMPARE(numberAt<std::uint32_t>(bytes, 4), 2U);
         QCOMPARE(numberAt<std::uint32_t>(bytes, 8), static_cast<std::uint32_t>(bytes.size()));
@@ -328,7 +328,7 @@ private slots:
         content.facts.emplace_back("scale", static_cast<double>(infinity));
         const QString glb = folder_.filePath("infinite.glb"), vtp = folder_.filePath("infinite.vtp");
         QVERIFY(writeSurface(glb.toStdString(), content) && writeSurface(vtp.toStdString(), content));
-        const QByteArray bytes = ::contentOf(glb);
+        const QByteArray bytes = bytesOf(glb);
         const QJsonObject json =
             QJsonDocument::fromJson(bytes.mid(20, numberAt<std::uint32_t>(bytes, 12))).object(); // empty if it is none
         const QJsonArray meshes = json["meshes"].toArray();
@@ -343,7 +343,7 @@ private slots:
         if (read.isMissing())
             QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(read.ok(), read.messages());
-        QVERIFY(::contentOf(vtp).contains("<!-- scale: inf -->"));
+        QVERIFY(bytesOf(vtp).contains("<!-- scale: inf -->"));
         QCOMPARE(read.told()["facts"].toObject().keys(), QStringList{"error"});
         QCOMPARE(read.array<float>("point.isovalue").front(), infinity);
     }
@@ -366,7 +366,7 @@ private slots:
         content.parts[1].colour = {0.5F, 0, 1, 1};
         const QString path = folder_.filePath("coloured." + ending);
         QVERIFY(writeSurface(path.toStdString(), content));
-        const QByteArray bytes = ::contentOf(path);
+        const QByteArray bytes = bytesOf(path);
         if (ending == "glb") {
             compareGlbColours(bytes, one);
         } else if (ending == "obj") {
@@ -408,7 +408,7 @@ private slots:
                  "'" + path +
                      "' does not contain the triangles' values (kind, birth_error), because many programs cannot read "
                      "a PLY file with such values. To keep them, write a .vtp file.");
-        const QByteArray bytes = ::contentOf(QString::fromStdString(path));
+        const QByteArray bytes = bytesOf(QString::fromStdString(path));
         const QByteArray end = "element face 7\nproperty list uchar int vertex_indices\nend_header\n";
         QVERIFY(bytes.contains(end));
         constexpr qsizetype vertexBytes = 4 * sizeof(float), faceBytes = 1 + 3 * sizeof(std::int32_t);
@@ -443,7 +443,7 @@ private slots:
         content.valueName = valueArrayName(name.toStdString());
         const auto written = [&](const QString& file) {
             const QString path = folder_.filePath(file);
-            return writeSurface(path.toStdString(), content) ? ::contentOf(path) : QByteArray();
+            return writeSurface(path.toStdString(), content) ? bytesOf(path) : QByteArray();
         };
         QVERIFY(written("named.ply").contains("property float " + ply + "\n"));
         QVERIFY(written("named.glb").contains('"' + glb + "\":"));
@@ -490,7 +490,7 @@ private slots:
                                      {{"deviation", deviation}}};
         const QString path = folder_.filePath("deviation.stl");
         QVERIFY(writeSurface(path.toStdString(), content));
-        const QByteArray written = ::contentOf(path).first(80);
+        const QByteArray written = bytesOf(path).first(80);
         QVERIFY2(written.startsWith(head), written.constData());
     }
 
@@ -500,7 +500,7 @@ private slots:
         SurfaceContent content = contentOf(one.part("isovalue 1.5\nf 1 2 3"), other.part("isovalue 2"));
         const QString path = folder_.filePath("surface.obj");
         QVERIFY(writeSurface(path.toStdString(), content));
-        const QList<QByteArray> lines = ::contentOf(path).split('\n');
+        const QList<QByteArray> lines = bytesOf(path).split('\n');
         QCOMPARE(lines[0], QByteArray("# isosurfaces by TAn"));
         QCOMPARE(lines[1], QByteArray("# error: 0.5"));
         QVERIFY(lines.contains("g isovalue_1.5\\nf_1_2_3"));
@@ -526,7 +526,7 @@ private slots:
         content.facts.emplace_back("source", strange);
         const QString path = folder_.filePath("strange." + ending);
         QVERIFY(writeSurface(path.toStdString(), content));
-        const QByteArray bytes = ::contentOf(path);
+        const QByteArray bytes = bytesOf(path);
         QVERIFY(!bytes.contains(strange.c_str()) && !bytes.contains("\xef\xbf\xbd")); // nor a replacement
         QByteArray shown = "caf\\xe9 \\ufffe\\x1b[1m";
         if (ending != "stl")
@@ -548,7 +548,7 @@ private slots:
         content.title = "solid";
         const QString path = folder_.filePath("surface.stl");
         QVERIFY(writeSurface(path.toStdString(), content));
-        const QByteArray bytes = ::contentOf(path);
+        const QByteArray bytes = bytesOf(path);
         QVERIFY(!bytes.startsWith("solid"));
         QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 4U);
         QCOMPARE(bytes.size(), 84 + 4 * 50);
@@ -597,7 +597,7 @@ private slots:
             QVERIFY(saved);
             const bool isTold = shift != 0 && (ending == QByteArray("stl") || ending == QByteArray("glb"));
             QCOMPARE(saved->size(), std::size_t(isTold ? 1 : 0));
-            const QByteArray bytes = ::contentOf(path);
+            const QByteArray bytes = bytesOf(path);
             const QByteArray number = QByteArray::fromStdString(formatNumber(shift));
             if (!isTold)
                 continue;

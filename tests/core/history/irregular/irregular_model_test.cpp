@@ -42,7 +42,7 @@ private slots:
     {
         for (const std::uint32_t seed : {3U, 4U, 5U}) { // floats hold the positions of the first alone
             const Dataset dataset = randomIrregular(seed);
-            const RecordedHistory history = decimated(dataset);
+            const RecordedSteps history = decimated(dataset);
             const auto model = modelOf(path(), dataset, history);
             const ModelDescription& about = model->description();
             QCOMPARE(about.domain, DomainClass::Irregular);
@@ -143,7 +143,7 @@ private slots:
     void wrongHistoriesAreRefused()
     {
         const Dataset dataset = randomIrregular(4);
-        const RecordedHistory history = decimated(dataset);
+        const RecordedSteps history = decimated(dataset);
         const auto refusal = [&](const HistoryTraits& traits, bool begins) {
             auto writer = ModelWriter::create(path(), dataset, {});
             if (begins)

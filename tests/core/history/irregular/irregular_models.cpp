@@ -76,12 +76,12 @@ std::vector<double> valuesOf(const Dataset& dataset)
     return values;
 }
 
-RecordedHistory decimated(const DecimationMesh& mesh, double warpingWeight, bool twoSided = false)
+RecordedSteps decimated(const DecimationMesh& mesh, double warpingWeight, bool twoSided = false)
 {
     DecimationOptions options;
     options.warpingWeight = warpingWeight;
     options.twoSided = twoSided;
-    RecordedHistory history;
+    RecordedSteps history;
     if (!decimate(mesh, options, history))
         std::abort();
     return history;
@@ -94,14 +94,14 @@ double weightOf(const Dataset& dataset)
 
 } // namespace
 
-RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights, bool twoSided)
+RecordedSteps decimated(const Dataset& dataset, const std::vector<float>& weights, bool twoSided)
 {
     const std::vector<double> values = valuesOf(dataset);
     return decimated({*dataset.positions, {}, values, weights, *dataset.tetrahedra, false}, weightOf(dataset),
                      twoSided);
 }
 
-RecordedHistory decimatedGrid(const Dataset& dataset)
+RecordedSteps decimatedGrid(const Dataset& dataset)
 {
     const std::vector<double> values = valuesOf(dataset);
     std::vector<Eigen::Vector3d> positions;
@@ -116,7 +116,7 @@ RecordedHistory decimatedGrid(const Dataset& dataset)
 }
 
 std::shared_ptr<const Model> modelOf(const std::filesystem::path& path, const Dataset& dataset,
-                                     const RecordedHistory& history,
+                                     const RecordedSteps& history,
                                      std::vector<std::pair<std::string, std::string>> parameters)
 {
     ModelDescription description;

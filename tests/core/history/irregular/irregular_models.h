@@ -28,14 +28,14 @@ Dataset withFaultyCells(Dataset dataset);
 
 /// The history of its decimation, which may limit the distance of the boundary from both sides (S13). What fails here
 /// fails the test.
-RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights = {}, bool twoSided = false);
+RecordedSteps decimated(const Dataset& dataset, const std::vector<float>& weights = {}, bool twoSided = false);
 
 /// The same of the cells of a lattice, regular or curvilinear.
-RecordedHistory decimatedGrid(const Dataset& dataset);
+RecordedSteps decimatedGrid(const Dataset& dataset);
 
 /// A model of a history, written and opened. What fails here fails the test.
 std::shared_ptr<const Model> modelOf(const std::filesystem::path& path, const Dataset& dataset,
-                                     const RecordedHistory& history,
+                                     const RecordedSteps& history,
                                      std::vector<std::pair<std::string, std::string>> parameters = {});
 
 } // namespace tetra

@@ -343,7 +343,7 @@ private slots:
     }
 
 private:
-    void add(const Dataset& dataset, const RecordedHistory& history)
+    void add(const Dataset& dataset, const RecordedSteps& history)
     {
         const auto path = folder_.filePath(QString::number(cases_.size())).toStdString();
         cases_.push_back({dataset, modelOf(path, dataset, history)});

@@ -90,8 +90,8 @@ private:
 void ChecksumsTest::initTestCase()
 {
     models_ = someModels(folder());
-    models_.push_back({"blocks", modelOf(randomLattice(SampleKind::Smooth, {9, 8, 9}, 3), 4, folder())});
-    models_.push_back({"whole", modelOf(randomLattice(SampleKind::Real, {9, 8, 7}, 4), 0, folder())});
+    models_.push_back({"blocks", modelOf(randomLattice(LatticeKind::Smooth, {9, 8, 9}, 3), 4, folder())});
+    models_.push_back({"whole", modelOf(randomLattice(LatticeKind::Real, {9, 8, 7}, 4), 0, folder())});
     const Dataset irregular = randomIrregular(4);
     models_.push_back({"irregular", modelOf(folder() / "irregular.tan", irregular, decimated(irregular))});
     const Dataset grid = bentBumps(SampleType::Float32, {5, 4, 5});
@@ -109,7 +109,7 @@ void ChecksumsTest::sumsAreThoseOfTheFormat_data()
 void ChecksumsTest::sumsAreThoseOfTheFormat()
 {
     QFETCH(quint32, blocks);
-    const ModelPointer model = modelOf(randomLattice(SampleKind::Noise, {21, 21, 21}, 5), blocks, folder());
+    const ModelPointer model = modelOf(randomLattice(LatticeKind::Noise, {21, 21, 21}, 5), blocks, folder());
     FileParts parts(readBytes(model->path()));
     QCOMPARE(parts.header().minorVersion, std::uint16_t(3));
     const format::Section& own = parts.section(SectionId::ChunkSums);
@@ -151,7 +151,7 @@ void ChecksumsTest::sumsThatCannotBeAreRefused()
     QFETCH(quint64, chunkBytes);
     QFETCH(quint64, elements);
     QFETCH(QString, says);
-    const ModelPointer model = modelOf(randomLattice(SampleKind::Noise, {15, 14, 13}, 8), 0, folder());
+    const ModelPointer model = modelOf(randomLattice(LatticeKind::Noise, {15, 14, 13}, 8), 0, folder());
     FileParts parts(readBytes(model->path()));
     parts.elements<std::uint64_t>(SectionId::ChunkSums)[0] = chunkBytes;
     format::Section& section = parts.section(SectionId::ChunkSums);
@@ -244,7 +244,7 @@ void ChecksumsTest::damageGivesTheRightAnswerOrNone()
 /// What is asked of the coarse sites does not wait for the others.
 void ChecksumsTest::damageThatIsNotReadDoesNotMatter()
 {
-    const ModelPointer model = modelOf(randomLattice(SampleKind::Noise, {21, 21, 21}, 6), 0, folder());
+    const ModelPointer model = modelOf(randomLattice(LatticeKind::Noise, {21, 21, 21}, 6), 0, folder());
     FileParts parts(readBytes(model->path()));
     parts.content[parts.section(SectionId::OtherSites).offset + parts.section(SectionId::OtherSites).bytes - 1] ^=
         std::byte(1);
@@ -271,7 +271,7 @@ void ChecksumsTest::damageThatIsNotReadDoesNotMatter()
 
 void ChecksumsTest::manyThreadsMayAskAtOnce()
 {
-    const ModelPointer original = modelOf(randomLattice(SampleKind::Noise, {15, 14, 13}, 7), 0, folder());
+    const ModelPointer original = modelOf(randomLattice(LatticeKind::Noise, {15, 14, 13}, 7), 0, folder());
     const auto questions = questionsAbout(original->description());
     std::map<std::string, std::string> answers;
     for (const auto& [name, question] : questions)

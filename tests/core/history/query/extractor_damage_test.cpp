@@ -105,8 +105,8 @@ private slots:
     void initTestCase()
     {
         models_ = someModels(folder());
-        models_.push_back({"blocks", modelOf(randomLattice(SampleKind::Smooth, {9, 8, 9}, 3), 4, folder())});
-        models_.push_back({"wide", modelOf(randomLattice(SampleKind::Wide, {6, 7, 5}, 4), 0, folder())});
+        models_.push_back({"blocks", modelOf(randomLattice(LatticeKind::Smooth, {9, 8, 9}, 3), 4, folder())});
+        models_.push_back({"wide", modelOf(randomLattice(LatticeKind::Wide, {6, 7, 5}, 4), 0, folder())});
     }
 
     void damagedModelsNeverCrash_data()

@@ -66,7 +66,7 @@ void writeWhole(const Dataset& dataset, const std::filesystem::path& path)
 
 } // namespace
 
-Dataset randomLattice(SampleKind kind, const std::array<std::uint32_t, 3>& size, std::uint32_t seed)
+Dataset randomLattice(LatticeKind kind, const std::array<std::uint32_t, 3>& size, std::uint32_t seed)
 {
     std::mt19937 random(seed);
     const double stretch = seed % 3 == 0 ? 1.5 : 1;
@@ -76,17 +76,17 @@ Dataset randomLattice(SampleKind kind, const std::array<std::uint32_t, 3>& size,
         return std::sin(pitch * c[0] + phase) + std::cos(0.7 * pitch * c[1]) * std::sin(0.5 * c[2] + 0.1 * c[0] * c[1]);
     };
     switch (kind) {
-    case SampleKind::Ties:
+    case LatticeKind::Ties:
         return made<std::uint8_t>(SampleType::UInt8, lattice, [&](const auto&) { return random() % 3; });
-    case SampleKind::Noise:
+    case LatticeKind::Noise:
         return made<std::uint16_t>(SampleType::UInt16, lattice, [&](const auto&) { return random() % 65536; });
-    case SampleKind::Smooth:
+    case LatticeKind::Smooth:
         return made<std::uint8_t>(SampleType::UInt8, lattice, [&](const auto& c) { return 120 + 55 * wave(c); });
-    case SampleKind::Wide:
+    case LatticeKind::Wide:
         return made<double>(SampleType::Float64, lattice, [&](const auto&) {
             return std::normal_distribution()(random) * std::pow(10, std::uniform_real_distribution(-8.0, 8.0)(random));
         });
-    case SampleKind::Real: break;
+    case LatticeKind::Real: break;
     }
     return made<float>(SampleType::Float32, lattice, wave);
 }

@@ -12,7 +12,7 @@
 namespace tetra {
 
 /// What the samples of a random dataset look like.
-enum class SampleKind {
+enum class LatticeKind {
     Ties,   ///< uint8 of three values: most points are as wrong as others
     Noise,  ///< uint16 at random
     Smooth, ///< uint8 of a few waves
@@ -21,7 +21,7 @@ enum class SampleKind {
 };
 
 /// A lattice of values made from `seed`.
-Dataset randomLattice(SampleKind kind, const std::array<std::uint32_t, 3>& size, std::uint32_t seed);
+Dataset randomLattice(LatticeKind kind, const std::array<std::uint32_t, 3>& size, std::uint32_t seed);
 
 /// The model of all its points that are needed, refined as a whole or in blocks of so many cells. Files go to `folder`.
 /// What fails here fails the test.

@@ -29,7 +29,7 @@ class MeshLendingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { model_ = modelOf(randomLattice(SampleKind::Noise, {9, 8, 9}, 3), 0, folder()); }
+    void initTestCase() { model_ = modelOf(randomLattice(LatticeKind::Noise, {9, 8, 9}, 3), 0, folder()); }
 
     void whatIsHeldStaysAsItIs()
     {

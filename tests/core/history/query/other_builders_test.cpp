@@ -21,7 +21,7 @@ class OtherBuildersTest : public QObject {
 private slots:
     void initTestCase()
     {
-        dataset_ = randomLattice(SampleKind::Smooth, {6, 7, 6}, 2);
+        dataset_ = randomLattice(LatticeKind::Smooth, {6, 7, 6}, 2);
         model_ = splitModel(dataset_, folder() / "split.tan");
         const auto verdict = verify(*model_, dataset_, {{5}, {0}});
         QVERIFY2(verdict->ok(), verdict->failures.empty() ? "a level" : verdict->failures[0].c_str());

@@ -63,7 +63,7 @@ public:
     Case next(const std::filesystem::path& folder)
     {
         Case one;
-        const auto kind = static_cast<SampleKind>(seed_ % 4);
+        const auto kind = static_cast<LatticeKind>(seed_ % 4);
         std::array<std::uint32_t, 3> size{};
         for (std::uint32_t& along : size)
             along = 5 + random_() % 8;
@@ -165,7 +165,7 @@ private slots:
     /// A model that ends before the ramp: what it lacks is inserted, too.
     void aModelThatEndsEarlyIsGoneBeyond()
     {
-        const Dataset dataset = randomLattice(SampleKind::Smooth, {9, 8, 10}, 5);
+        const Dataset dataset = randomLattice(LatticeKind::Smooth, {9, 8, 10}, 5);
         const std::shared_ptr<const Model> whole = modelOf(dataset, 0, folder());
         const auto path = folder() / "short.tan";
         LatticeRefinementOptions options;
@@ -188,7 +188,7 @@ private slots:
     /// Rounding makes errors of vertices, which must not be inserted again.
     void roundedErrorsAreBorne()
     {
-        const Dataset dataset = randomLattice(SampleKind::Wide, {12, 11, 13}, 4);
+        const Dataset dataset = randomLattice(LatticeKind::Wide, {12, 11, 13}, 4);
         const auto model = modelOf(dataset, 0, folder());
         const Eigen::Vector3d centre = dataset.lattice.bounds().center();
         for (const Region& region : {Region(Sphere{centre, 1.5}), Region(Box{centre.array() - 1, centre.array() + 1}),
@@ -229,7 +229,7 @@ private slots:
     {
         QFETCH(quint32, seed);
         std::mt19937 random(seed);
-        const Dataset dataset = randomLattice(SampleKind::Smooth, {9, 8, 9}, 3);
+        const Dataset dataset = randomLattice(LatticeKind::Smooth, {9, 8, 9}, 3);
         const auto model = modelOf(dataset, seed % 2 == 0 ? 0 : 4, folder());
         FileParts parts(readBytes(model->path()));
         using format::SectionId;
@@ -263,7 +263,7 @@ private slots:
 
     void whatDoesNotFitIsSaid()
     {
-        const Dataset dataset = randomLattice(SampleKind::Smooth, {5, 6, 7}, 1);
+        const Dataset dataset = randomLattice(LatticeKind::Smooth, {5, 6, 7}, 1);
         FileParts parts(readBytes(modelOf(dataset, 0, folder())->path()));
         parts.section(format::SectionId::Samples).id = 999;
         parts.repairChecksums();

@@ -81,14 +81,6 @@ Camera cameraFor(const TetrahedralMesh& mesh, bool perspective)
     return zoomed(fitted(camera, boundsOf(mesh)), 0.8);
 }
 
-/// The camera with its eye at a place, looking where it looked.
-Camera withEyeAt(const Camera& camera, const Vector3d& place)
-{
-    Camera result = camera;
-    result.target += place - eyePosition(camera);
-    return result;
-}
-
 void verifyNear(const PictureDifference& difference, bool opaque)
 {
     const QString found = QString("largest %1, mean %2").arg(difference.largest * 255).arg(difference.mean);

@@ -3,6 +3,7 @@
 
 #include "plugins/readers/lattice/lattice_reader.h"
 #include "tests/plugins/as_loaded.h"
+#include "tests/plugins/readers/lattice/header_files.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 #include "tests/plugins/readers/world_function.h"
 
@@ -10,9 +11,7 @@
 
 #include <QByteArray>
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <functional>
 #include <map>
 #include <string>
@@ -20,14 +19,6 @@
 namespace tetra {
 
 /// For the tests of formats that describe a volume: files made by hand, of known functions of the place.
-
-template <class Number> QByteArray numberBytes(Number number, std::endian order = std::endian::little)
-{
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    if (order != std::endian::native)
-        std::ranges::reverse(bytes);
-    return {bytes.data(), sizeof(Number)};
-}
 
 /// What a volume holds at each point: at origin + steps (i, j, k).
 struct WorldVolume {
