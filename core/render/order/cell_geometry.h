@@ -65,10 +65,9 @@ TETRA_SIMD_INLINE void transposeBack(Float8 a, Float8 b, Float8 c, Float8 d, Flo
 }
 
 /// What one corner of eight cells has, four numbers a vertex: lane i gets those of cells[i].
-template <class Vertex> TETRA_SIMD_INLINE void loadCorner(const Vertex* vertices,
-                                                          const std::array<std::uint32_t, 4>* const (&cells)[8],
-                                                          std::size_t corner, Float8& a, Float8& b, Float8& c,
-                                                          Float8& d)
+template <class Vertex>
+TETRA_SIMD_INLINE void loadCorner(const Vertex* vertices, const std::array<std::uint32_t, 4>* const (&cells)[8],
+                                  std::size_t corner, Float8& a, Float8& b, Float8& c, Float8& d)
 {
     Float4 rows[8];
     static_assert(sizeof(Vertex) == sizeof(Float4));

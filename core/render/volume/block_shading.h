@@ -29,8 +29,7 @@ template <class Lanes> struct LitRays {
 };
 
 /// `x`, `y`: samples of the tile.
-template <class Lanes>
-TETRA_SIMD_INLINE LitRays<Lanes> litRays(const TileShading& shading, Lanes x, Lanes y, Lanes ray)
+template <class Lanes> TETRA_SIMD_INLINE LitRays<Lanes> litRays(const TileShading& shading, Lanes x, Lanes y, Lanes ray)
 {
     return {x, y, (x + shading.firstX) * shading.slopePerSample[0], (y + shading.firstY) * shading.slopePerSample[1],
             ray};
@@ -50,9 +49,8 @@ template <class Lanes> TETRA_SIMD_INLINE Lanes squareRoot(Lanes square)
 
 /// The light at places w of rays through a cell, as that of a surface across the gradient (shading.h); what no gradient
 /// tells is left as it is.
-template <bool perspective, class Lanes>
-TETRA_SIMD_INLINE void lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& factor,
-                               Lanes& highlight)
+template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
+lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& factor, Lanes& highlight)
 {
     constexpr float leastSquare = 1e-12f; // of a gradient, of the longest
     Lanes components[3];
@@ -75,9 +73,8 @@ TETRA_SIMD_INLINE void lightAt(const CellLight& light, const LitRays<Lanes>& ray
 }
 
 /// The light is taken where a ray comes in and goes out, and is affine between.
-template <bool perspective, class Lanes>
-TETRA_SIMD_INLINE LightAlong<Lanes> lightAlong(const CellLight& light, const LitRays<Lanes>& lit,
-                                               const CellRays<Lanes>& rays)
+template <bool perspective, class Lanes> TETRA_SIMD_INLINE LightAlong<Lanes>
+lightAlong(const CellLight& light, const LitRays<Lanes>& lit, const CellRays<Lanes>& rays)
 {
     LightAlong<Lanes> along;
     Lanes factorOut, highlightOut;
@@ -137,7 +134,6 @@ struct CoveredBlock {
 
 inline constexpr Float8 laneX = {0, 1, 2, 3, 0, 1, 2, 3};
 inline constexpr Float8 laneY = {0, 0, 0, 0, 1, 1, 1, 1};
-
 
 /// What is drawn beside the cells' own slabs.
 enum class KernelFeatures {
@@ -237,8 +233,8 @@ TETRA_SIMD_INLINE void shadeTwo(const CoveredBlock& one, const CoveredBlock& oth
     Gathered<Float16> gathered = {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
                                   joined(a.transmittance, b.transmittance)};
     if constexpr (extras == KernelFeatures::All) {
-        const auto lit = litRays(shading, joined(laneX + one.x, laneX + other.x), joined(laneY + one.y, laneY + other.y),
-                                 rays.ray);
+        const auto lit =
+            litRays(shading, joined(laneX + one.x, laneX + other.x), joined(laneY + one.y, laneY + other.y), rays.ray);
         shade<perspective>(rays, *one.cell, shading.segments, gathered, &lit);
     } else
         shade<perspective, Float16>(rays, *one.cell, shading.segments, gathered, nullptr);
@@ -279,7 +275,8 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
     const Lanes slope = lanesOf<Lanes>(covered.slope, first);
     const Lanes ray = lanesOf<Lanes>(block.ray, first);
     const auto inside = front > back;
-    const auto lit = litRays(shading, lanesOf<Lanes>(laneX + covered.x, first), lanesOf<Lanes>(laneY + covered.y, first), ray);
+    const auto lit =
+        litRays(shading, lanesOf<Lanes>(laneX + covered.x, first), lanesOf<Lanes>(laneY + covered.y, first), ray);
     bool more = true;
     while (more) {
         const Lanes next = lanesOf<Lanes>(limits.next, first);

@@ -92,7 +92,7 @@ struct BorderTile {
     SampleRectangle tile;
     std::span<const BlockInterval> intervals; ///< for each block
     std::span<const SampleBlock> blocks;
-    int columns = 0; ///< blocks a row
+    int columns = 0;            ///< blocks a row
     const TileShading& shading; ///< of the volume that is drawn
 };
 

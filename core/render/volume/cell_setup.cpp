@@ -20,12 +20,12 @@ constexpr float steepestBound = 1e7f;
 
 /// Eight cells; a row for each.
 struct SetupRows {
-    Float4 faces[6][8]; ///< a, b, c of the bound; after the cell's four, what does not bind as a front and as a back
-    Float4 slopes[8];   ///< a, b, c
-    Float4 fields[8];   ///< the constant, smallest, largest
+    Float4 faces[6][8];  ///< a, b, c of the bound; after the cell's four, what does not bind as a front and as a back
+    Float4 slopes[8];    ///< a, b, c
+    Float4 fields[8];    ///< the constant, smallest, largest
     Float4 lights[3][8]; ///< of CellLight; if cells are lit
-    Int8 fronts;        ///< bit f: face f is seen from outside
-    Int8 simple, flat;  ///< 0 or 1
+    Int8 fronts;         ///< bit f: face f is seen from outside
+    Int8 simple, flat;   ///< 0 or 1
     Int8 thickness, direction;
 };
 

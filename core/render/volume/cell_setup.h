@@ -47,8 +47,8 @@ struct CellSetup {
     AffineFunction functions[7];
     float constant;
     float smallest, largest; ///< values
-    float perGradient;      ///< 1 / length of the gradient, if wanted; 0 without one
-    const CellLight* light; ///< null if the cell is not lit
+    float perGradient;       ///< 1 / length of the gradient, if wanted; 0 without one
+    const CellLight* light;  ///< null if the cell is not lit
     std::uint16_t firstSegment, lastSegment;
     std::uint8_t left, top, right, bottom; ///< blocks of the tile
     Thickness thickness;

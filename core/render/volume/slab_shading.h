@@ -65,9 +65,8 @@ template <class Lanes> struct Gathered {
 
 /// The colours along a slab that no light changes: those of its segment.
 struct SegmentColours {
-    template <class Lanes>
-    TETRA_SIMD_INLINE void add(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn, Lanes valueOut,
-                               Lanes opacity, Lanes weight) const
+    template <class Lanes> TETRA_SIMD_INLINE void add(Gathered<Lanes>& gathered, const ScaledSegment& segment,
+                                                      Lanes valueIn, Lanes valueOut, Lanes opacity, Lanes weight) const
     {
         const Lanes value = valueIn * opacity + (valueOut - valueIn) * weight;
         gathered.red += segment.colour[0] * opacity + segment.colourPerValue[0] * value;
@@ -135,9 +134,9 @@ template <class Lanes> struct LightAlong {
 };
 
 /// Adds a slab whose optical depth is at most 1, or faintDepth; values count from the segment's origin.
-template <bool faint, class Lanes, class Colours> TETRA_SIMD_INLINE void
-addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn, Lanes valueOut, Lanes length,
-            const Colours& colours)
+template <bool faint, class Lanes, class Colours>
+TETRA_SIMD_INLINE void addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes valueIn,
+                                   Lanes valueOut, Lanes length, const Colours& colours)
 {
     const Lanes in = segment.halfExtinction + segment.halfExtinctionPerValue * valueIn;
     const Lanes out = segment.halfExtinction + segment.halfExtinctionPerValue * valueOut;
@@ -186,10 +185,10 @@ TETRA_SIMD_INLINE void addThickSlab(Gathered<Lanes>& gathered, const ScaledSegme
 }
 
 /// The slab lies between two shares of the ray's way through the cell.
-template <class Lanes, class Light>
-TETRA_SIMD_INLINE void addSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Thickness thickness,
-                               Lanes valueIn, Lanes valueOut, Lanes length, const Light& light, Lanes shareIn,
-                               Lanes shareOut)
+template <class Lanes, class Light> TETRA_SIMD_INLINE void addSlab(Gathered<Lanes>& gathered,
+                                                                   const ScaledSegment& segment, Thickness thickness,
+                                                                   Lanes valueIn, Lanes valueOut, Lanes length,
+                                                                   const Light& light, Lanes shareIn, Lanes shareOut)
 {
     const auto colours = light.coloursOf(segment, valueIn, valueOut, shareIn, shareOut);
     if (thickness == Thickness::Faint)

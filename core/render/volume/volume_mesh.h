@@ -42,8 +42,8 @@ struct VolumeMesh {
     FaceAdjacency adjacency;
     Eigen::AlignedBox3d bounds; ///< of the vertices of its cells
     bool convex = false;        ///< the domain is known to be convex: no ray leaves it and comes back
-    /// Where the field rises at the vertices, for light: vertexGradients() by one factor for all, so that none is longer
-    /// than 1; zero where there is none.
+    /// Where the field rises at the vertices, for light: vertexGradients() by one factor for all, so that none is
+    /// longer than 1; zero where there is none.
     Buffer<Eigen::Vector3f> gradients{};
 };
 

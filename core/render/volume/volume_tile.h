@@ -39,8 +39,8 @@ struct TileShading {
     bool depth = false; ///< keep `depth` of the blocks
     /// Cells are lit (CellSetup::light), or there are limits: one for each block. The near plane is in them.
     bool extras = false;
-    float firstX = 0, firstY = 0;      ///< the tile's first sample, from the centre of the picture
-    float slopePerSample[2] = {0, 0};  ///< right and down for one unit of w, from sample to sample; 0 if orthographic
+    float firstX = 0, firstY = 0;     ///< the tile's first sample, from the centre of the picture
+    float slopePerSample[2] = {0, 0}; ///< right and down for one unit of w, from sample to sample; 0 if orthographic
     BlockLimits* limits = nullptr;
     const SurfaceFragment* fragments = nullptr; ///< SurfaceFragments; with limits
     bool splitCells = true;           ///< surfaces are drawn where they are, else before the cell that they are in

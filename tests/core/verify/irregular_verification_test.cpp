@@ -354,8 +354,7 @@ private slots:
             values.push_back(place.sum());
         const Dataset dataset = datasetOfTetrahedra(positions, values, tetrahedra);
         for (const bool filled : {false, true}) {
-            RecordedSteps history =
-                oneMesh(dataset, filled ? cubes([](const Cube&) { return true; }) : cubes(notched));
+            RecordedSteps history = oneMesh(dataset, filled ? cubes([](const Cube&) { return true; }) : cubes(notched));
             const auto sites = latestFirst({first, first + 2, first + 1, first + 3});
             history.steps[sites[0]].star.push_back({{sites[1], sites[2], sites[3]}, 0, 0});
             const auto verdict = verify(*modelOf(path(), dataset, history), dataset, {{0, 0}});
