@@ -124,7 +124,7 @@ public:
         int i = 0;
         while (i < count_) {
             const CoveredBlock* next = queue_ + i;
-            if constexpr (extras == KernelFeatures::All)
+            if constexpr (hasLimits(extras))
                 if (next->meets != nullptr) {
                     shadeWithSurfaces(*next);
                     ++i;
@@ -132,7 +132,7 @@ public:
                 }
             if constexpr (lanes == 16)
                 if (i + 1 < count_ && next[0].cell == next[1].cell &&
-                    (extras != KernelFeatures::All || next[1].meets == nullptr)) {
+                    (!hasLimits(extras) || next[1].meets == nullptr)) {
                     shadeTwo<perspective, extras>(next[0], next[1], shading_);
                     i += 2;
                     continue;
@@ -159,10 +159,10 @@ private:
     TETRA_SIMD_INLINE void shadeWithSurfaces(const CoveredBlock& covered) const
     {
         if constexpr (lanes == 4) {
-            shadeAmongSurfaces<perspective, Float4>(covered, 0, shading_);
-            shadeAmongSurfaces<perspective, Float4>(covered, 4, shading_);
+            shadeAmongSurfaces<perspective, extras, Float4>(covered, 0, shading_);
+            shadeAmongSurfaces<perspective, extras, Float4>(covered, 4, shading_);
         } else
-            shadeAmongSurfaces<perspective, Float8>(covered, 0, shading_);
+            shadeAmongSurfaces<perspective, extras, Float8>(covered, 0, shading_);
     }
 
     TETRA_SIMD_INLINE void addRow(const CellSetup& cell, Float8 (&now)[7], const float (&right)[7], int column, int row,
@@ -178,7 +178,7 @@ private:
             BlockLimits* limits = nullptr;
             Float8 nearest = Float8{} + shading_.nearestBound;
             Float8 firstBack = now[3];
-            if constexpr (extras == KernelFeatures::All)
+            if constexpr (hasLimits(extras))
                 if (shading_.limits != nullptr) {
                     limits = shading_.limits + (block - blocks_);
                     nearest = limits->front;
@@ -207,8 +207,9 @@ private:
             next.slope = now[6];
             next.block = block;
             next.cell = &cell;
-            if constexpr (extras == KernelFeatures::All) {
+            if constexpr (hasLimits(extras))
                 next.meets = limits != nullptr && meetsSurface(next, limits->next) ? limits : nullptr;
+            if constexpr (extras == KernelFeatures::Lit) {
                 next.x = x;
                 next.y = y;
                 x += blockWidth;
@@ -261,8 +262,10 @@ template <KernelFeatures extras> std::size_t drawCellsWith(std::span<const CellS
                                : drawAtOnce<false, extras>(cells, shading, blocks, columns);
 }
 
-/// In a source of its own, as it takes long to compile.
+/// In sources of their own, as they take long to compile.
 std::size_t drawCellsWithExtras(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
                                 int columns);
+std::size_t drawLitCells(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
+                         int columns);
 
 } // namespace tetra

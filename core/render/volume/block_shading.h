@@ -85,10 +85,10 @@ lightAlong(const CellLight& light, const LitRays<Lanes>& lit, const CellRays<Lan
     return along;
 }
 
-/// `lit`: where the rays are if the cell may be lit; else null.
-template <bool perspective, class Lanes>
-TETRA_SIMD_INLINE void shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments,
-                             Gathered<Lanes>& gathered, const LitRays<Lanes>* lit)
+/// `lightOf` gives the light of the rays, when it is known where they come in and go out.
+template <bool perspective, class Lanes, class LightOf>
+TETRA_SIMD_INLINE void shadeUnder(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments,
+                                  Gathered<Lanes>& gathered, const LightOf& lightOf)
 {
     const Lanes ones = Lanes{} + 1.0f;
     const Lanes front = rays.front > rays.back ? rays.front : ones;
@@ -107,18 +107,27 @@ TETRA_SIMD_INLINE void shade(CellRays<Lanes>& rays, const CellSetup& cell, const
         valueOut = rays.slope + cell.constant * back;
     }
     const Lanes length = (rays.leave - rays.enter) * rays.ray;
-    const auto addAll = [&](const auto& light) __attribute__((always_inline))
-    {
-        if (cell.simple)
-            addSlab(gathered, segments[cell.firstSegment], cell.thickness, valueIn, valueOut, length, light, Lanes{},
-                    ones);
-        else
-            addSlices(gathered, segments, cell, valueIn, valueOut, length, light);
-    };
-    if (lit != nullptr && cell.light != nullptr)
-        addAll(lightAlong<perspective>(*cell.light, *lit, rays));
+    const auto light = lightOf();
+    if (cell.simple)
+        addSlab(gathered, segments[cell.firstSegment], cell.thickness, valueIn, valueOut, length, light, Lanes{}, ones);
     else
-        addAll(NoLight{});
+        addSlices(gathered, segments, cell, valueIn, valueOut, length, light);
+}
+
+template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
+shade(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments, Gathered<Lanes>& gathered)
+{
+    shadeUnder<perspective>(rays, cell, segments, gathered, [] { return NoLight(); });
+}
+
+/// A cell with CellSetup::light.
+template <bool perspective, class Lanes>
+TETRA_SIMD_INLINE void shadeLit(CellRays<Lanes>& rays, const CellSetup& cell, const ScaledSegment* segments,
+                                Gathered<Lanes>& gathered, const LitRays<Lanes>& lit)
+{
+    shadeUnder<perspective>(
+        rays, cell, segments,
+        gathered, [&]() __attribute__((always_inline)) { return lightAlong<perspective>(*cell.light, lit, rays); });
 }
 
 /// Shades blocks that a cell covers. For use inside functions compiled for several instruction sets.
@@ -129,7 +138,7 @@ struct CoveredBlock {
     SampleBlock* block;
     const CellSetup* cell;
     BlockLimits* meets; ///< the block's, if one of its rays meets a surface in the cell or before it
-    float x, y;         ///< of its first sample in the tile; of KernelFeatures::All
+    float x, y;         ///< of its first sample in the tile; of KernelFeatures::Lit
 };
 
 inline constexpr Float8 laneX = {0, 1, 2, 3, 0, 1, 2, 3};
@@ -139,8 +148,15 @@ inline constexpr Float8 laneY = {0, 0, 0, 0, 1, 1, 1, 1};
 enum class KernelFeatures {
     None,
     Depth,
-    All, ///< depth, surfaces, clip planes, light
+    All, ///< depth, surfaces, clip planes
+    Lit, ///< these, and light
 };
+
+/// Surfaces and clip planes.
+constexpr bool hasLimits(KernelFeatures extras)
+{
+    return extras == KernelFeatures::All || extras == KernelFeatures::Lit;
+}
 
 /// Where the light of some rays, from lane `first` of a block, fell to a half inside a cell.
 template <class Lanes>
@@ -171,12 +187,12 @@ TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const TileShading& 
     SampleBlock& block = *covered.block;
     CellRays<Float8> rays = {covered.front, covered.back, covered.slope, block.ray, {}, {}};
     Gathered<Float8> gathered = {block.red, block.green, block.blue, block.transmittance};
-    if constexpr (extras == KernelFeatures::All) {
-        const auto lit = litRays(shading, laneX + covered.x, laneY + covered.y, block.ray);
-        shade<perspective>(rays, *covered.cell, shading.segments, gathered, &lit);
-    } else
-        shade<perspective, Float8>(rays, *covered.cell, shading.segments, gathered, nullptr);
-    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && shading.depth))
+    if constexpr (extras == KernelFeatures::Lit)
+        shadeLit<perspective>(rays, *covered.cell, shading.segments, gathered,
+                              litRays(shading, laneX + covered.x, laneY + covered.y, block.ray));
+    else
+        shade<perspective>(rays, *covered.cell, shading.segments, gathered);
+    if (extras == KernelFeatures::Depth || (hasLimits(extras) && shading.depth))
         keepDepth(block, 0, gathered.transmittance, rays.enter, rays.leave);
     store(block, gathered.red, gathered.green, gathered.blue, gathered.transmittance);
 }
@@ -193,13 +209,13 @@ TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const TileShadin
     Gathered<Float4> gathered[2] = {{red.low, green.low, blue.low, left.low},
                                     {red.high, green.high, blue.high, left.high}};
     for (int half = 0; half < 2; ++half)
-        if constexpr (extras == KernelFeatures::All) {
+        if constexpr (extras == KernelFeatures::Lit) {
             const Float4 x = Float4{0, 1, 2, 3} + covered.x, y = Float4{} + (covered.y + static_cast<float>(half));
-            const auto lit = litRays(shading, x, y, half == 0 ? ray.low : ray.high);
-            shade<perspective>(rays[half], *covered.cell, shading.segments, gathered[half], &lit);
+            shadeLit<perspective>(rays[half], *covered.cell, shading.segments, gathered[half],
+                                  litRays(shading, x, y, half == 0 ? ray.low : ray.high));
         } else
-            shade<perspective, Float4>(rays[half], *covered.cell, shading.segments, gathered[half], nullptr);
-    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && shading.depth))
+            shade<perspective>(rays[half], *covered.cell, shading.segments, gathered[half]);
+    if (extras == KernelFeatures::Depth || (hasLimits(extras) && shading.depth))
         keepDepth(block, 0, whole(gathered[0].transmittance, gathered[1].transmittance),
                   whole(rays[0].enter, rays[1].enter), whole(rays[0].leave, rays[1].leave));
     store(block, whole(gathered[0].red, gathered[1].red), whole(gathered[0].green, gathered[1].green),
@@ -232,13 +248,12 @@ TETRA_SIMD_INLINE void shadeTwo(const CoveredBlock& one, const CoveredBlock& oth
                               {}};
     Gathered<Float16> gathered = {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
                                   joined(a.transmittance, b.transmittance)};
-    if constexpr (extras == KernelFeatures::All) {
-        const auto lit =
-            litRays(shading, joined(laneX + one.x, laneX + other.x), joined(laneY + one.y, laneY + other.y), rays.ray);
-        shade<perspective>(rays, *one.cell, shading.segments, gathered, &lit);
+    if constexpr (extras == KernelFeatures::Lit) {
+        const Float16 x = joined(laneX + one.x, laneX + other.x), y = joined(laneY + one.y, laneY + other.y);
+        shadeLit<perspective>(rays, *one.cell, shading.segments, gathered, litRays(shading, x, y, rays.ray));
     } else
-        shade<perspective, Float16>(rays, *one.cell, shading.segments, gathered, nullptr);
-    if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && shading.depth)) {
+        shade<perspective>(rays, *one.cell, shading.segments, gathered);
+    if (extras == KernelFeatures::Depth || (hasLimits(extras) && shading.depth)) {
         keepDepth(a, 0, lowHalf(gathered.transmittance), lowHalf(rays.enter), lowHalf(rays.leave));
         keepDepth(b, 0, highHalf(gathered.transmittance), highHalf(rays.enter), highHalf(rays.leave));
     }
@@ -264,7 +279,7 @@ TETRA_SIMD_INLINE void drawSurface(const SurfaceFragment* fragments, bool perspe
 
 /// The rays of a block, or half of it, that starts with lane `first`, through a cell and the surfaces in it and before
 /// it: each surface ends one slab and begins the next (R21).
-template <bool perspective, class Lanes>
+template <bool perspective, KernelFeatures extras, class Lanes>
 TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first, const TileShading& shading)
 {
     constexpr int count = static_cast<int>(sizeof(Lanes) / sizeof(float));
@@ -275,8 +290,6 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
     const Lanes slope = lanesOf<Lanes>(covered.slope, first);
     const Lanes ray = lanesOf<Lanes>(block.ray, first);
     const auto inside = front > back;
-    const auto lit =
-        litRays(shading, lanesOf<Lanes>(laneX + covered.x, first), lanesOf<Lanes>(laneY + covered.y, first), ray);
     bool more = true;
     while (more) {
         const Lanes next = lanesOf<Lanes>(limits.next, first);
@@ -286,7 +299,12 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
         CellRays<Lanes> rays = {front, end, slope, ray, {}, {}};
         Gathered<Lanes> gathered = {lanesOf<Lanes>(block.red, first), lanesOf<Lanes>(block.green, first),
                                     lanesOf<Lanes>(block.blue, first), before};
-        shade<perspective>(rays, *covered.cell, shading.segments, gathered, &lit);
+        if constexpr (extras == KernelFeatures::Lit)
+            shadeLit<perspective>(rays, *covered.cell, shading.segments, gathered,
+                                  litRays(shading, lanesOf<Lanes>(laneX + covered.x, first),
+                                          lanesOf<Lanes>(laneY + covered.y, first), ray));
+        else
+            shade<perspective>(rays, *covered.cell, shading.segments, gathered);
         keepDepth(block, first, gathered.transmittance, rays.enter, rays.leave);
         putLanes(gathered.red, first, block.red);
         putLanes(gathered.green, first, block.green);

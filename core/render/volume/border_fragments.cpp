@@ -246,8 +246,11 @@ TETRA_SIMD_INLINE void collectLayer(const CellSetup& cell, bool fine, const Bord
     // A part of the optical depth is that of a part of the way.
     CellRays<Float8> rays = {front, back, slope, block.ray * weight, {}, {}};
     Gathered<Float8> gathered = {{}, {}, {}, ones};
-    const auto lit = litRays(tile.shading, laneX + place.x(), laneY + place.y(), block.ray);
-    shade<perspective>(rays, cell, tile.shading.segments, gathered, &lit);
+    if (tile.shading.lit)
+        shadeLit<perspective>(rays, cell, tile.shading.segments, gathered,
+                              litRays(tile.shading, laneX + place.x(), laneY + place.y(), block.ray));
+    else
+        shade<perspective>(rays, cell, tile.shading.segments, gathered);
     for (int lane = 0; lane < 8; ++lane)
         if (to[lane] > from[lane] && gathered.transmittance[lane] < 1) {
             const int x = place.column * blockWidth + lane % blockWidth;

@@ -294,8 +294,11 @@ void fetchCells(const SetupSource& source, std::span<const BinnedCell> cells)
 void fetchCorners(const SetupSource& source, std::span<const BinnedCell> cells)
 {
     for (const BinnedCell& cell : cells)
-        for (const std::uint32_t corner : source.tetrahedra[cell.cell])
+        for (const std::uint32_t corner : source.tetrahedra[cell.cell]) {
             __builtin_prefetch(&source.vertices[corner]);
+            if (!source.gradients.empty())
+                __builtin_prefetch(&source.gradients[corner]);
+        }
 }
 
 void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<const BinnedCell> cells,

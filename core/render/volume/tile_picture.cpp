@@ -103,7 +103,8 @@ TileShading VolumeTilePainter::shadingOf(const SampleRectangle& tile, const Tile
     shading.nearestBound = view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound;
     shading.perspective = view_.perspective;
     shading.depth = surroundings.depth;
-    shading.extras = limited || !source_.gradients.empty();
+    shading.extras = limited;
+    shading.lit = !source_.gradients.empty();
     shading.firstX = static_cast<float>(tile.left + view_.firstX());
     shading.firstY = static_cast<float>(tile.top + view_.firstY());
     if (view_.perspective) {
@@ -328,6 +329,7 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
     const TileFrame frame = frameOf(tile);
     TileShading shading = shadingOf(tile, {});
     shading.segments = source.segments.data();
+    shading.lit = !source.gradients.empty();
     std::vector<BinnedCell> outside;
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += borderBatch) {
         outside.clear();
@@ -400,6 +402,7 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
                 limits_[block].back[lane] = std::max(back, whole[block].back[lane]);
             }
         shading.segments = source.segments.data();
+        shading.lit = !source.gradients.empty();
         draw(source, some, tile, shading, progress, drawn);
     };
     using Ends = std::pair<float, float>;

@@ -7,6 +7,8 @@ namespace tetra {
 
 std::size_t drawCells(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
 {
+    if (shading.lit)
+        return drawLitCells(cells, shading, blocks, columns);
     if (shading.extras)
         return drawCellsWithExtras(cells, shading, blocks, columns);
     if (shading.depth)

@@ -36,9 +36,9 @@ struct TileShading {
     const ScaledSegment* segments = nullptr;
     float nearestBound = farBound; ///< of the near plane: 1 / w
     bool perspective = true;
-    bool depth = false; ///< keep `depth` of the blocks
-    /// Cells are lit (CellSetup::light), or there are limits: one for each block. The near plane is in them.
-    bool extras = false;
+    bool depth = false;               ///< keep `depth` of the blocks
+    bool lit = false;                 ///< cells have CellSetup::light
+    bool extras = false;              ///< there may be limits: one for each block. The near plane is in them
     float firstX = 0, firstY = 0;     ///< the tile's first sample, from the centre of the picture
     float slopePerSample[2] = {0, 0}; ///< right and down for one unit of w, from sample to sample; 0 if orthographic
     BlockLimits* limits = nullptr;
