@@ -24,7 +24,7 @@ SAMPLES = {"lattice": ("c60", 10, "data.nrrd"), "curvilinear": ("bent-duct", 8, 
 WIDTH, HEIGHT, RAYS = 96, 80, 150
 BACKGROUND = (0x20, 0x40, 0x60)
 STEPS = 16  # of a slab
-TOLERANCES = {"unlit": 1, "lit": 2}  # of 255
+TOLERANCES = {"unlit": 1, "lit": 1}  # of 255
 BESIDE = numpy.array([(0, 0), (0.002, 0), (-0.002, 0), (0, 0.002), (0, -0.002)])  # in pixels
 
 # Values as shares of the range, unit distances as shares of the diagonal.

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace tetra;
 using namespace tetra::testing;
@@ -75,6 +76,33 @@ bool agrees(const Picture& picture, const RayIntegrator& integrator, int toleran
         return true;
     qWarning("mean difference %g, %zu doubtful samples of %zu", mean, doubtful, picture.pixels.size());
     return false;
+}
+
+/// Each cell in two, by the middle of its first edge, with values whose gradients turn within the cells.
+TetrahedralMesh splitLengthwise(const TetrahedralMesh& mesh)
+{
+    TetrahedralMesh split = mesh;
+    split.tetrahedra.clear();
+    for (const auto& [a, b, c, d] : mesh.tetrahedra) {
+        const auto middle = static_cast<std::uint32_t>(split.positions.size());
+        split.positions.push_back((mesh.positions[a] + mesh.positions[b]) / 2);
+        split.tetrahedra.push_back({a, middle, c, d});
+        split.tetrahedra.push_back({middle, b, c, d});
+    }
+    split.values.resize(split.positions.size());
+    for (std::size_t vertex = 0; vertex < split.values.size(); ++vertex)
+        split.values[vertex] = static_cast<float>(vertex * vertex % 7) / 7;
+    return split;
+}
+
+/// The volume under light, and else as `rays` has it.
+bool litAgrees(const TetrahedralMesh& mesh, const TransferFunction& function, SceneParts scene, RayScene rays,
+               const Camera& camera)
+{
+    scene.volume->shaded = true;
+    rays.shaded = true;
+    const RayIntegrator integrator(mesh, function, camera, width, height, std::move(rays));
+    return agrees(rendered(scene, camera), integrator, 1);
 }
 
 } // namespace
@@ -181,27 +209,51 @@ private slots:
         }
     }
 
-    /// Lit by the gradient of each cell.
+    /// By gradients between those of the vertices; with surfaces, and opaque slabs of many parts.
     void shadedVolumesAreLit()
     {
         for (const char* name : {"one cell", "refined lattice", "refined bent grid"})
-            for (const char* kind : {"ramp", "steps"})
+            for (const char* kind : {"ramp", "steps", "opaque"})
                 for (const bool perspective : {true, false}) {
                     const TetrahedralMesh& mesh = meshNamed(name);
-                    TransferFunction function = functionFor(mesh, kind).function;
-                    for (ColourPoint& point : function.colours)
-                        for (float& channel : point.colour)
-                            channel *= 0.8f; // so that no highlight is cut off, which the back end does slab by slab
+                    const TransferFunction function = functionFor(mesh, kind).function;
                     SceneParts scene = volumeScene(mesh, function);
-                    scene.volume->shaded = true;
                     RayScene rays;
-                    rays.shaded = true;
                     if (perspective)
                         rays.layers = {addLayer(scene, valueAt(mesh, 0.45), {0.9f, 0.1f, 0.2f}, 0.5f)};
-                    const Camera camera = cameraAround(scene.bounds, perspective);
-                    const RayIntegrator integrator(mesh, function, camera, width, height, rays);
-                    QVERIFY(agrees(rendered(scene, camera), integrator, 1));
+                    QVERIFY(litAgrees(mesh, function, scene, rays, cameraAround(scene.bounds, perspective)));
                 }
+    }
+
+    /// Sticks that hide each other in a circle are cut for the order; the pieces have the light of the whole.
+    void piecesHaveTheLightOfTheirCells()
+    {
+        const TetrahedralMesh mesh = splitLengthwise(threeSticks());
+        const TransferFunction function = functionFor(mesh, "ramp").function;
+        SceneParts scene = volumeScene(mesh, function);
+        Camera camera = cameraAround(scene.bounds, true);
+        camera.azimuth = camera.elevation = 0;
+        QVERIFY(litAgrees(mesh, function, scene, {}, camera));
+        Scene drawn = scene;
+        std::get<Volume>(drawn.drawables.front().shape).shaded = true;
+        const auto backend = makeCpuBackend();
+        QVERIFY(backend->render(drawn, camera, {.width = width, .height = height}).ok());
+        QVERIFY(backend->statistics().cutCells > 0);
+    }
+
+    /// Where the field is flat no direction is known: the colours stay as they are.
+    void flatFieldsAreNotLit()
+    {
+        const TetrahedralMesh mesh = latticeMesh(3, 3, Split::Five, [](const Vector3d&) { return 0.5; });
+        TransferFunction function;
+        function.colours = {{0, {0.2f, 0.4f, 0.6f}}, {1, {0.2f, 0.4f, 0.6f}}};
+        function.opacities = {{0, 0.5f}, {1, 0.5f}};
+        SceneParts scene = volumeScene(mesh, function);
+        const Camera camera = cameraAround(scene.bounds, true);
+        const Picture unlit = rendered(scene, camera);
+        scene.volume->shaded = true;
+        QVERIFY(pixelAt(unlit, width / 2, height / 2) != pixelAt(unlit, 0, 0)); // it is seen
+        QVERIFY(rendered(scene, camera).pixels == unlit.pixels);
     }
 
     /// A translucent sheet in the middle of a fog, an opaque one and a line behind it: closed forms.

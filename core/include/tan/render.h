@@ -351,9 +351,9 @@ struct Isovalue {
     bool operator==(const Isovalue&) const = default;
 };
 
-/// The field's gradient at each vertex: the mean of the gradients of its tetrahedra, weighted by volume; zero at a
-/// vertex without tetrahedra. O(tetrahedra), on all threads, the same result with any number of them. May throw
-/// std::bad_alloc.
+/// The field's gradient at each vertex: the mean of the gradients of its tetrahedra, weighted by volume, but for those
+/// with a corner that is not finite; zero at a vertex without others. O(tetrahedra), on all threads, the same result
+/// with any number of them. May throw std::bad_alloc.
 TAN_API Buffer<Eigen::Vector3f> vertexGradients(const TetrahedralMesh& mesh);
 
 /// Marching tetrahedra (R19): the isosurface of the piecewise-linear field, a vertex for each crossed edge, shared by

@@ -258,7 +258,9 @@ GradientSum termOf(const Corner& first, const Corner& second, const Corner& thir
     const Eigen::Vector3d normal = c.cross(d);
     const Eigen::Vector3d gradient =
         (second.value - value) * normal + (third.value - value) * d.cross(b) + (fourth.value - value) * b.cross(c);
-    return {gradient.cast<float>(), static_cast<float>(b.dot(normal))};
+    const GradientSum term{gradient.cast<float>(), static_cast<float>(b.dot(normal))};
+    // A corner without a number would take the gradients of all corners with it.
+    return std::isfinite(term.gradient.sum() + term.volume) ? term : GradientSum();
 }
 
 /// Calls visit(term, tetrahedron) for each, having asked for its corners, and for what prefetch(vertex) asks, some

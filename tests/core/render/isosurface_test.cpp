@@ -262,6 +262,24 @@ private slots:
             QVERIFY((gradient - Eigen::Vector3f(2, -7, 1)).norm() < 1e-4f);
     }
 
+    /// Tetrahedra with a corner that has no number leave the others' gradients alone.
+    void gradientsBesideWhatIsNoNumber()
+    {
+        const double nowhere = std::numeric_limits<double>::quiet_NaN();
+        for (const double missing : {nowhere, std::numeric_limits<double>::infinity()}) {
+            const auto mesh = latticeMesh(5, 2, Split::Five, [&](const Vector3d& p) {
+                return p == Vector3d(0, 0, 0) ? missing : 2 * p.x() - 7 * p.y() + p.z();
+            });
+            const auto gradients = vertexGradients(mesh);
+            std::size_t exact = 0;
+            for (const auto& gradient : gradients) {
+                QVERIFY(gradient.allFinite());
+                exact += (gradient - Eigen::Vector3f(2, -7, 1)).norm() < 1e-4f ? 1 : 0;
+            }
+            QVERIFY(exact >= gradients.size() - 1); // all but the corner itself
+        }
+    }
+
     /// A sheet of the isovalue between equal values: the gradients cancel at it, so the triangles give the normals.
     void normalsWhereTheGradientVanishes()
     {
