@@ -1663,7 +1663,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>&amp;Build and Replace</source>
-        <translation>Costruisci e &amp;sostituisci</translation>
+        <translation>&amp;Costruisci e sostituisci</translation>
     </message>
     <message>
         <source>&amp;Build</source>
