@@ -287,7 +287,7 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set(
         "lengths",
         Eigen::Vector2f((view_.imageFromWorld.leftCols<3>().topRows<2>().rowwise().norm() * view_.unit).cast<float>()));
-    program.set("viewAxes", Eigen::Matrix3f(view_.imageFromWorld.leftCols<3>().rowwise().normalized().cast<float>()));
+    program.set("viewAxes", view_.axes());
     setRegions(program, regions_);
 }
 

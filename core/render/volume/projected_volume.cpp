@@ -12,7 +12,7 @@ namespace {
 /// By the axes of the view, O(vertices), on all threads of the current arena. May throw std::bad_alloc.
 Buffer<VertexGradient> projectGradients(const VolumeMesh& mesh, const VolumeView& view)
 {
-    const Eigen::Matrix3f axes = view.imageFromWorld.leftCols<3>().rowwise().normalized().cast<float>();
+    const Eigen::Matrix3f axes = view.axes();
     Buffer<VertexGradient> gradients(mesh.gradients.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, gradients.size(), 1 << 13), [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {

@@ -29,6 +29,8 @@ struct VolumeView {
     /// The place of sample 0 in the picture, from its centre.
     double firstX() const noexcept { return sampleX - centre.x(); }
     double firstY() const noexcept { return sampleY - centre.y(); }
+    /// Right, down and away from the eye, of unit length, as rows.
+    Eigen::Matrix3f axes() const { return imageFromWorld.leftCols<3>().rowwise().normalized().cast<float>(); }
 };
 
 /// The near plane is that of projectionMatrix(); without perspective there is none.
