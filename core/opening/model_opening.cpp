@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
+#include "core/build/model_build.h"
 #include "core/history/build_facts.h"
 #include "core/history/prefix_copy.h"
 #include "core/opening/file_state.h"
@@ -587,6 +588,8 @@ Result<FoundModel> openModel(const std::string& place, const OpenOptions& option
 Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,
                              const std::filesystem::path& output, const Progress& progress, const std::string& token)
 {
+    if (const Status safe = checkModelOutput(output); !safe)
+        return safe.error();
     CopyReport report;
     const auto copied = guarded(
         Message::marked("Not enough memory to read '%1'. Close other programs."),

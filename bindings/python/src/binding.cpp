@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "binding.h"
+#include "workers.h"
 
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <functional>
+#include <future>
+#include <memory>
 #include <thread>
+#include <utility>
 
 namespace tetra::python {
 
@@ -90,20 +95,28 @@ void watch(const py::object& callback, Shared& shared, std::stop_source& stop)
     }
 }
 
-/// Joins without the GIL, which the work may need for a last time.
+/// Work on another thread. Its end is waited for without the GIL, which it may need for a last time.
 class Joined {
 public:
-    explicit Joined(std::thread thread) : thread_(std::move(thread)) {}
+    explicit Joined(std::function<void()> work)
+    {
+        std::promise<void> promise;
+        ended_ = promise.get_future();
+        runOnWorker([work = std::move(work), ended = std::make_shared<std::promise<void>>(std::move(promise))] {
+            work();
+            ended->set_value();
+        });
+    }
     ~Joined()
     {
         const Unlocked unlocked;
-        thread_.join();
+        ended_.wait();
     }
     Joined(const Joined&) = delete;
     Joined& operator=(const Joined&) = delete;
 
 private:
-    std::thread thread_;
+    std::future<void> ended_;
 };
 
 const char* exceptionName(ErrorKind kind)
@@ -151,7 +164,7 @@ void runInterruptibly(const py::object& callback, const std::function<void(const
             shared.done = true;
             shared.ended.notify_one();
         };
-        const Joined worker{std::thread(run)};
+        const Joined worker(run);
         watch(callback, shared, stop);
     }
     if (failure)

@@ -2,6 +2,8 @@
 """Opening and building models; the server."""
 from __future__ import annotations
 
+import os
+from collections.abc import Mapping
 from typing import Any, Dict, List, Optional, Union
 
 import numpy as np
@@ -10,7 +12,7 @@ from . import _program, _tan
 from ._data import Data, Lattice
 from ._errors import WrongUsage
 from ._model import Model
-from ._numbers import number, path_text, text, whole
+from ._numbers import listed, number, path_text, shown, text, whole
 from ._progress import Progress, reporting
 
 
@@ -43,7 +45,7 @@ def data_of(source: Any, lattice: Dict[str, Any]) -> Data:
         return source
     if isinstance(source, (np.ndarray, list, tuple)) or hasattr(source, "__array__"):
         return Lattice(source, **lattice)
-    raise TypeError(f"data are a path, an array, tan.Lattice, tan.Grid, tan.Points or tan.Cells, not {source!r}")
+    raise TypeError(f"data are a path, an array, tan.Lattice, tan.Grid, tan.Points or tan.Cells, not {shown(source)}")
 
 
 def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warping: float = 0, method: Optional[str] = None,
@@ -73,10 +75,12 @@ def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warpi
     >>> folder.cleanup()
     """
     target = path_text(output, "output")
-    said: Dict[str, Any] = {"error": number(error, "error", least=0), "warping": number(warping, "warping", least=0), "builder": method,
-                            "finest": None if finest is None else number(finest, "finest", least=0), "order": order, "by": ordered_by,
-                            "block": block if block == "none" else None if block is None else whole(block, "block", 1, 2**32 - 1)}
-    terms = [weights] if isinstance(weights, str) else [text(term, "weights") for term in weights or []]
+    said: Dict[str, Any] = {"error": number(error, "error", least=0), "warping": number(warping, "warping", least=0),
+                            "builder": _word(method, "method"), "finest": None if finest is None else number(finest, "finest", least=0),
+                            "order": _word(order, "order"), "by": _word(ordered_by, "ordered_by"), "block": _block(block)}
+    terms = _terms(weights)
+    if options is not None and not isinstance(options, Mapping):
+        raise TypeError(f"options is a dictionary, not {shown(options)}")
     with reporting(progress) as report:
         if isinstance(source, str) or hasattr(source, "__fspath__"):
             if lattice:
@@ -89,9 +93,26 @@ def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warpi
     return open(target)
 
 
+def _word(value: Any, name: str) -> Optional[str]:
+    return None if value is None else text(value, name)
+
+
+def _block(block: Any) -> Union[None, int, str]:
+    if block is None or (isinstance(block, str) and block == "none"):
+        return block
+    return whole(block, "block", 1, 2**32 - 1)
+
+
+def _terms(weights: Any) -> List[str]:
+    given = [] if weights is None else [weights] if isinstance(weights, str) else listed(weights, "weights is a text or a list of texts")
+    if not all(text(term, "weights") for term in given):
+        raise WrongUsage("weights has an empty text. Leave it out.")
+    return given
+
+
 def _options(said: Dict[str, Any], terms: List[str]) -> _tan.BuildOptions:
     built = _tan.BuildOptions()
-    built.method = "" if said["builder"] is None else text(said["builder"], "method")
+    built.method = said["builder"] or ""
     built.error, built.warping, built.finest = said["error"], said["warping"], said["finest"]
     built.block = 0 if said["block"] == "none" else said["block"]
     built.order, built.ordered_by = said["order"], said["by"]
@@ -106,8 +127,10 @@ def _words(source: str, target: str, said: Dict[str, Any], terms: List[str], opt
 
     words = ["build", path(source), "-o", path(target)]
     for name, value in {**{name: value for name, value in said.items() if value}, **options}.items():
-        if not name.replace("-", "").replace("_", "").isalnum():
+        if not text(name, "the name of an option").replace("-", "").replace("_", "").isalnum():
             raise WrongUsage(f"'{name}' is no option.")
+        if value is not True and not isinstance(value, (str, int, float, np.integer, np.floating, os.PathLike)):
+            raise TypeError(f"the option '{name}' is a text, a number or True, not {shown(value)}")
         words += [f"--{name.replace('_', '-')}"] + ([] if value is True else [f"{value:.17g}" if isinstance(value, float) else str(value)])
     for term in terms:
         words += ["--weight", term]
@@ -122,7 +145,7 @@ def serve(folder: Any, *, port: int = 0, address: str = "127.0.0.1", token_file:
         with tan.serve("models") as server:
             m = tan.open(server.address + "engine.tan", error=2)
     """
-    words = ["serve", path_text(folder, "folder"), "--port", str(whole(port, "port", 0, 65535)), "--address", text(address, "address")]
+    words = ["serve", path_text(folder, "folder", in_utf8=False), "--port", str(whole(port, "port", 0, 65535)), "--address", text(address, "address")]
     if token_file is not None:
-        words += ["--token-file", path_text(token_file, "token_file")]
+        words += ["--token-file", path_text(token_file, "token_file", in_utf8=False)]
     return _program.Server(words)

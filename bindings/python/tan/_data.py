@@ -2,14 +2,15 @@
 """Arrays as data that a model is built from."""
 from __future__ import annotations
 
+import math
 from typing import Any, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _tan
-from ._errors import WrongUsage
-from ._numbers import Vector, number, real_array, samples, text, vector
+from ._errors import BadInput, WrongUsage
+from ._numbers import Vector, choice, number, real_array, samples, text, truth, vector
 from ._progress import Progress, reporting
 
 
@@ -30,13 +31,17 @@ class Data:
         self._held: Optional[_tan.Dataset] = None
 
     def _make(self, report: Any) -> _tan.Dataset:
-        raise NotImplementedError
+        raise TypeError("tan.Data is what data have in common. Make tan.Lattice, tan.Grid, tan.Points or tan.Cells.")
 
     def dataset(self, progress: Progress = None) -> _tan.Dataset:
         """The data checked and repaired, made once. Errors: BadInput says what is wrong with them."""
         if self._held is None:
             with reporting(progress) as report:
-                self._held = self._make(report)
+                made = self._make(report)
+            least, largest = made.facts()["range"]
+            if not math.isfinite(float(largest) - float(least)):
+                raise BadInput(f"The values of '{self._names.name}' go from {least:g} to {largest:g}, too far for computing with. Scale them.")
+            self._held = made
         return self._held
 
     @property
@@ -61,8 +66,7 @@ class Data:
 
 
 def _along_zyx(array: npt.NDArray[Any], axes: str, name: str) -> npt.NDArray[Any]:
-    if axes not in ("zyx", "xyz"):
-        raise WrongUsage(f"axes can be zyx, xyz, not '{axes}'.")
+    choice(axes, "axes", ("zyx", "xyz"))
     if array.ndim != 3:
         raise WrongUsage(f"{name} is an array with three axes, not {array.ndim}.")
     return array if axes == "zyx" else array.T
@@ -205,7 +209,7 @@ class Cells(Data):
         self._blocks = [(shape, self._corners(shape, corners)) for shape, corners in self._pairs(cells)]
         self._single = np.asarray(values).dtype.itemsize <= 4 and np.asarray(values).dtype != np.dtype("int32")
         self._values = real_array(values, "values", (None,))
-        self._per_cell = bool(per_cell)
+        self._per_cell = truth(per_cell, "per_cell")
 
     @staticmethod
     def _pairs(cells: Any) -> Iterable[Tuple[str, Any]]:
@@ -218,6 +222,7 @@ class Cells(Data):
         return [("tetra", cells)]
 
     def _corners(self, shape: str, corners: Any) -> npt.NDArray[np.uint64]:
+        text(shape, "the shape of cells")
         array = np.asarray(corners)
         if array.dtype.kind not in "ui":
             raise TypeError(f"cells are arrays of whole numbers, not of {array.dtype}")

@@ -18,6 +18,8 @@ class Surface:
     views, which stay valid without it."""
 
     def __init__(self, held: _tan.Surface, value_name: str = "", length_unit: str = "") -> None:
+        if not isinstance(held, _tan.Surface):
+            raise TypeError("surfaces are made by Mesh.isosurface(), Mesh.slice() and Mesh.boundary()")
         self._held = held
         self.value_name = value_name
         self.length_unit = length_unit
@@ -73,6 +75,8 @@ class Mesh:
     of memory that is not copied; they stay valid without the mesh and the model."""
 
     def __init__(self, held: _tan.Mesh, value_name: str = "", length_unit: str = "") -> None:
+        if not isinstance(held, _tan.Mesh):
+            raise TypeError("meshes are made by Model.mesh()")
         self._held = held
         self._facts = held.facts()
         self.value_name = value_name
@@ -140,11 +144,13 @@ class Mesh:
         """The cut of a plane through the mesh. `normal` (x, y, z) is of any length but 0; `at` is a point (x, y, z) of the plane, or its
         distance from the origin along the normal, in units of length."""
         direction = vector(normal, "normal")
-        length = float(np.linalg.norm(direction))
-        if length == 0:
+        longest = max(abs(part) for part in direction)
+        if longest == 0:
             raise WrongUsage("normal is 0, which is no direction.")
-        unit = np.divide(direction, length)
-        offset = float(np.dot(unit, vector(at, "at"))) if hasattr(at, "__len__") else number(at, "at")
+        scaled = np.divide(direction, longest)  # whose square is neither too large nor too small for a double
+        unit = scaled / np.linalg.norm(scaled)
+        is_point = hasattr(at, "__len__") and getattr(at, "ndim", 1) > 0
+        offset = float(np.dot(unit, vector(at, "at"))) if is_point else number(at, "at")
         with reporting(progress) as report:
             return self._surface(self._held.slice(tuple(unit), offset, report))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -12,7 +13,7 @@ from . import _program, _tan
 from ._data import Data
 from ._errors import WrongUsage
 from ._mesh import Mesh, Surface
-from ._numbers import Vector, number, path_text, text, whole
+from ._numbers import Vector, choice, listed, number, path_text, shown, text, truth, whole
 from ._progress import Progress, reporting
 from ._regions import Box, Focus, Ranges, error_field, ranges
 from ._verdict import Verdict
@@ -36,6 +37,8 @@ class Model:
     """
 
     def __init__(self, held: _tan.Model, token: str = "") -> None:
+        if not isinstance(held, _tan.Model):
+            raise TypeError("models are made by tan.open() and tan.build()")
         self._held = held
         self._token = token
         self._about = held.description()
@@ -173,7 +176,7 @@ class Model:
         query.method = text(method, "method")
         if window is not None:
             if not isinstance(window, Box):
-                raise TypeError(f"window is tan.box(...), not {window!r}")
+                raise TypeError(f"window is tan.box(...), not {shown(window)}")
             query.window, query.border = [list(window.least), list(window.largest)], window.border
         with reporting(progress) as report:
             return Mesh(self._held.extract(query, report), self.value_name, self.length_unit)
@@ -238,10 +241,14 @@ class Model:
         against: a path, the data (tan.Lattice ...), or the array, with the keywords that it was built with. levels: errors in %;
         0 is the whole model. Without them 10, 1 and 0, or of a file the usual ones.
         """
-        errors = None if levels is None else [number(level, "levels", least=0) for level in levels]
+        errors = None if levels is None else [number(level, "levels", least=0) for level in listed(levels, "levels is a list of errors")]
+        if errors == []:
+            raise WrongUsage("levels is empty, which proves nothing. Leave it out, or name errors.")
         with reporting(progress) as report:
             if isinstance(against, str) or hasattr(against, "__fspath__"):
-                words = ["verify", self.path, "--against", path_text(against, "against")]
+                if lattice:
+                    raise WrongUsage(f"{', '.join(lattice)}: of arrays. What a file says of itself is taken from it.")
+                words = ["verify", self.path, "--against", path_text(against, "against", in_utf8=False)]
                 if errors is not None:
                     words += ["--lod", ",".join(f"{error:.17g}" for error in errors)]
                 return Verdict(_program.run(words, report, accepted=(0, 1)))
@@ -253,12 +260,20 @@ class Model:
     def pack(self, path: Any, *, progress: Progress = None) -> Dict[str, Any]:
         """Writes the model packed, for archives and networks: a hundredth to a third of its size, and exact. Gives `bytes` and `method`."""
         with reporting(progress) as report:
-            return self._held.pack(path_text(path, "path"), report)
+            return self._held.pack(self._target(path), report)
 
     def save(self, path: Any, *, error: Optional[float] = None, progress: Progress = None) -> None:
         """Writes it as a model file of this disk, wherever it lies: all of it, or only as much as this error needs."""
+        target = self._target(path)
         with reporting(progress) as report:
-            _tan.copy(self.path, None if error is None else number(error, "error", least=0), path_text(path, "path"), self._token, report)
+            _tan.copy(self.path, None if error is None else number(error, "error", least=0), target, self._token, report)
+
+    def _target(self, path: Any) -> str:
+        """Where something of the model is written: anywhere but over the model."""
+        found = path_text(path, "path")
+        if os.path.exists(found) and os.path.exists(self.path) and os.path.samefile(found, self.path):
+            raise WrongUsage(f"'{found}' is the model itself, which would be overwritten. Give another name.")
+        return found
 
     def modes(self) -> List[Tuple[str, str]]:
         """The ways to draw it, the usual one first: ids for View(mode=...), and names."""
@@ -266,7 +281,7 @@ class Model:
 
     def view(self, *, size: Tuple[int, int] = (1024, 768), **look: Any) -> View:
         """How the model is seen at first, in a picture of this size, with everything said, and with these changes."""
-        asked = view_of(None, look)
+        asked = self._known(view_of(None, look))
         return View.from_text(_tan.fitted_view(self._held, asked.text, drawing(asked, size)))
 
     def kept_view(self, path: Any) -> Tuple[View, List[str]]:
@@ -285,27 +300,32 @@ class Model:
         """
         looked = view_of(view, look)
         options = drawing(looked, size)
-        options.transparent, options.samples, options.threads = bool(transparent), whole(samples, "samples", 1, 4), whole(threads, "threads", 0, 4096)
+        options.transparent, options.samples, options.threads = truth(transparent, "transparent"), whole(samples, "samples", 1, 4), whole(threads, "threads", 0, 4096)
         options.frame = None if frame is None else whole(frame, "frame", 0, 2**31 - 1)
-        if backend not in ("cpu", "gl"):
-            raise WrongUsage(f"backend can be cpu, gl, not '{backend}'.")
-        options.open_gl = backend == "gl"
+        options.open_gl = choice(backend, "backend", ("cpu", "gl")) == "gl"
         with reporting(progress) as report:
             return _tan.draw(self._held, looked.text, options, report)
 
     def save_picture(self, path: Any, view: Optional[View] = None, *, size: Tuple[int, int] = (1024, 768), **how: Any) -> None:
         """Writes a picture as PNG. It says of itself how it was made: TAn's window, and kept_view(), open its view again."""
+        target = self._target(path)
         looked = view_of(view, {name: value for name, value in how.items() if name not in _DRAWING})
         drawn = {name: value for name, value in how.items() if name in _DRAWING}
         pixels = self.render(looked, size=size, **drawn)
         options = drawing(looked, size)
-        options.transparent = bool(how.get("transparent", False))
-        _tan.write_png(self._held, pixels, looked.text, options, path_text(path, "path"))
+        options.transparent = truth(how.get("transparent", False), "transparent")
+        _tan.write_png(self._held, pixels, looked.text, options, target)
 
     def save_session(self, path: Any, view: Optional[View] = None, *, size: Tuple[int, int] = (1024, 768), **look: Any) -> None:
         """Writes a session (.tansession), which TAn's window and `tan render` open."""
-        looked = view_of(view, look)
-        _tan.write_session(self._held, looked.text, drawing(looked, size), path_text(path, "path"))
+        looked = self._known(view_of(view, look))
+        _tan.write_session(self._held, looked.text, drawing(looked, size), self._target(path))
+
+    def _known(self, view: View) -> View:
+        """The view, whose mode there is."""
+        if view.mode is not None:
+            choice(view.mode, "mode", [mode for mode, _ in self.modes()])
+        return view
 
     def _repr_html_(self) -> str:
         from ._notebook import page
@@ -322,10 +342,11 @@ _DRAWING = ("transparent", "samples", "threads", "backend", "frame", "progress")
 
 def drawing(view: View, size: Tuple[int, int]) -> _tan.DrawOptions:
     """How a picture of a view is made."""
-    if isinstance(size, (str, bytes)) or not hasattr(size, "__len__") or len(size) != 2:
-        raise TypeError(f"size is (width, height), not {size!r}")
+    lengths = listed(size, "size is (width, height)")
+    if len(lengths) != 2:
+        raise TypeError(f"size is (width, height), not {shown(size)}")
     options = _tan.DrawOptions()
-    options.width, options.height = (whole(length, "size", 1, 32768) for length in size)
+    options.width, options.height = (whole(length, "size", 1, 32767) for length in lengths)
     options.samples = 4
     options.fitted, options.zoom, options.target = view._fitted, view._zoom, view._target
     options.colours = view._colours or ""
@@ -336,6 +357,8 @@ class Explorer:
     """What Model.explore() gives."""
 
     def __init__(self, model: Model, usual: Dict[str, Any]) -> None:
+        if not isinstance(model, Model):
+            raise TypeError("explorers are made by Model.explore()")
         self._model: Optional[Model] = model
         self._usual = usual
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
-import pathlib
-from typing import Any, Optional, Sequence, Tuple, Union
+import operator
+import os
+import reprlib
+from collections.abc import Mapping, Set
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -12,16 +15,31 @@ import numpy.typing as npt
 from ._errors import WrongUsage
 
 Vector = Union[Sequence[float], npt.NDArray[Any]]
+_UNORDERED = (str, bytes, bytearray, type, Mapping, Set)  # or ordered, but no lists of anything
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = 200
+
+
+def shown(value: Any) -> str:
+    """What was given, as a sentence shows it: in short."""
+    return _SHORT.repr(value)
+
+
+def _is_real(value: Any) -> bool:
+    """Whether it is one real number. float() takes more: texts, the bytes of a buffer, and complex numbers of NumPy."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.ndim == 0 and value.dtype.kind in "uif"
+    return not isinstance(value, (bool, type)) and (hasattr(value, "__float__") or hasattr(value, "__index__"))
 
 
 def number(value: Any, name: str, least: Optional[float] = None) -> float:
     """A finite number."""
-    if isinstance(value, (str, bytes, bool, np.bool_)):
-        raise TypeError(f"{name} is a number, not {value!r}")
+    if not _is_real(value):
+        raise TypeError(f"{name} is a number, not {shown(value)}")
     try:
         result = float(value)
     except (TypeError, OverflowError) as problem:
-        raise TypeError(f"{name} is a number, not {value!r}") from problem
+        raise TypeError(f"{name} is a number, not {shown(value)}") from problem
     if not math.isfinite(result):
         raise WrongUsage(f"{name} is {result}, which is no finite number.")
     if least is not None and result < least:
@@ -31,27 +49,63 @@ def number(value: Any, name: str, least: Optional[float] = None) -> float:
 
 def whole(value: Any, name: str, least: int = 0, largest: int = 2**63 - 1) -> int:
     """A whole number within limits."""
-    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__"):
-        raise TypeError(f"{name} is a whole number, not {value!r}")
-    result = int(value.__index__())
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is a whole number, not {shown(value)}")
+    try:
+        result = operator.index(value)
+    except TypeError as problem:
+        raise TypeError(f"{name} is a whole number, not {shown(value)}") from problem
     if not least <= result <= largest:
         raise WrongUsage(f"{name} is {result}, but must be from {least} to {largest}.")
     return result
 
 
+def truth(value: Any, name: str) -> bool:
+    """True or False, also as NumPy or as 1 and 0. A text is neither, whatever it says."""
+    if isinstance(value, (bool, np.bool_)) or (_is_real(value) and value in (0, 1)):
+        return bool(value)
+    raise TypeError(f"{name} is True or False, not {shown(value)}")
+
+
+def listed(value: Any, what: str) -> List[Any]:
+    """The parts of a list, an array or the like, which have an order; `what` says what they are of."""
+    if isinstance(value, _UNORDERED):
+        raise TypeError(f"{what}, not {shown(value)}")
+    try:
+        return list(value)
+    except TypeError as problem:
+        raise TypeError(f"{what}, not {shown(value)}") from problem
+
+
 def vector(value: Any, name: str, length: int = 3) -> Tuple[float, ...]:
     """Finite numbers, as many as `length`."""
-    if isinstance(value, (str, bytes)) or not hasattr(value, "__len__"):
-        raise TypeError(f"{name} is {length} numbers, not {value!r}")
-    if len(value) != length:
-        raise WrongUsage(f"{name} is {length} numbers, not {len(value)}.")
+    try:
+        found = None if isinstance(value, _UNORDERED) else len(value)
+    except TypeError:
+        found = None
+    if found is None:
+        raise TypeError(f"{name} is {length} numbers, not {shown(value)}")
+    if found != length:
+        raise WrongUsage(f"{name} is {length} numbers, not {found}.")
     return tuple(number(part, name) for part in value)
 
 
 def text(value: Any, name: str) -> str:
+    """A text of whole characters: half of a surrogate pair is none, and cannot be written."""
     if not isinstance(value, str):
-        raise TypeError(f"{name} is a text, not {value!r}")
+        raise TypeError(f"{name} is a text, not {shown(value)}")
+    try:
+        value.encode()
+    except UnicodeEncodeError as problem:
+        raise WrongUsage(f"{name} has something at place {problem.start} that is no character: {shown(value)}.") from problem
     return value
+
+
+def choice(value: Any, name: str, known: Sequence[str]) -> str:
+    """One of several words."""
+    if text(value, name) not in known:
+        raise WrongUsage(f"{name} can be {', '.join(known)}, not {shown(value)}.")
+    return str(value)
 
 
 def real_array(value: Any, name: str, shape: Tuple[Optional[int], ...]) -> npt.NDArray[np.float64]:
@@ -59,10 +113,15 @@ def real_array(value: Any, name: str, shape: Tuple[Optional[int], ...]) -> npt.N
     array = np.asarray(value)
     if array.dtype.kind not in "buif":
         raise TypeError(f"{name} is an array of numbers, not of {array.dtype}")
+    if isinstance(value, np.ma.MaskedArray) and bool(np.any(value.mask)):
+        raise WrongUsage(f"{name} has masked entries, which say nothing. Leave them out.")
     if array.ndim != len(shape) or any(wanted not in (None, found) for wanted, found in zip(shape, array.shape)):
         wanted = ", ".join("n" if length is None else str(length) for length in shape)
         raise WrongUsage(f"{name} is an array of shape ({wanted}), not {array.shape}.")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    made = np.ascontiguousarray(array, dtype=np.float64)
+    if array.dtype.kind in "ui" and array.dtype.itemsize == 8 and array.size:
+        _check_exact(int(array.min()), int(array.max()), name)
+    return made
 
 
 def samples(values: Any, name: str) -> npt.NDArray[Any]:
@@ -88,17 +147,24 @@ def _narrowed(array: npt.NDArray[Any], name: str) -> npt.NDArray[Any]:
     for narrow in (np.int32, np.uint32):
         if np.iinfo(narrow).min <= least and largest <= np.iinfo(narrow).max:
             return array.astype(narrow)
-    if max(-least, largest) > 2**53:
-        raise WrongUsage(f"{name} has integers up to {max(-least, largest)}, which are more than doubles hold exactly (2^53). "
-                         "Scale them, or convert them to float64 yourself.")
+    _check_exact(least, largest, name)
     return array.astype(np.float64)
 
 
-def path_text(path: Any, name: str) -> str:
-    """A path as a text; no array, no number."""
-    if isinstance(path, (str, pathlib.PurePath)) or hasattr(path, "__fspath__"):
-        found = str(path.__fspath__() if hasattr(path, "__fspath__") else path)
-        if "\0" in found or not found:
-            raise WrongUsage(f"{name} is no path.")
-        return found
-    raise TypeError(f"{name} is a path, not {path!r}")
+def _check_exact(least: int, largest: int, name: str) -> None:
+    if max(-least, largest) > 2**53:
+        raise WrongUsage(f"{name} has integers up to {max(-least, largest)}, which are more than doubles hold exactly (2^53). "
+                         "Scale them, or convert them to float64 yourself.")
+
+
+def path_text(path: Any, name: str, *, in_utf8: bool = True) -> str:
+    """A path as a text; no array, no number. What models are called, `in_utf8`, is a text; the program `tan` takes any name."""
+    try:
+        found = os.fspath(path)
+    except TypeError as problem:
+        raise TypeError(f"{name} is a path, not {shown(path)}") from problem
+    if not isinstance(found, str):
+        raise TypeError(f"{name} is a path as a text, not {shown(path)}")
+    if "\0" in found or not found:
+        raise WrongUsage(f"{name} is no path.")
+    return text(found, name) if in_utf8 else found

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Iterable, Optional, Tuple, Union
+from typing import Any, Iterable, List, Optional, Tuple, Union
 
 from ._errors import WrongUsage
-from ._numbers import Vector, number, vector
+from ._numbers import Vector, choice, listed, number, vector
 
 
 def _written(*numbers: float) -> str:
@@ -21,9 +21,17 @@ class Region:
     error: Optional[float]
     falloff: float
 
+    def __post_init__(self) -> None:
+        self._keep("error", None if self.error is None else number(self.error, "error", least=0))
+        self._keep("falloff", number(self.falloff, "falloff", least=0))
+
+    def _keep(self, name: str, value: Any) -> None:
+        """A member, checked; the only time that it is set."""
+        object.__setattr__(self, name, value)
+
     def shape(self) -> str:
         """Its beginning in the text of a field."""
-        raise NotImplementedError
+        raise TypeError("tan.Region is what regions have in common. Take tan.sphere(), tan.box() or tan.half_space().")
 
     def field(self, outside: float) -> str:
         """The error field of this focus as a text, where the error elsewhere is `outside`, in %."""
@@ -39,6 +47,11 @@ class Sphere(Region):
     centre: Tuple[float, ...]
     radius: float
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._keep("centre", vector(self.centre, "centre"))
+        self._keep("radius", number(self.radius, "radius", least=0))
+
     def shape(self) -> str:
         return f"sphere({_written(*self.centre, self.radius)}"
 
@@ -51,6 +64,12 @@ class Box(Region):
     largest: Tuple[float, ...]
     border: str
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._keep("least", vector(self.least, "least"))
+        self._keep("largest", vector(self.largest, "largest"))
+        choice(self.border, "border", ("intersecting", "contained", "clipped"))
+
     def shape(self) -> str:
         return f"box({_written(*self.least, *self.largest)}"
 
@@ -62,12 +81,13 @@ class HalfSpace(Region):
     normal: Tuple[float, ...]
     offset: float
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._keep("normal", vector(self.normal, "normal"))
+        self._keep("offset", number(self.offset, "offset"))
+
     def shape(self) -> str:
         return f"halfspace({_written(*self.normal, self.offset)}"
-
-
-def _error(error: Optional[float]) -> Optional[float]:
-    return None if error is None else number(error, "error", least=0)
 
 
 def sphere(centre: Vector, radius: float, *, error: Optional[float] = None, falloff: float = 0) -> Sphere:
@@ -76,7 +96,7 @@ def sphere(centre: Vector, radius: float, *, error: Optional[float] = None, fall
     >>> sphere((8, 8, 8), 3, error=0.5, falloff=4)
     Sphere(error=0.5, falloff=4.0, centre=(8.0, 8.0, 8.0), radius=3.0)
     """
-    return Sphere(_error(error), number(falloff, "falloff", least=0), vector(centre, "centre"), number(radius, "radius", least=0))
+    return Sphere(error, falloff, vector(centre, "centre"), radius)
 
 
 def box(least: Vector, largest: Vector, *, error: Optional[float] = None, falloff: float = 0, border: str = "intersecting") -> Box:
@@ -85,14 +105,12 @@ def box(least: Vector, largest: Vector, *, error: Optional[float] = None, fallof
     `error` and `falloff` are those of a focus. `border` says what becomes of tetrahedra at the border of a window: "intersecting" keeps
     all that touch it, "contained" those that lie in it whole, and "clipped" cuts them at the window.
     """
-    if border not in ("intersecting", "contained", "clipped"):
-        raise WrongUsage(f"border can be intersecting, contained, clipped, not '{border}'.")
-    return Box(_error(error), number(falloff, "falloff", least=0), vector(least, "least"), vector(largest, "largest"), border)
+    return Box(error, falloff, vector(least, "least"), vector(largest, "largest"), border)
 
 
 def half_space(normal: Vector, offset: float, *, error: Optional[float] = None, falloff: float = 0) -> HalfSpace:
     """The points p with normal . p <= offset, as a focus of Model.mesh()."""
-    return HalfSpace(_error(error), number(falloff, "falloff", least=0), vector(normal, "normal"), number(offset, "offset"))
+    return HalfSpace(error, falloff, vector(normal, "normal"), offset)
 
 
 Focus = Union[None, Region, Iterable[Region]]
@@ -103,9 +121,10 @@ def error_field(error: float, focus: Focus) -> str:
     """The error field as a text of TAn's: `error` everywhere, less in the focus."""
     if focus is None:
         return repr(error)
-    regions = [focus] if isinstance(focus, Region) else list(focus)
+    kinds = "focus is tan.sphere(...), tan.box(...) or tan.half_space(...), or a list of these"
+    regions: List[Region] = [focus] if isinstance(focus, Region) else listed(focus, kinds)
     if not all(isinstance(region, Region) for region in regions):
-        raise TypeError("focus is tan.sphere(...), tan.box(...) or tan.half_space(...), or a list of these")
+        raise TypeError(kinds)
     fields = [region.field(error) for region in regions]
     if not fields:
         return repr(error)
@@ -116,7 +135,7 @@ def ranges(values: Ranges) -> list[Tuple[float, float]]:
     """One closed range of values or several."""
     if values is None:
         return []
-    given: list[Any] = list(values)
+    given = listed(values, "values is a range (least, largest), or a list of these")
     if len(given) == 2 and not hasattr(given[0], "__len__"):
         given = [tuple(given)]
     found = []

@@ -12,6 +12,8 @@ class Verdict:
     and failures. True if it is ok."""
 
     def __init__(self, facts: Dict[str, Any]) -> None:
+        if not isinstance(facts, dict) or not {"ok", "failures", "levels"} <= set(facts):
+            raise TypeError("verdicts are made by Model.verify()")
         self.ok = bool(facts["ok"])
         self.failures: List[str] = list(facts["failures"])
         self.levels: List[Dict[str, Any]] = list(facts["levels"])

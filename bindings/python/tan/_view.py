@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import copy
 import json
-from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 from ._errors import WrongUsage
-from ._numbers import Vector, number, text, vector, whole
+from ._numbers import Vector, choice, listed, number, shown, text, truth, vector, whole
 
 Colour = Union[Tuple[float, float, float], List[float]]
 _UP = ("x", "-x", "y", "-y", "z", "-z")
@@ -29,6 +29,20 @@ def _setting(value: Any, name: str) -> Any:
     if hasattr(value, "__index__"):
         return {"integer": whole(value, name, -(2**63))}
     return {"number": number(value, name)}
+
+
+def _as_json(value: Dict[str, Any], name: str) -> Dict[str, Any]:
+    """A copy of what can be written as JSON."""
+    try:
+        made: Dict[str, Any] = json.loads(json.dumps(value, allow_nan=False))
+        return made
+    except (TypeError, ValueError, RecursionError) as problem:
+        raise WrongUsage(f"{name} has something that JSON does not have: {problem}.") from problem
+
+
+def _is_list(value: Any) -> bool:
+    """Whether it has parts, unlike a number or an array of NumPy without axes."""
+    return hasattr(value, "__iter__") and getattr(value, "ndim", 1) > 0
 
 
 class View:
@@ -67,7 +81,9 @@ class View:
         made = cls()
         try:
             parsed = json.loads(text(view, "view"))
-        except ValueError as problem:
+        except RecursionError as problem:
+            raise WrongUsage("The view is nested too deep.") from problem
+        except json.JSONDecodeError as problem:
             raise WrongUsage(f"The view is no JSON: {problem}.") from problem
         if not isinstance(parsed, dict):
             raise WrongUsage("The view is no JSON object.")
@@ -83,14 +99,16 @@ class View:
     @property
     def mode(self) -> Optional[str]:
         """The id of the mode, or None: the usual one."""
-        mode = self._text.get("look", {}).get("mode")
+        mode = self._found("look").get("mode")
         return None if mode is None else str(mode)
 
     @property
     def transfer(self) -> Optional[Dict[str, Any]]:
         """The transfer function in TAn's form, or None: one that fits the values."""
-        found = self._text.get("look", {}).get("transfer")
-        return None if found is None else copy.deepcopy(dict(found))
+        found = self._found("look").get("transfer")
+        if found is not None and not isinstance(found, dict):
+            raise WrongUsage("'transfer' of the view is no JSON object.")
+        return copy.deepcopy(found)
 
     def changed(self, **look: Any) -> View:
         """The same view but for this."""
@@ -98,10 +116,14 @@ class View:
         other._change(look)
         return other
 
-    def _member(self, name: str) -> Dict[str, Any]:
-        member = self._text.setdefault(name, {})
+    def _found(self, name: str) -> Dict[str, Any]:
+        member = self._text.get(name, {})
         if not isinstance(member, dict):
             raise WrongUsage(f"'{name}' of the view is no JSON object.")
+        return member
+
+    def _member(self, name: str) -> Dict[str, Any]:
+        member = self._text[name] = self._found(name)
         return member
 
     def _change(self, look: Dict[str, Any]) -> None:
@@ -123,14 +145,14 @@ class View:
         self._member("mesh").update(budget=whole(value, "budget", 1), byBudget=True)
 
     def _set_isovalues(self, value: Any) -> None:
-        given: Iterable[Any] = value if hasattr(value, "__iter__") else [value]
+        given = listed(value, "isovalues is numbers") if _is_list(value) else [value]
         self._text["isovalues"] = [self._isovalue(part, index) for index, part in enumerate(given)]
 
     @staticmethod
     def _isovalue(part: Any, index: int) -> Dict[str, Any]:
         palette = ((0.90, 0.62, 0.0), (0.34, 0.71, 0.91), (0.0, 0.62, 0.45), (0.84, 0.37, 0.0), (0.0, 0.45, 0.70), (0.80, 0.47, 0.65),
                    (0.94, 0.89, 0.26))  # of Okabe and Ito, for all kinds of sight
-        parts: List[Any] = list(part) if hasattr(part, "__len__") and not isinstance(part, str) else [part]
+        parts = listed(part, "an isovalue is a number, (value, colour) or (value, colour, opacity)") if _is_list(part) else [part]
         if not 1 <= len(parts) <= 3:
             raise WrongUsage("An isovalue is a number, (value, colour) or (value, colour, opacity).")
         value, colour = parts[0], parts[1] if len(parts) > 1 else palette[index % len(palette)]
@@ -141,38 +163,36 @@ class View:
 
     def _set_transfer(self, value: Any) -> None:
         if isinstance(value, str):
-            self._colours = value
+            self._colours = text(value, "transfer")
         elif isinstance(value, Mapping):
             self._colours = None
-            self._member("look")["transfer"] = {"format": "tan-transfer-function", "version": 2, **value}
+            self._member("look")["transfer"] = _as_json({"format": "tan-transfer-function", "version": 2, **value}, "transfer")
         else:
-            raise TypeError(f"transfer is the name of a colour map or a dictionary, not {value!r}")
+            raise TypeError(f"transfer is the name of a colour map or a dictionary, not {shown(value)}")
 
     def _set_settings(self, value: Any) -> None:
         if not isinstance(value, Mapping):
-            raise TypeError(f"settings is a dictionary, not {value!r}")
-        settings = self._member("look").setdefault("settings", {})
-        settings.update({str(name): _setting(part, str(name)) for name, part in value.items()})
+            raise TypeError(f"settings is a dictionary, not {shown(value)}")
+        said = _as_json({str(name): _setting(part, str(name)) for name, part in value.items()}, "settings")
+        self._member("look").setdefault("settings", {}).update(said)
 
-    def _set_camera(self, name: str, value: Any) -> None:
+    def _look_from(self, name: str, value: Any) -> None:
         self._member("camera")[name] = value
 
     def _set_azimuth(self, value: Any) -> None:
-        self._set_camera("azimuth", number(value, "azimuth"))
+        self._look_from("azimuth", number(value, "azimuth"))
 
     def _set_elevation(self, value: Any) -> None:
-        self._set_camera("elevation", max(-90.0, min(90.0, number(value, "elevation"))))
+        self._look_from("elevation", max(-90.0, min(90.0, number(value, "elevation"))))
 
     def _set_roll(self, value: Any) -> None:
-        self._set_camera("roll", number(value, "roll"))
+        self._look_from("roll", number(value, "roll"))
 
     def _set_up(self, value: Any) -> None:
-        if value not in _UP:
-            raise WrongUsage(f"up can be {', '.join(_UP)}, not '{value}'.")
-        self._set_camera("up", value)
+        self._look_from("up", choice(value, "up", _UP))
 
     def _set_perspective(self, value: Any) -> None:
-        self._set_camera("perspective", bool(value))
+        self._look_from("perspective", truth(value, "perspective"))
 
     def _set_zoom(self, value: Any) -> None:
         self._zoom = number(value, "zoom")
@@ -188,26 +208,28 @@ class View:
     def _set_window(self, value: Any) -> None:
         from ._regions import Box
         if not isinstance(value, Box):
-            raise TypeError(f"window is tan.box(...), not {value!r}")
+            raise TypeError(f"window is tan.box(...), not {shown(value)}")
+        if any(least > largest for least, largest in zip(value.least, value.largest)):
+            raise WrongUsage(f"window goes from {value.least} to {value.largest}, which is no box.")
         self._member("mesh")["window"] = {"on": True, "border": value.border, "least": list(value.least), "largest": list(value.largest)}
 
-    def _annotation(self, name: str, shown: Any) -> None:
-        self._member("annotations").setdefault(name, {})["shown"] = bool(shown)
+    def _annotation(self, name: str, is_shown: bool) -> None:
+        self._member("annotations").setdefault(name, {})["shown"] = is_shown
 
     def _set_colour_bar(self, value: Any) -> None:
-        self._annotation("colourBar", value)
+        self._annotation("colourBar", truth(value, "colour_bar"))
 
     def _set_axes(self, value: Any) -> None:
-        self._annotation("axes", value)
+        self._annotation("axes", truth(value, "axes"))
 
     def _set_scale_bar(self, value: Any) -> None:
-        self._annotation("scaleBar", value)
+        self._annotation("scaleBar", truth(value, "scale_bar"))
 
     def _set_title(self, value: Any) -> None:
-        self._annotation("title", value)
+        self._annotation("title", truth(value, "title"))
 
     def _set_accuracy(self, value: Any) -> None:
-        self._annotation("accuracy", value)
+        self._annotation("accuracy", truth(value, "accuracy"))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, View) and vars(self) == vars(other)
@@ -221,6 +243,6 @@ class View:
 def view_of(view: Optional[View], look: Dict[str, Any]) -> View:
     """A view with these changes."""
     if view is not None and not isinstance(view, View):
-        raise TypeError(f"a view is a tan.View, not {view!r}")
+        raise TypeError(f"a view is a tan.View, not {shown(view)}")
     return (view if view is not None else View()).changed(**look)
 

@@ -124,8 +124,8 @@ struct CopyReport {
 };
 
 /// Writes a model that lies anywhere, in either form, as an explicit file of this disk: all of it, or its beginning
-/// that keeps an accuracy. `output` appears whole or not at all, and replaces what was there. Errors: as openModel();
-/// the output cannot be written. `token`: as OpenOptions has it.
+/// that keeps an accuracy. `output` appears whole or not at all, and replaces a model that was there. Errors: as
+/// openModel(); the output is another file, or cannot be written. `token`: as OpenOptions has it.
 TAN_API Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,
                                      const std::filesystem::path& output, const Progress& progress = {},
                                      const std::string& token = {});

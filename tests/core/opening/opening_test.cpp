@@ -92,6 +92,20 @@ private slots:
         writeBytes(place("model.tan"), packedBytes());
     }
 
+    /// What somebody wrote is no model that a copy may replace.
+    void aCopyReplacesNothingButModels()
+    {
+        const std::vector<std::byte> notes(3, std::byte('n'));
+        const Path output = place("notes.txt");
+        writeBytes(output, notes);
+        const auto refused = copyModel(place("model.tan"), {}, output);
+        QVERIFY(!refused && refused.error().kind == ErrorKind::WrongUsage);
+        QVERIFY(readBytes(output) == notes);
+        std::filesystem::remove(output);
+        for ([[maybe_unused]] const char* over : {"nothing", "a model"})
+            QVERIFY(copyModel(place("model.tan"), {}, output).ok());
+    }
+
     void aLevelIsMadeOnceForAFile()
     {
         std::vector<float> first;
