@@ -12111,6 +12111,18 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>The plugin &apos;%1&apos; has an optical model with a table of %2 entries; at most %3 can be used. This is a fault of the plugin; tell its author.</source>
         <translation>Das Plugin „%1“ hat ein optisches Modell mit einer Tabelle aus %2 Einträgen; höchstens %3 können verwendet werden. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
     </message>
+    <message>
+        <source>Points that the moved boundary leaves outside the mesh are compared with a place within the warping; at the nearest place they may be off by more.</source>
+        <translation>Punkte, die der verschobene Rand außerhalb des Netzes lässt, werden mit einer Stelle innerhalb des Warpings verglichen; an der nächsten Stelle können sie um mehr abweichen.</translation>
+    </message>
+    <message>
+        <source>Between vertices interpolate &apos;%1&apos;, and take the power of ten afterwards: the factor holds for that. &apos;%2&apos;, interpolated itself, may be off by much more.</source>
+        <translation>Interpolieren Sie zwischen Eckpunkten „%1“ und nehmen Sie danach die Zehnerpotenz: dafür gilt der Faktor. „%2“, selbst interpoliert, kann um viel mehr abweichen.</translation>
+    </message>
+    <message>
+        <source>The model has no finer mesh than this, which keeps less than requested.</source>
+        <translation>Das Modell hat kein feineres Netz als dieses, das weniger einhält als verlangt.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -12111,6 +12111,18 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>The plugin &apos;%1&apos; has an optical model with a table of %2 entries; at most %3 can be used. This is a fault of the plugin; tell its author.</source>
         <translation>Il plugin «%1» ha un modello ottico con una tabella di %2 voci; se ne possono usare al massimo %3. È un difetto del plugin; segnalarlo al suo autore.</translation>
     </message>
+    <message>
+        <source>Points that the moved boundary leaves outside the mesh are compared with a place within the warping; at the nearest place they may be off by more.</source>
+        <translation>I punti che il bordo spostato lascia fuori dalla mesh sono confrontati con un luogo entro la deformazione; nel luogo più vicino possono scostarsi di più.</translation>
+    </message>
+    <message>
+        <source>Between vertices interpolate &apos;%1&apos;, and take the power of ten afterwards: the factor holds for that. &apos;%2&apos;, interpolated itself, may be off by much more.</source>
+        <translation>Tra i vertici interpolare «%1» e prendere poi la potenza di dieci: il fattore vale per questo. «%2», interpolato direttamente, può scostarsi di molto di più.</translation>
+    </message>
+    <message>
+        <source>The model has no finer mesh than this, which keeps less than requested.</source>
+        <translation>Il modello non ha una mesh più fine di questa, che mantiene meno di quanto richiesto.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

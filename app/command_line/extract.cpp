@@ -13,6 +13,7 @@
 #include "app/command_line/table.h"
 #include "core/base/text.h"
 #include "core/history/error_meaning.h"
+#include "core/picture/mesh_remarks.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
@@ -104,28 +105,6 @@ Result<ErrorStatistics> measured(const Task& task, const std::string& against, c
     return verdict->measured;
 }
 
-/// In files of meshes, which have logarithms and what they are of: which array keeps what is promised.
-Message logarithmRemark(std::string_view logarithms)
-{
-    return Message("Between vertices interpolate '" + valueArrayName(logarithms) +
-                   "', and take the power of ten afterwards: the factor holds for that. '" +
-                   valueArrayName(nameOfLogarithms(logarithms)) + "', interpolated itself, may be off by much more.");
-}
-
-/// What the numbers of the mesh do not say by themselves.
-std::vector<Message> remarksOn(const ModelDescription& model, const MeshQuery& query, const ExtractedMesh& found,
-                               bool isMeasured)
-{
-    std::vector<Message> remarks;
-    if (found.scale > 1 && !query.budget && !query.range)
-        remarks.emplace_back("The model has no finer mesh than this, which keeps less than requested.");
-    const bool boundaryMoves = model.warpingWeight > 0 && model.domain != DomainClass::Curvilinear;
-    if (boundaryMoves && found.reached && found.reached->warping > 0 && !isMeasured)
-        remarks.emplace_back("Points that the moved boundary leaves outside the mesh are compared with a place within "
-                             "the warping; at the nearest place they may be off by more, which '--against' measures.");
-    return remarks;
-}
-
 Error noBoundary()
 {
     return {ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
@@ -183,9 +162,8 @@ Result<Extraction> extractMesh(const Task& task, const MeshQuery& query, std::sh
     if (statistics)
         outcome.text += "\n" + statisticsText({{"extracted", *statistics}}, domain);
     const ModelDescription& description = task.model.description();
-    FileRemarks remarks = remarksOn(description, query, found, statistics.has_value());
-    if (holdsLogarithms(description.parameters) && !isSurfaceFileOnly(task.host, task.output.path))
-        remarks.push_back(logarithmRemark(description.valueName));
+    FileRemarks remarks =
+        meshRemarks(description, query, found, statistics.has_value(), !isSurfaceFileOnly(task.host, task.output.path));
     std::ranges::copy(*written, std::back_inserter(remarks));
     return Extraction{std::move(outcome), std::move(remarks)};
 }
@@ -227,8 +205,11 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     if (!query.range)
         describeMesh(invocation.host, output, outcome);
     FileRemarks remarks = *written;
+    const bool isGrid = !mesh->fact("error_kind").empty();
+    if (!isGrid && mesh->figures.numberAs<double>("reached_warping").value_or(0) > 0)
+        remarks.push_back(movedBoundaryRemark());
     if (mesh->fact(scaleFact) == logarithmFact && !isSurfaceFileOnly(invocation.host, output.path))
-        remarks.push_back(logarithmRemark(mesh->fact("array")));
+        remarks.push_back(logarithmsRemark(mesh->fact("array")));
     return Extraction{std::move(outcome), std::move(remarks)};
 }
 

@@ -4,7 +4,6 @@
 #include "app/command_line/error_statistics.h"
 #include "app/command_line/table.h"
 #include "core/data/value_scale.h"
-#include "core/transfer/remark_texts.h"
 
 #include <algorithm>
 #include <utility>

@@ -203,6 +203,14 @@ Eigen::AlignedBox3d framedPart(const ModelDescription& data, const MeshQuery& qu
     return window.isEmpty() ? data.bounds : window;
 }
 
+/// Whether values on the boundary are asked for, and neither a mode nor isovalues.
+bool wantsBoundaryAlone(const Arguments& arguments, const ParameterValues& given)
+{
+    const auto boundary = given.find(boundaryId);
+    return boundary != given.end() && boundary->second == ParameterValue(std::string(boundaryValues)) &&
+           !arguments.has("mode") && !given.contains(isovaluesId);
+}
+
 Result<ModelView> viewByOptions(const Invocation& invocation, const RenderRequest& request,
                                 const Provided<Renderer>& renderer)
 {
@@ -246,6 +254,8 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return field.error();
     const auto modes = renderingModes(invocation.host);
     ViewValue start = startingView(modes, *view.model, *field);
+    if (wantsBoundaryAlone(invocation.arguments, *values))
+        start.isovalues.clear();
     // How large the error is may depend on what is shown, and the opacities to begin with depend on the error.
     const auto asked = queryOf(invocation.arguments,
                                presentView(*camera, completed(*values, renderer.plugin->parameters(*field), start)));

@@ -48,9 +48,7 @@ std::string rangeText(double least, double largest)
 
 std::string factorText(double factor)
 {
-    constexpr int fewest = 4, most = 12;
-    const double zeros = factor > 1 ? std::floor(-std::log10(factor - 1)) : 0;
-    return rounded(factor, std::clamp(fewest + static_cast<int>(std::max(0.0, zeros)), fewest, most));
+    return rounded(factor, factorDigits(factor));
 }
 
 std::string byteText(std::uint64_t bytes)

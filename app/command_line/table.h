@@ -16,7 +16,7 @@ std::string rounded(double number, int digits = 4);
 /// "101325.0 to 101325.4": both ends, with as many digits as tell a thousandth of what lies between them apart.
 std::string rangeText(double least, double largest);
 
-/// "1.023", a factor that is hardly more than 1 with four digits of the difference.
+/// "1.26", a factor that is hardly more than 1 with two digits of the difference.
 std::string factorText(double factor);
 
 /// "1.5 MB".

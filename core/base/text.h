@@ -4,6 +4,7 @@
 #include <tan/base.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -44,6 +45,15 @@ bool isSeenAsItself(std::uint32_t code) noexcept;
 /// Control characters become "\n" or "\x1b", other line breaks, marks of direction and invisible characters "\u202e",
 /// bytes that are no UTF-8 "\xff". All else stays, backslashes too; so twice is the same as once. Linear.
 TAN_INTERNAL std::string visibleText(std::string text);
+
+/// With how many significant digits a factor is told: three, 1.26, or so many that it differs from 1 in two, 1.0023; at
+/// most twelve.
+inline int factorDigits(double factor)
+{
+    constexpr double fewest = 3, most = 12;
+    const double wanted = factor > 1 ? 2 - std::floor(std::log10(factor - 1)) : fewest;
+    return static_cast<int>(std::clamp(wanted, fewest, most));
+}
 
 /// A message with visibleText() wherever it is not a sentence of this program.
 inline std::string visibleText(const Message& message)

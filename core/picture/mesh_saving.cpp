@@ -4,6 +4,7 @@
 #include "core/base/guarded.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
+#include "core/picture/mesh_remarks.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/value_arrays.h"
 
@@ -138,7 +139,13 @@ Result<FileRemarks> writeMesh(PluginHost& host, const MeshOrder& order, const Pr
                             *measured ? std::optional((*measured)->largest) : std::nullopt, extracted.reached);
     if (const Status right = order.model->confirm(progress.withCallback({})); !right)
         return right.error();
-    return saveMesh(host, content, order.target, {}, progress.part(0.3, 1));
+    const auto saved = saveMesh(host, content, order.target, {}, progress.part(0.3, 1));
+    if (!saved)
+        return saved.error();
+    FileRemarks remarks =
+        meshRemarks(description, order.query, extracted, false, !isSurfaceFileOnly(host, order.target));
+    std::ranges::copy(*saved, std::back_inserter(remarks));
+    return remarks;
 }
 
 Result<FileRemarks> writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/shown_mesh.h"
 
+#include "core/base/text.h"
 #include "core/data/value_scale.h"
 
 #include <algorithm>
@@ -54,10 +55,8 @@ std::optional<ValueRange> logarithmsOf(const ModelDescription& model)
 
 std::string factorNumber(double percent, const ValueRange& logarithms, const NumberSigns& signs)
 {
-    constexpr int fewest = 3, most = 12;
     const double factor = factorOf(percent, logarithms);
-    const double wanted = factor > 1 ? 2 - std::floor(std::log10(factor - 1)) : fewest;
-    return digitsOf(factor, static_cast<int>(std::clamp<double>(wanted, fewest, most)), signs);
+    return digitsOf(factor, factorDigits(factor), signs);
 }
 
 Message errorNumber(double percent, const std::optional<ValueRange>& logarithms, const NumberSigns& signs)

@@ -2,7 +2,8 @@
 // A mesh of error e shows anything between v - e and v + e where the data have the value v. So where most of the domain
 // has one value, whatever is made visible within e of that value may appear anywhere in it; and where the data come
 // nearer than e to their least or their largest value, a surface beside that value may come and go.
-#include "core/transfer/remark_texts.h"
+
+#include "core/base/text.h"
 
 #include <tan/transfer.h>
 
@@ -145,10 +146,8 @@ std::string valueOfLogarithm(double logarithm, double significant)
 
 Message factorOfError(double error)
 {
-    constexpr double fewest = 3, most = 12;
     const double factor = std::pow(10, error);
-    const double digits = factor > 1 ? 2 - std::floor(std::log10(factor - 1)) : fewest;
-    return Message::say("a factor of %1", roundedNumber(factor, std::clamp(digits, fewest, most)));
+    return Message::say("a factor of %1", roundedNumber(factor, factorDigits(factor)));
 }
 
 RemarkWords wordsOf(const ErrorRemark& remark, bool ofLogarithms)
@@ -175,11 +174,6 @@ std::vector<ErrorRemark> errorRemarks(const ErrorRemarkInput& input)
         if (const auto remark = opacityRemark(*input.transfer, input))
             remarks.push_back(*remark);
     return remarks;
-}
-
-Message errorRemarkText(const ErrorRemark& remark)
-{
-    return errorRemarkText(remark, false);
 }
 
 Message errorRemarkText(const ErrorRemark& remark, bool ofLogarithms)
@@ -215,11 +209,6 @@ double enoughPercent(const ErrorRemark& remark, const TransferLimits& range)
     const int decade = static_cast<int>(std::floor(std::log10(percent)));
     const double unit = std::pow(10, std::abs(decade));
     return decade < 0 ? std::floor(percent * unit) / unit : std::floor(percent / unit) * unit;
-}
-
-Message errorCureText(const ErrorRemark& remark, const TransferLimits& range)
-{
-    return errorCureText(remark, range, false);
 }
 
 Message errorCureText(const ErrorRemark& remark, const TransferLimits& range, bool ofLogarithms)

@@ -433,6 +433,13 @@ private slots:
             const QColor seen = drawn(red, mode).first.pixelColor(30, 30);
             QVERIFY2(seen.red() > 200 && seen.green() < 60, mode);
         }
+        const auto triangles = [&](const QStringList& options) {
+            const Run run =
+                tan(QStringList{"render", "c60.tan", "--size", "60x60", "-o", "picture.png", "--json"} + red + options);
+            return run.json()["triangles"].toInteger(-1);
+        };
+        QVERIFY(triangles({}) > 0 && triangles({}) < triangles({"--mode", "isosurface"}));
+        QVERIFY(triangles({}) < triangles({"--isovalue", "60"}));
         const QStringList lit = red + QStringList{"--lit"};
         QVERIFY(drawn(lit).first != drawn(lit + QStringList{"--boundary-far-side"}).first);
     }

@@ -23,6 +23,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -199,6 +200,13 @@ void StatisticsTest::errorsOfLogarithmsAreFactors()
     QTRY_VERIFY(window_->find<QLabel>("status.remarks").toolTip().contains("The isovalue log10(1) is within"));
     window_->find<QPushButton>("statistics.copy").click();
     QVERIFY(QGuiApplication::clipboard()->text().contains("\tFactor\n"));
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
+    for (const char* name : {"/logarithms.vtu", "/logarithms.ply"})
+        window_->workbench.exporting().saveMesh(window_->folderPath() + name);
+    QTRY_COMPARE(saved.count(), 2);
+    const auto told = [&](qsizetype file) { return saved[file][1].toStringList().join('\n'); };
+    QVERIFY2(told(0).contains("interpolate 'log10("), qPrintable(told(0)));
+    QVERIFY2(!told(1).contains("interpolate"), qPrintable(told(1)));
 }
 
 /// C12: of a grid whose model keeps the error in the grid, the error in space of the mesh that is shown is measured and

@@ -3,7 +3,6 @@
 
 #include "core/base/memory.h"
 #include "core/data/value_scale.h"
-#include "core/transfer/remark_texts.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/message_text.h"
 #include "ui/session/shown_mesh_text.h"

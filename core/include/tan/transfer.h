@@ -262,14 +262,15 @@ struct ErrorRemarkInput {
 /// first, in their order. O(isovalues + points).
 TAN_API std::vector<ErrorRemark> errorRemarks(const ErrorRemarkInput& input);
 
-/// What a remark says, in a sentence.
-TAN_API Message errorRemarkText(const ErrorRemark& remark);
+/// What a remark says, in a sentence; `ofLogarithms`: of a field of logarithms to base 10, with values as they are
+/// typed, log10(3e-5), and the error as a factor.
+TAN_API Message errorRemarkText(const ErrorRemark& remark, bool ofLogarithms = false);
 
 /// The error that is small enough, in % of the range's extent, as a round number that is not larger; 0 if none is.
 TAN_API double enoughPercent(const ErrorRemark& remark, const TransferLimits& range);
 
 /// What helps, in a sentence.
-TAN_API Message errorCureText(const ErrorRemark& remark, const TransferLimits& range);
+TAN_API Message errorCureText(const ErrorRemark& remark, const TransferLimits& range, bool ofLogarithms = false);
 
 /// A colour at a share of the range.
 struct ColourMapNode {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a picture the error of its mesh alone may have made.
-#include "core/transfer/remark_texts.h"
 
 #include <tan/transfer.h>
 
