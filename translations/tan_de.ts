@@ -12113,7 +12113,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Points that the moved boundary leaves outside the mesh are compared with a place within the warping; at the nearest place they may be off by more.</source>
-        <translation>Punkte, die der verschobene Rand außerhalb des Netzes lässt, werden mit einer Stelle innerhalb des Warpings verglichen; an der nächsten Stelle können sie um mehr abweichen.</translation>
+        <translation>Punkte, die der verschobene Rand außerhalb des Netzes lässt, werden mit einer Stelle innerhalb der Verwerfung verglichen; an der nächsten Stelle können sie um mehr abweichen.</translation>
     </message>
     <message>
         <source>Between vertices interpolate &apos;%1&apos;, and take the power of ten afterwards: the factor holds for that. &apos;%2&apos;, interpolated itself, may be off by much more.</source>
