@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The manual as HTML: Sphinx, MyST and Furo over the pages for users in this folder. With the tag `developers`, started over the whole
+"""The manual as HTML: Sphinx, MyST and Furo over the pages in the folder `user`. With the tag `developers`, started over the whole
 repository, every text in it. Nothing is fetched from a network, neither now nor by the pages; search works in pages opened as files.
 
-    python3 -m sphinx -W -d TREES docs TARGET
+    python3 -m sphinx -W -d TREES -c docs docs/user TARGET
     python3 -m sphinx -W -d TREES -c docs -t developers . TARGET
 """
 import pathlib
@@ -10,10 +10,10 @@ import pathlib
 from docutils import nodes
 
 HERE = pathlib.Path(__file__).resolve().parent
+# In the order in which they are read; pages that are not named come after these.
 USERS = ["index", "first-steps", "manual", "accuracy", "scaling", "recipes", "command-line", "python", "formats", "troubleshooting", "faq",
          "limitations", "glossary"]
 OLD_SCRIPTS = ["jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js"]  # for themes that need them, as this one does not
-DEVELOPERS = ["developers", "tetrahedral-graphics", "reliability", "measured", "performance", "dependencies", "requirements"]
 
 extensions = ["myst_parser"]
 project, author, html_title = "TAn", "The authors of TAn", "TAn"
@@ -26,13 +26,13 @@ nitpicky = True
 
 if tags.has("developers"):  # noqa: F821 (Sphinx has it)
     root_doc = "README"
-    include_patterns = ["*.md", "docs/*.md", "core/*.md", "core/history/*.md", "core/packed/*.md", "ui/*.md", "packaging/recipes/*.md"]
+    include_patterns = ["*.md", "docs/*/*.md", "core/*.md", "core/history/*.md", "core/packed/*.md", "ui/*.md", "packaging/recipes/*.md"]
     exclude_patterns = ["build", ".git", "tests", "shared"]
     pages = sorted(str(page.relative_to(HERE.parent).with_suffix("")) for pattern in include_patterns for page in HERE.parent.glob(pattern))
 else:
     root_doc = "index"
-    pages = [page for page in USERS if (HERE / f"{page}.md").exists()]
-    pages += sorted(page.stem for page in HERE.glob("*.md") if page.stem not in USERS + DEVELOPERS)
+    pages = [page for page in USERS if (HERE / "user" / f"{page}.md").exists()]
+    pages += sorted(page.stem for page in (HERE / "user").glob("*.md") if page.stem not in USERS)
     include_patterns = [page + ".md" for page in pages]
 
 

@@ -12,7 +12,7 @@ data=${1:-../shared/data}
 models=${2:-build/pictures}
 screenshots=${3:-build/screenshots}
 tan=build/release/bin/tan
-pictures=docs/pictures
+pictures=docs/user/pictures
 mkdir -p "$models"
 
 # A model of DATASET with all accuracies from ERROR on, unless it is there already.
@@ -58,7 +58,7 @@ draw "${view[@]}" --isovalue 170:gold --order with-cell -o "$pictures/buckyball-
 draw "${view[@]}" --isovalue 170:gold --clip 0,1,0,63.5 -o "$pictures/buckyball-cut.png"
 
 # The window with the sample, in both colours and three languages.
-take() { cp "$screenshots/$1.png" "docs/images/$2.png"; }
+take() { cp "$screenshots/$1.png" "docs/user/images/$2.png"; }
 take en-1x/light-start start
 take en-1x/light-window window
 take en-1x/light-panel-statistics-whole statistics
@@ -76,4 +76,4 @@ build engine regular/engine_256x256x128_uint8.nrrd 0.5
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
 env HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_CACHE_HOME="$home/cache" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home" \
-    QT_QPA_PLATFORM=offscreen QT_SCALE_FACTOR=1 LC_ALL=C.UTF-8 build/release/bin/window-pictures docs/images "$models"
+    QT_QPA_PLATFORM=offscreen QT_SCALE_FACTOR=1 LC_ALL=C.UTF-8 build/release/bin/window-pictures docs/user/images "$models"

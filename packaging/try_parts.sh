@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Proves that the parts of TAn can be left out (docs/dependencies.md): builds the library alone, as on a machine without Qt and without all
+# Proves that the parts of TAn can be left out (docs/developer/dependencies.md): builds the library alone, as on a machine without Qt and without all
 # that is optional, installs it and builds a program of others with it; then `tan` without Qt, OpenGL, the network and CGAL, and
 # looks whether it says so where they are asked for.
 #   packaging/try_parts.sh [FOLDER [JOBS]]     FOLDER: default /var/tmp/tan-parts

@@ -18,7 +18,7 @@ struct Streams {
     bool resultIsOutput = false; ///< then `output` is for the result alone, and figures go to the messages
 };
 
-/// Does what `words` (without the program's name) say and gives the exit code: docs/command-line.md. Never throws.
+/// Does what `words` (without the program's name) say and gives the exit code: docs/user/command-line.md. Never throws.
 int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,
                    const std::stop_token& stop = {});
 

@@ -10,7 +10,7 @@
 namespace tetra {
 
 /// How the cells of a grid are cut: lattices into five tetrahedra each, the fewest; curvilinear grids into six, from
-/// which a fifth fewer sites keep the same accuracy (docs/performance.md).
+/// which a fifth fewer sites keep the same accuracy (docs/lab/performance.md).
 constexpr LatticeCut gridCut(DomainClass domain) noexcept
 {
     return domain == DomainClass::Curvilinear ? LatticeCut::Six : LatticeCut::Five;

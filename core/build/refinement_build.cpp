@@ -257,7 +257,7 @@ Result<BuildReport> buildScattered(const Dataset& dataset, const Refinement& ref
 constexpr std::uint32_t defaultCells = 32;
 /// The most that refining a lattice as a whole takes, history included.
 constexpr std::uint64_t bytesAPoint = 600;
-/// Beyond that many points blocks are quicker by more than their sites cost (docs/performance.md).
+/// Beyond that many points blocks are quicker by more than their sites cost (docs/lab/performance.md).
 constexpr std::uint64_t mostPointsAsWhole = 1 << 22;
 /// Each block is a file until they are merged.
 constexpr std::uint64_t mostBlocks = 1 << 17;

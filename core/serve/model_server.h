@@ -40,8 +40,8 @@ struct ServedTo {
     std::vector<std::string> origins{};
 };
 
-/// What `tan serve` answers (docs/command-line.md): `/` is a list of the folder's models, `/NAME.tan` a file or a range
-/// of it, `/NAME.tan?error=1&...` a mesh of it, packed (core/packed/PACKED_MESH.md), `/NAME.tan?about` and
+/// What `tan serve` answers (docs/user/command-line.md): `/` is a list of the folder's models, `/NAME.tan` a file or a
+/// range of it, `/NAME.tan?error=1&...` a mesh of it, packed (core/packed/PACKED_MESH.md), `/NAME.tan?about` and
 /// `/NAME.tan?sizes` what whoever leaves a model here wants to know of it. No answer says where the folder lies. From
 /// any number of threads.
 class ModelServer {

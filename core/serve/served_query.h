@@ -17,7 +17,7 @@ inline constexpr std::string_view sizesQuestion = "sizes";
 inline constexpr std::string_view aboutQuestion = "about";
 
 /// A MeshQuery in words, "error" and "1", one text for the query of a URL, which the client writes and the server
-/// reads, and for the options of a command line (docs/command-line.md, `tan serve` and `tan extract`). The words:
+/// reads, and for the options of a command line (docs/user/command-line.md, `tan serve` and `tan extract`). The words:
 ///
 ///     error, warping            the largest error in %, the largest warping; a number or "none"
 ///     focus                     box:x0,y0,z0,x1,y1,z1 or sphere:x,y,z,r, any number of them

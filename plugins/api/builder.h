@@ -30,7 +30,7 @@ struct BuildSize {
     SiteDensity density{}; ///< of the sites that are needed; unknown before the data are read: the worst case
 };
 
-/// What building a model takes, within a factor of two of what was measured (docs/performance.md); the time on a
+/// What building a model takes, within a factor of two of what was measured (docs/lab/performance.md); the time on a
 /// processor of 2021.
 struct BuildEstimate {
     std::uint64_t memoryBytes = 0; ///< at its peak, with the program and what it holds of the data

@@ -51,7 +51,7 @@ template <class Interface> inline constexpr std::string_view qtOf;
 /// compiler, the C++ library, and TAn's version. A plugin of another build is not loaded, and the user is told why.
 ///
 /// All other texts of a plugin are Messages, or marked by Message::marked(). Their translations are in a file beside
-/// the library that is called like it: libmine_de.qm beside libmine.so (docs/developers.md).
+/// the library that is called like it: libmine_de.qm beside libmine.so (docs/developer/guide.md).
 ///
 /// Until 1.0 the interfaces have the program's version, and another minor version does not fit. From then on a
 /// published interface never changes: what it lacks comes as a new, optional one, which the minor number counts.

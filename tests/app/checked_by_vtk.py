@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""checked_by_vtk.py BUILD SOURCE: the script of docs/accuracy.md by which readers check a mesh with VTK finds what TAn says, of a boundary layer
+"""checked_by_vtk.py BUILD SOURCE: the script of docs/user/accuracy.md by which readers check a mesh with VTK finds what TAn says, of a boundary layer
 over a wavy wall (R1, C12). Exit code 77: something is missing."""
 import json
 import pathlib
@@ -53,7 +53,7 @@ def write_boundary_layer(path, size):
 
 class CheckedByVtk(unittest.TestCase):
     def test_the_documented_script_finds_what_is_told(self):
-        script = re.search(r"## Check it with VTK.*?```python\n(.*?)```", (SOURCE / "docs/accuracy.md").read_text(), re.DOTALL).group(1)
+        script = re.search(r"## Check it with VTK.*?```python\n(.*?)```", (SOURCE / "docs/user/accuracy.md").read_text(), re.DOTALL).group(1)
         with tempfile.TemporaryDirectory() as kept:
             folder = pathlib.Path(kept)
             data, model, mesh = folder / "layer.vts", folder / "layer.tan", folder / "mesh.vtu"

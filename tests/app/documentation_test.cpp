@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// docs/command-line.md says the truth about `tan`, and `--help` gives examples that are accepted. Those of the pages
-/// are run: tests/docs/run_commands.py.
+/// docs/user/command-line.md says the truth about `tan`, and `--help` gives examples that are accepted. Those of the
+/// pages are run: tests/docs/run_commands.py.
 #include "app/command_line/arguments.h"
 #include "app/command_line/subcommand.h"
 
@@ -102,7 +102,8 @@ private slots:
     /// What can be said to `tan render` stands in its chapter, each mode and each option.
     void theChapterOfRenderIsComplete()
     {
-        const QString chapter = contentOf("docs/command-line.md").section("## tan render\n", 1).section("\n## ", 0, 0);
+        const QString chapter =
+            contentOf("docs/user/command-line.md").section("## tan render\n", 1).section("\n## ", 0, 0);
         const auto render = std::ranges::find(subcommands(), "render", &Subcommand::name);
         const auto syntax = render->syntax(*host_);
         QVERIFY(!syntax.options.empty());
@@ -123,11 +124,11 @@ private slots:
                                                  QRegularExpression::MultilineOption |
                                                      QRegularExpression::DotMatchesEverythingOption);
         const QString chapter =
-            contentOf("docs/formats.md").section("## Transfer functions\n", 1).section("\n## ", 0, 0);
+            contentOf("docs/user/formats.md").section("## Transfer functions\n", 1).section("\n## ", 0, 0);
         const QString shown = indented.match(chapter).captured();
         QVERIFY(!shown.isEmpty());
-        for (const QString& text : {shown, contentOf("docs/pictures/bluntfin-transfer.json"),
-                                    contentOf("docs/pictures/buckyball-transfer.json")}) {
+        for (const QString& text : {shown, contentOf("docs/user/pictures/bluntfin-transfer.json"),
+                                    contentOf("docs/user/pictures/buckyball-transfer.json")}) {
             const auto function = transferFunctionFromText(text.toStdString());
             QVERIFY2(function.ok(), function.ok() ? "" : function.error().text().c_str());
             QVERIFY(transferPoints(*function).size() >= 3);
@@ -136,7 +137,7 @@ private slots:
 
     void everySubcommandHasAChapterWithExamples()
     {
-        const QString text = contentOf("docs/command-line.md");
+        const QString text = contentOf("docs/user/command-line.md");
         QVERIFY(!text.isEmpty());
         for (const Subcommand& subcommand : subcommands()) {
             const QString name = QString::fromStdString(std::string(subcommand.name));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wherever a number is an error, it says which one (C12): in the words of the table in docs/accuracy.md, for a lattice,
-// a grid by each builder and with each of the two errors, an irregular mesh and points.
+// Wherever a number is an error, it says which one (C12): in the words of the table in docs/user/accuracy.md, for a
+// lattice, a grid by each builder and with each of the two errors, an irregular mesh and points.
 #include "tests/app/program.h"
 
 #include <QFile>
@@ -29,7 +29,7 @@ QMap<QString, std::array<QString, 3>> rowsOfTable()
 {
     static const QRegularExpression code("`([^`]+)`");
     QMap<QString, std::array<QString, 3>> rows;
-    const QString page = QString::fromUtf8(contentOf(TAN_SOURCE_DIR "/docs/accuracy.md"));
+    const QString page = QString::fromUtf8(contentOf(TAN_SOURCE_DIR "/docs/user/accuracy.md"));
     for (const QString& line : page.section("## Where an error is shown", 1, 1).section("\n## ", 0, 0).split('\n')) {
         const QStringList cells = line.split('|');
         if (cells.size() < 5 || !cells[1].trimmed().startsWith('`'))

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """volume_light.py BUILD: the light of rays through volumes, with and without shading, as `tan render` draws it, judged by numpy, which cuts
-each ray with every cell of the mesh that `tan extract` writes and follows docs/tetrahedral-graphics.md, "The light of a ray through a volume".
+each ray with every cell of the mesh that `tan extract` writes and follows docs/developer/tetrahedral-graphics.md, "The light of a ray through a volume".
 Exit code 77: something is missing."""
 import json
 import pathlib

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """build_examples.py SOURCE PREFIX FOLDER: builds every folder of examples/ in FOLDER against what is installed in PREFIX: the programs
-and one plugin by the commands that docs/developers.md shows; the other plugins, of which it shows the same commands or none, within one
+and one plugin by the commands that docs/developer/guide.md shows; the other plugins, of which it shows the same commands or none, within one
 project and without optimising, because configuring takes as long as compiling. A warning of the compiler is a failure. The plugins are gathered in FOLDER/plugins. Other tests use what is built here, so that nothing is compiled
 twice."""
 import os
@@ -51,7 +51,7 @@ def build_together(folders):
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
-    shown = examples_built((SOURCE / "docs/developers.md").read_text(encoding="utf-8"))
+    shown = examples_built((SOURCE / "docs/developer/guide.md").read_text(encoding="utf-8"))
     for name in NOT_SHOWN:
         assert name not in shown, "%s is shown" % name
         shown[name] = of_reader(shown, name)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""recipe_inputs.py FOLDER: the image, the CT and the weather field of docs/recipes.md, small, by the libraries of those who make such files. Exit
+"""recipe_inputs.py FOLDER: the image, the CT and the weather field of docs/user/recipes.md, small, by the libraries of those who make such files. Exit
 code 77: one of these is missing."""
 import pathlib
 import sys

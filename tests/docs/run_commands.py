@@ -84,23 +84,23 @@ class Runner:
                 self.failures.append(f"{page}: {command}\n  wrote no {target}")
 
     def check_example(self):
-        guide = (self.source / "docs/developers.md").read_text(encoding="utf-8")
+        guide = (self.source / "docs/developer/guide.md").read_text(encoding="utf-8")
         for file in ("reader/grid_text_reader.json", "reader/CMakeLists.txt", "reader/grid_text_reader.cpp",
                      "builder/budget_builder.cpp", "writer/off_writer.json", "writer/off_writer.cpp",
                      "editor/band_editor.json", "editor/CMakeLists.txt", "editor/band_editor.cpp",
                      "renderer/shells_renderer.cpp"):
             if (self.source / "examples" / file).read_text(encoding="utf-8") not in guide:
-                self.failures.append(f"docs/developers.md does not show examples/{file} as it is")
+                self.failures.append(f"docs/developer/guide.md does not show examples/{file} as it is")
         for folder in (self.source / "examples").iterdir():
             lines = sum(len(file.read_text(encoding="utf-8").splitlines()) for file in folder.iterdir() if file.is_file())
             if folder.name != "library" and lines > 150:
-                self.failures.append(f"examples/{folder.name} has {lines} lines, which are more than docs/developers.md says")
+                self.failures.append(f"examples/{folder.name} has {lines} lines, which are more than docs/developer/guide.md says")
 
 
 def main():
     runner = Runner(*(pathlib.Path(argument).resolve() for argument in sys.argv[1:4]))
     pages = ["README.md", "CONTRIBUTING.md", "core/README.md"]
-    pages += sorted(str(path.relative_to(runner.source)) for path in (runner.source / "docs").glob("*.md"))
+    pages += sorted(str(path.relative_to(runner.source)) for path in (runner.source / "docs").glob("*/*.md"))
     for page in pages:
         runner.run_page(page)
     runner.check_example()

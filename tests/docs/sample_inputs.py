@@ -78,7 +78,7 @@ def write_all(folder: pathlib.Path, tan, source: pathlib.Path):
     write_head(folder)
     write_quakes(folder)
     for name in ("bones.json", "stress.json"):
-        shutil.copyfile(source / "docs/pictures/bluntfin-transfer.json", folder / name)
+        shutil.copyfile(source / "docs/user/pictures/bluntfin-transfer.json", folder / name)
     (folder / "step1.tansession").write_text(
         '{"format": "tan-session", "version": 1, "model": {"path": "step1.tan"},'
         ' "isovalues": [{"value": 120, "colour": [1, 0.75, 0], "opacity": 1, "visible": true}]}')

@@ -66,14 +66,14 @@ class Types(unittest.TestCase):
         self.assertGreater(tried, 15)
 
     def test_the_manual(self):
-        page = (pathlib.Path(__file__).parents[2] / "docs/python.md").read_text(encoding="utf-8")
+        page = (pathlib.Path(__file__).parents[2] / "docs/user/python.md").read_text(encoding="utf-8")
         first = page.split("```python\n")[1].split("```")[0]
         before = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)
             try:
                 shown = {}
-                exec(compile(first, "docs/python.md", "exec"), shown)
+                exec(compile(first, "docs/user/python.md", "exec"), shown)
                 self.assertEqual(shown["picture"].shape, (600, 800, 4))
                 self.assertTrue(pathlib.Path("wells.png").exists())
             finally:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/requirements.md: each requirement, the way to it in the window and on the command line, and the tests that prove it.
+"""docs/lab/requirements.md: each requirement, the way to it in the window and on the command line, and the tests that prove it.
 
     make_page.py SOURCE [--check --tan PROGRAM]
 
@@ -132,13 +132,13 @@ def main():
     parser.add_argument("--tan")
     options = parser.parse_args()
     rows, proofs = list(rows_of(options.source)), tests_of(options.source)
-    page, path = page_of(rows, proofs), options.source / "docs/requirements.md"
+    page, path = page_of(rows, proofs), options.source / "docs/lab/requirements.md"
     if not options.check:
         path.write_text(page, encoding="utf-8")
         return 0
     found = list(findings(options.source, rows, proofs, options.tan))
     if not path.exists() or path.read_text(encoding="utf-8") != page:
-        found.append("docs/requirements.md is not up to date: ./dev test --requirements")
+        found.append("docs/lab/requirements.md is not up to date: ./dev test --requirements")
     print("\n".join(found) or f"{sum(not isinstance(row, str) for row in rows)} rows")
     return 1 if found else 0
 

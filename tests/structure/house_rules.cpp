@@ -351,7 +351,7 @@ void readText(const fs::path& root, const fs::path& text, std::vector<std::strin
 
 void readTexts(const fs::path& root, std::vector<std::string>& breaches)
 {
-    for (const char* folder : {".", "docs", "core", "core/history", "ui"})
+    for (const char* folder : {".", "docs/user", "docs/developer", "docs/lab", "core", "core/history", "ui"})
         if (fs::is_directory(root / folder))
             for (const auto& entry : fs::directory_iterator((root / folder).lexically_normal()))
                 if (entry.path().extension() == ".md")

@@ -265,8 +265,9 @@ void IncludeDirectionTest::findsTheBreach_data()
     row("an error code's text", "app/bad.h", "std::string text = problem.message();", local);
 
     QTest::newRow("a text names what is gone")
-        << "docs/guide.md" << QByteArray("See `core/base/result.h` and `core/base/gone.cpp`, not /core/gone.h.\n")
-        << "docs/guide.md: names core/base/gone.cpp, which is not there";
+        << "docs/developer/guide.md"
+        << QByteArray("See `core/base/result.h` and `core/base/gone.cpp`, not /core/gone.h.\n")
+        << "docs/developer/guide.md: names core/base/gone.cpp, which is not there";
     QTest::newRow("no licence line") << data << QByteArray("#pragma once\n")
                                      << data + ": the first line is not \"" +
                                             licence.substr(0, licence.size() - 1).c_str() + "\"";

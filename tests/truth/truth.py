@@ -3,7 +3,7 @@
 """truth.py BUILD [--quick] [--only TEXT] [--report FILE] [--processes N] [--list]: the bench of truth. Files of every format that TAn reads are
 written by other libraries, or byte by byte, with a known function of the place in the world; TAn has to give back the samples at their places,
 and to say what it took. `--quick` takes the few jobs of ./dev test; `--only` those whose line has the text; `--report` puts the table into
-that page of the manual (docs/formats.md), in place of the one that is there. Exit code 77: nothing failed, but jobs were skipped, since libraries
+that page of the manual (docs/user/formats.md), in place of the one that is there. Exit code 77: nothing failed, but jobs were skipped, since libraries
 are missing; it says which to install."""
 import argparse
 import collections

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the window names an error in each of its languages is what the table of docs/accuracy.md says (C12).
+// How the window names an error in each of its languages is what the table of docs/user/accuracy.md says (C12).
 #include "core/history/error_meaning.h"
 #include "tests/ui/languages.h"
 #include "ui/session/message_text.h"
@@ -17,7 +17,7 @@ namespace {
 /// The cells of a language by those of the first column.
 QMap<QString, QString> wordsOfPage(const QString& language)
 {
-    QFile file(TAN_SOURCE_DIR "/docs/accuracy.md");
+    QFile file(TAN_SOURCE_DIR "/docs/user/accuracy.md");
     if (!file.open(QIODevice::ReadOnly))
         return {};
     const QString page = QString::fromUtf8(file.readAll());

@@ -114,7 +114,7 @@ private slots:
     /// words of its own; and where that leads to is about it.
     void everyPanelAndDialogIsExplained()
     {
-        QFile file(TAN_SOURCE_DIR "/docs/manual.md");
+        QFile file(TAN_SOURCE_DIR "/docs/user/manual.md");
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString manual = QString::fromUtf8(file.readAll());
         const WindowFixture fixture;

@@ -242,7 +242,7 @@ struct Volume {
     std::shared_ptr<const VolumeMesh> mesh;
     std::shared_ptr<const VolumeTransfer> transfer; ///< of that mesh
     /// Lit from both sides, as a surface across the gradient, which is interpolated between those of the vertices
-    /// (docs/tetrahedral-graphics.md).
+    /// (docs/developer/tetrahedral-graphics.md).
     bool shaded = false;
     /// Where surfaces lie in it (R21) each ends one piece of a ray through a cell and begins the next; if this is set
     /// what lies in a cell is drawn before the cell, as in the paper: quicker, and not exact.

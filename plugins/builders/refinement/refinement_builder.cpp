@@ -121,7 +121,7 @@ Message reasonFor(const Dataset& dataset)
     return Message::say("A mesh of convex domain: refinement keeps the exact domain, with tetrahedra of its own.");
 }
 
-/// What a build of one kind takes, measured (docs/performance.md, "Estimates").
+/// What a build of one kind takes, measured (docs/lab/performance.md, "Estimates").
 struct Costs {
     double fixedBytes = 30e6;  ///< of memory: the program
     double pointBytes = 0;     ///< of memory, for each point ...

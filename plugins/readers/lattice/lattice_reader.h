@@ -7,7 +7,7 @@ namespace tetra {
 
 /// Reads volumes on regular lattices: NRRD with the data attached (.nrrd) or in a file of their own (.nhdr), raw, gzip
 /// or text; MetaImage, NIfTI, MRC; arrays of NumPy, Gaussian cubes, OpenDX and BOV; and raw files that the user
-/// describes. What is read and what is refused: docs/formats.md.
+/// describes. What is read and what is refused: docs/user/formats.md.
 class LatticeReader : public Reader {
 public:
     std::vector<std::string> nameFilters() const override;

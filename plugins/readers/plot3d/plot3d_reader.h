@@ -8,7 +8,7 @@ namespace tetra {
 /// Reads curvilinear grids in PLOT3D files, binary and in text, a grid and a solution file: either is opened and finds
 /// the other by its name. Byte order, precision, record marks and iblank follow from the files. Grids with points that
 /// are blanked out become irregular meshes without them, and several grids, unless one is chosen, one mesh. What is
-/// read and what is refused: docs/formats.md.
+/// read and what is refused: docs/user/formats.md.
 class Plot3dReader : public Reader {
 public:
     std::vector<std::string> nameFilters() const override;

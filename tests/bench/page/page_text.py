@@ -14,7 +14,7 @@ HEAD = """# Measured: what was asked for, and what is reached
 `./dev bench all` writes this page and its plots from the results of the benchmarks; nothing on it is typed by hand. Machines are noisy, so what counts are
 ratios: every figure stands beside a yardstick of the same run (CGAL, VTK, memcpy, or a simpler way of our own) or beside the paper. A bar that misses its
 goal has another colour and is marked *missed*. What was learnt on the way is in the [notes on performance](performance.md); the
-[developer's guide](developers.md#how-to-measure) says how to measure again.
+[developer's guide](../developer/guide.md#how-to-measure) says how to measure again.
 """
 
 

@@ -187,7 +187,7 @@ private slots:
         QVERIFY(cures > 100);
     }
 
-    /// C7 on the paper's own grids; the figures of docs/performance.md.
+    /// C7 on the paper's own grids; the figures of docs/lab/performance.md.
     void papersGridsConform_data()
     {
         QTest::addColumn<QString>("name");

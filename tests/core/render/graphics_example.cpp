@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The example of docs/tetrahedral-graphics.md: a ball of fog in a cube of tetrahedra.
+// The example of docs/developer/tetrahedral-graphics.md: a ball of fog in a cube of tetrahedra.
 #include <tan/render.h>
 
 #include <fstream>

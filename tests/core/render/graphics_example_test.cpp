@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The example of docs/tetrahedral-graphics.md is what is compiled here, and draws what it says.
+// The example of docs/developer/tetrahedral-graphics.md is what is compiled here, and draws what it says.
 #include <QFile>
 #include <QImage>
 #include <QProcess>
@@ -25,7 +25,7 @@ private slots:
         const QString source = contentOf("tests/core/render/graphics_example.cpp");
         QVERIFY(source.contains("makeCpuBackend"));
         const QString code = source.mid(source.indexOf("#include"));
-        QVERIFY(contentOf("docs/tetrahedral-graphics.md").contains("```cpp\n" + code + "```\n"));
+        QVERIFY(contentOf("docs/developer/tetrahedral-graphics.md").contains("```cpp\n" + code + "```\n"));
     }
 
     void drawsABallOfFog()

@@ -200,7 +200,7 @@ private slots:
         QVERIFY2(says.contains("The error at the place in space of sample"), qPrintable(says));
     }
 
-    /// C12, C15: the figures of docs/performance.md, and that the option keeps what it says on the same grid.
+    /// C12, C15: the figures of docs/lab/performance.md, and that the option keeps what it says on the same grid.
     void theErrorInSpaceOfARealGrid()
     {
         auto data = readPlot3d("bluntfin");

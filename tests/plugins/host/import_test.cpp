@@ -183,7 +183,7 @@ private slots:
         add("part", 24, "decimation", {0, 0.1, 1});
     }
 
-    /// Of the file, which is the same every time; memory and time are in docs/performance.md.
+    /// Of the file, which is the same every time; memory and time are in docs/lab/performance.md.
     void estimatesAreWithinAFactorOfTwo()
     {
         QFETCH(QString, name);

@@ -35,8 +35,8 @@ struct RayScene {
 
 /// The volume-rendering integral, slowly and in double precision: every ray is cut with every cell by itself, the
 /// pieces are sorted by depth, and each is marched through in small steps of constant colour and extinction. Its light
-/// is that of docs/tetrahedral-graphics.md, from gradients of its own. Layers are met where the piecewise-linear field
-/// has their value.
+/// is that of docs/developer/tetrahedral-graphics.md, from gradients of its own. Layers are met where the
+/// piecewise-linear field has their value.
 class RayIntegrator {
 public:
     RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction& function, const Camera& camera, int width,
