@@ -11,7 +11,7 @@ from docutils import nodes
 
 HERE = pathlib.Path(__file__).resolve().parent
 # In the order in which they are read; pages that are not named come after these.
-USERS = ["index", "first-steps", "manual", "accuracy", "scaling", "recipes", "command-line", "python", "formats", "troubleshooting", "faq",
+USERS = ["index", "first-steps", "manual", "accuracy", "scaling", "recipes", "command-line", "python", "python-reference", "formats", "troubleshooting", "faq",
          "limitations", "glossary"]
 OLD_SCRIPTS = ["jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js"]  # for themes that need them, as this one does not
 
@@ -26,7 +26,8 @@ nitpicky = True
 
 if tags.has("developers"):  # noqa: F821 (Sphinx has it)
     root_doc = "README"
-    include_patterns = ["*.md", "docs/*/*.md", "core/*.md", "core/history/*.md", "core/packed/*.md", "ui/*.md", "packaging/recipes/*.md"]
+    include_patterns = ["*.md", "docs/*/*.md", "docs/developer/api/*.md", "core/*.md", "core/history/*.md", "core/packed/*.md", "ui/*.md",
+                        "packaging/recipes/*.md"]
     exclude_patterns = ["build", ".git", "tests", "shared"]
     pages = sorted(str(page.relative_to(HERE.parent).with_suffix("")) for pattern in include_patterns for page in HERE.parent.glob(pattern))
 else:
