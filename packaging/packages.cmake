@@ -13,6 +13,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 0)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/packages_of_a_kind.cmake)
 set(CPACK_COMPONENTS_ALL core program window vtk development)
+if(TARGET tan-python)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -75,6 +78,21 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "qt6-base-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers for programs with the library of TAn, and for plugins
 The headers of TAn's library and of its plugin interfaces, of which those of
 editors alone need Qt, a CMake package, and examples.")
+# Compiled for this version of Python alone. Files are read, and models served, by the program `tan`.
+if(TARGET tan-python)
+    execute_process(COMMAND ${TAN_PYTHON_PROGRAM} -c
+        "import sys; minor = sys.version_info[1]; print(f'python3 (>= 3.{minor}), python3 (<< 3.{minor + 1})')"
+        OUTPUT_VARIABLE this_python OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tan)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, ${this_python}, python3-numpy")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-meshio, python3-vtk9, python3-tqdm, tan-vtk-readers")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/python/postinst
+        ${CMAKE_CURRENT_LIST_DIR}/debian/python/prerm)
+    set(CPACK_COMPONENT_PYTHON_DESCRIPTION "TAn from Python
+The module tan: models of arrays and files, their meshes as arrays of NumPy,
+and pictures. Needs no screen and no Qt.")
+endif()
 
 set(CPACK_RPM_COMPONENT_INSTALL ON)
 set(CPACK_RPM_FILE_NAME RPM-DEFAULT)

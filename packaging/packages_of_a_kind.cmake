@@ -2,6 +2,9 @@
 # Read by CPack for each kind of package.
 if(CPACK_GENERATOR MATCHES "DEB|RPM")
     set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+    if(CPACK_GENERATOR MATCHES "RPM")
+        list(REMOVE_ITEM CPACK_COMPONENTS_ALL python) # other systems have their modules in other folders
+    endif()
 else()
     # One archive that runs from any folder: the programs with all that they load.
     set(CPACK_MONOLITHIC_INSTALL ON)

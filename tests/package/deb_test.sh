@@ -60,14 +60,30 @@ check 'the example plugin is built with the installed headers, without those of 
 check 'and loaded, and reads a file' "cd /work; export TAN_PLUGIN_PATH=/work/example/build
     tan plugins | grep 'example.grid-text.*loaded'; echo '2 2 2  0 1 2 3 4 5 6 7' >cube.grid; tan build cube.grid -o cube.tan"
 
-inside 'dpkg -L tan-core tan tan-desktop tan-vtk-readers tan-dev' | sort -u >"$clean/owned"
-check 'purge' 'apt-get -q -y purge tan-core tan tan-desktop tan-vtk-readers tan-dev'
+# Python, with what it takes alone.
+seconds install /packages/python3-tan_*.deb
+echo "install time: python3-tan_*.deb $seconds s, all that it needs included"
+cat >"$system/work/try.py" <<'PYTHON'
+import numpy, tan
+z, y, x = numpy.mgrid[0:17, 0:17, 0:17]
+model = tan.build(numpy.hypot(x - 8.0, y - 8.0), "pipe.tan", name="pipe")
+mesh = model.mesh(error=1)
+assert abs(mesh.volume - 16**3) < 1e-6 and len(mesh.tetrahedra) > 100, mesh
+assert model.render(mode="volume", size=(64, 48)).shape == (48, 64, 4)
+assert tan.open("c60.tan").verify("c60.nrrd", levels=[4])
+assert tan.build("c60.nrrd", "again.tan", error=2).mesh(error=4).error <= 4
+assert not [line for line in open("/proc/self/maps") if "libQt" in line]
+PYTHON
+check 'the module builds, draws, reads and verifies, without Qt in the process' 'cd /work; python3 try.py'
+
+inside 'dpkg -L tan-core tan tan-desktop tan-vtk-readers tan-dev python3-tan' | sort -u >"$clean/owned"
+check 'purge' 'apt-get -q -y purge tan-core tan tan-desktop tan-vtk-readers tan-dev python3-tan'
 left=$(while read -r path; do
     # Folders that others use, too, may stay.
     [ ! -e "$system$path" ] || { [ -d "$system$path" ] && inside "dpkg -S '$path'" >/dev/null 2>&1; } || echo "$path"
 done <"$clean/owned")
 left+=$(grep -rl x-tan "$system/usr/share/mime" "$system/usr/share/applications" || true)
-left+=$(find "$system/var/lib/dpkg/info" -name 'tan*')
+left+=$(find "$system/var/lib/dpkg/info" -name 'tan*' -o -name 'python3-tan*')
 if [ -n "$left" ]; then
     printf 'FAIL: left behind: %s\n' "$left"
     exit 1
