@@ -2442,6 +2442,13 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::HelpTexts</name>
+    <message>
+        <source>More in the manual (F1)</source>
+        <translation>Mehr im Handbuch (F1)</translation>
+    </message>
+</context>
+<context>
     <name>tetra::HistogramView</name>
     <message>
         <source>Histogram</source>

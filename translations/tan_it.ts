@@ -2442,6 +2442,13 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::HelpTexts</name>
+    <message>
+        <source>More in the manual (F1)</source>
+        <translation>Altro nel manuale (F1)</translation>
+    </message>
+</context>
+<context>
     <name>tetra::HistogramView</name>
     <message>
         <source>Histogram</source>

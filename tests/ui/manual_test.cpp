@@ -2,10 +2,12 @@
 /// Help finds the manual beside the program, and says what to do where it is not.
 #include "tests/ui/window_fixture.h"
 #include "ui/window/help_actions.h"
+#include "ui/window/help_texts.h"
 
 #include <QDesktopServices>
 #include <QDir>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -82,15 +84,20 @@ private slots:
         const QString prefix = folder.path() + "/a place";
         makeManual(prefix);
         Browser browser;
-        QCOMPARE(openManual(prefix + "/bin"), QString());
-        QCOMPARE(browser.opened, {QUrl::fromLocalFile(prefix + "/share/doc/tan/manual/index.html")});
+        QCOMPARE(openManual(prefix + "/bin", "index.html"), QString());
+        QUrl page = QUrl::fromLocalFile(prefix + "/share/doc/tan/manual/index.html");
+        QCOMPARE(browser.opened, {page});
+        QCOMPARE(openManual(prefix + "/bin", "manual.html#focus"), QString());
+        page = QUrl::fromLocalFile(prefix + "/share/doc/tan/manual/manual.html");
+        page.setFragment("focus");
+        QCOMPARE(browser.opened.last(), page);
     }
 
     void withoutAManualItSaysWhatToInstall()
     {
         const QTemporaryDir folder;
         Browser browser;
-        const QString text = openManual(folder.path() + "/bin");
+        const QString text = openManual(folder.path() + "/bin", "index.html");
         QVERIFY2(text.contains("python3-sphinx"), qPrintable(text));
         QVERIFY(browser.opened.isEmpty());
     }
@@ -108,6 +115,65 @@ private slots:
         else
             QVERIFY(browser.opened.isEmpty());
         QCOMPARE(fixture.messages().join(' ').contains("python3-sphinx"), !built);
+    }
+
+    /// F1 explains a control, and F1 once more opens the manual where it tells of its panel; in dialogs, too.
+    void helpLeadsToTheParagraph()
+    {
+        const WindowFixture fixture;
+        QStringList wanted;
+        connect(fixture.window.findChild<HelpTexts*>(), &HelpTexts::manualWanted, this,
+                [&](const QString& place) { wanted.append(place); });
+        Browser browser;
+        const auto press = [](QWidget& widget) { QTest::keyClick(&widget, Qt::Key_F1); };
+        auto& budget = fixture.find<QWidget>("accuracy.byBudget");
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+        budget.setFocus();
+        fixture.find<QAction>("action.help").trigger();
+        QCOMPARE(fixture.find<QLabel>("help.text").text(), budget.toolTip());
+        press(fixture.find<QWidget>("help"));
+        QCOMPARE(wanted, {"manual.html#accuracy"});
+        fixture.find<QAction>("action.plugins").trigger();
+        auto& plugins = fixture.find<QWidget>("pluginWindow");
+        plugins.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&plugins));
+        auto& list = fixture.find<QWidget>("plugins.list");
+        list.setFocus();
+        press(list);
+        if (auto* popup = fixture.window.findChild<QWidget*>("help"))
+            press(*popup);
+        QCOMPARE(wanted.last(), QString("manual.html#plugins"));
+    }
+
+    /// Each panel and dialog leads to a heading that the page has.
+    void everyPlaceIsInTheManual()
+    {
+        const WindowFixture fixture;
+        QStringList without;
+        const auto look = [&](const QWidget& widget) {
+            const QString place = HelpTexts::manualPlaceOf(&widget), heading = place.section('#', 1);
+            QFile file(TAN_SOURCE_DIR "/docs/user/" + place.section(".html", 0, 0) + ".md");
+            const bool opens = file.open(QIODevice::ReadOnly);
+            const bool isThere = heading.isEmpty() || !sectionOf(QString::fromUtf8(file.readAll()), heading).isEmpty();
+            if (!opens || !isThere)
+                without.append(place);
+        };
+        const auto docks = fixture.window.findChildren<QDockWidget*>();
+        for (const QDockWidget* dock : docks) {
+            look(*dock->widget());
+            if (HelpTexts::manualPlaceOf(dock->widget()) == "manual.html")
+                without.append(dock->objectName());
+        }
+        QWidget dialog;
+        for (const char* name : {"importDialog", "pictureOptions", "filmOptions", "solidOptions", "pluginWindow",
+                                 "cacheDialog", "addressDialog", "palette", "viewport.canvas"}) {
+            dialog.setObjectName(name);
+            look(dialog);
+            if (HelpTexts::manualPlaceOf(&dialog) == "manual.html")
+                without.append(name);
+        }
+        QVERIFY2(without.isEmpty(), qPrintable(without.join(", ")));
     }
 
     /// What a user meets stands in the manual's tables, each panel and each entry of the menus that opens a dialog, in

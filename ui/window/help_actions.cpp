@@ -56,8 +56,14 @@ void connectHelp(QMainWindow& window, const Actions& actions, Workbench& workben
 {
     auto* palette = new CommandPalette(window, workbench);
     QObject::connect(actions.palette, &QAction::triggered, palette, &CommandPalette::open);
-    new HelpTexts(&window);
-    QObject::connect(actions.help, &QAction::triggered, &window, [] { HelpTexts::showForFocus(); });
+    auto* help = new HelpTexts(&window);
+    QObject::connect(actions.help, &QAction::triggered, help, &HelpTexts::showForFocus);
+    const auto showManual = [&messages](const QString& place) {
+        if (const QString problem = openManual(QCoreApplication::applicationDirPath(), place); !problem.isEmpty())
+            messages.add(problem);
+    };
+    QObject::connect(help, &HelpTexts::manualWanted, &messages, showManual);
+    QObject::connect(actions.manual, &QAction::triggered, &messages, [showManual] { showManual("index.html"); });
     QObject::connect(actions.whatsThis, &QAction::triggered, &window, [] { QWhatsThis::enterWhatsThisMode(); });
     actions.reducedMotion->setChecked(motionReduced());
     QObject::connect(actions.reducedMotion, &QAction::toggled, &window, &setMotionReduced);
@@ -70,14 +76,17 @@ QString manualPage(const QString& programFolder)
     return QFileInfo(page).isFile() ? page : QString();
 }
 
-QString openManual(const QString& programFolder)
+QString openManual(const QString& programFolder, const QString& place)
 {
     const QString page = manualPage(programFolder);
     if (page.isEmpty())
         return ManualTexts::tr("The manual is not installed. Reinstall the package tan with its documentation, or "
                                "build TAn on a system that has Sphinx (python3-sphinx, python3-myst-parser, furo); the "
                                "same texts are in the folder docs of the source code.");
-    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
+    QUrl url = QUrl::fromLocalFile(QFileInfo(page).path() + '/' + place.section('#', 0, 0));
+    if (const QString heading = place.section('#', 1); !heading.isEmpty())
+        url.setFragment(heading);
+    if (!QDesktopServices::openUrl(url))
         return ManualTexts::tr("No web browser was found on this computer. Install one, or read %1.").arg(page);
     return {};
 }

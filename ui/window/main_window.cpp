@@ -353,10 +353,6 @@ void MainWindow::connectActions()
     session.whenChanged(ViewPart::Camera, actions_.perspective, showPerspective);
     connect(actions_.fullScreen, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
-    connect(actions_.manual, &QAction::triggered, this, [this] {
-        if (const QString problem = openManual(QCoreApplication::applicationDirPath()); !problem.isEmpty())
-            messages_->add(problem);
-    });
     connect(actions_.plugins, &QAction::triggered, this, [this] {
         auto* window = new PluginWindow(workbench_.host(), this);
         window->setAttribute(Qt::WA_DeleteOnClose);
