@@ -87,23 +87,31 @@ private slots:
     }
     void everyBuilderGoesOn()
     {
+        constexpr qsizetype sizeWord = 3;
         QFETCH(QStringList, sample);
         QFETCH(QString, input);
         QFETCH(QStringList, options);
-        QVERIFY(runTan(sample, folder_.path()).exitCode == 0);
         const QStringList words = QStringList{"build", input, "-o", "model.tan"} + options;
         const QStringList again = words + QStringList{"--resume"};
-        QElapsedTimer timer;
-        timer.start();
-        QVERIFY(runTan(words, folder_.path()).exitCode == 0);
-        const qint64 usual = timer.elapsed();
-        const QByteArray right = modelBytes();
-        QVERIFY(QFile::remove(folder_.filePath("model.tan")));
-
         const QString state = folder_.filePath("model.tan.work/state");
-        QVERIFY(killed(again, [&](QProcess& process) {
-            QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(state) || process.state() == QProcess::NotRunning, 60'000);
-        }));
+        qint64 usual = 0;
+        QByteArray right;
+        // A quick machine is done before anything is kept: it gets more data.
+        for (int tries = 0; tries < 6 && !QFile::exists(state); ++tries) {
+            if (tries > 0)
+                sample[sizeWord] = QString::number(sample[sizeWord].toInt() * 5 / 4);
+            QFile::remove(folder_.filePath("model.tan"));
+            QVERIFY(runTan(sample, folder_.path()).exitCode == 0);
+            QElapsedTimer timer;
+            timer.start();
+            QVERIFY(runTan(words, folder_.path()).exitCode == 0);
+            usual = timer.elapsed();
+            right = modelBytes();
+            QVERIFY(QFile::remove(folder_.filePath("model.tan")));
+            QVERIFY(killed(again, [&](QProcess& process) {
+                QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(state) || process.state() == QProcess::NotRunning, 60'000);
+            }));
+        }
         QVERIFY2(QFile::exists(state), "the build was over before anything of it was kept");
         const Run other = runTan(again + QStringList{"--error", "15"}, folder_.path());
         QCOMPARE(other.exitCode, 2);
