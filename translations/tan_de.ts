@@ -5283,10 +5283,6 @@ Verwerfung %2</translation>
         <translation>Beleuchtet</translation>
     </message>
     <message>
-        <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most.</source>
-        <translation>Beleuchtet das Volumen, als läge quer zur Richtung, in der sich seine Werte am stärksten ändern, eine Fläche.</translation>
-    </message>
-    <message>
         <source>Bounding box</source>
         <translation>Begrenzungsquader</translation>
     </message>
@@ -12130,6 +12126,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>The model has no finer mesh than this, which keeps less than requested.</source>
         <translation>Das Modell hat kein feineres Netz als dieses, das weniger einhält als verlangt.</translation>
     </message>
+    <message>
+        <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most; the background is then dark, unless you choose another one.</source>
+        <translation>Beleuchtet das Volumen, als läge eine Fläche quer zu der Richtung, in der sich seine Werte am stärksten ändern; der Hintergrund ist dann dunkel, sofern Sie keinen anderen wählen.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -13619,10 +13619,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Standard</translation>
     </message>
     <message>
-        <source>The colour that fits the window, light or dark</source>
-        <translation>Die Farbe, die zum Fenster passt, hell oder dunkel</translation>
-    </message>
-    <message>
         <source>Load the camera from a JSON file</source>
         <translation>Die Kamera aus einer JSON-Datei laden</translation>
     </message>
@@ -13729,6 +13725,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Frame what is shown, or the focus; press again for the whole domain (Home)</source>
         <translation>Einpassen, was gezeigt wird, oder den Fokus; noch einmal: das ganze Gebiet (Pos1)</translation>
+    </message>
+    <message>
+        <source>The colour that fits the window, light or dark; dark behind a shaded volume</source>
+        <translation>Die Farbe, die zum Fenster passt, hell oder dunkel; dunkel hinter einem beleuchteten Volumen</translation>
     </message>
 </context>
 <context>

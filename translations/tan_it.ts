@@ -5283,10 +5283,6 @@ deformazione %2</translation>
         <translation>Ombreggiato</translation>
     </message>
     <message>
-        <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most.</source>
-        <translation>Illumina il volume, come se una superficie stesse di traverso alla direzione in cui i valori cambiano di più.</translation>
-    </message>
-    <message>
         <source>Bounding box</source>
         <translation>Parallelepipedo limite</translation>
     </message>
@@ -12130,6 +12126,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>The model has no finer mesh than this, which keeps less than requested.</source>
         <translation>Il modello non ha una mesh più fine di questa, che mantiene meno di quanto richiesto.</translation>
     </message>
+    <message>
+        <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most; the background is then dark, unless you choose another one.</source>
+        <translation>Illumina il volume come se una superficie giacesse perpendicolare alla direzione in cui i valori cambiano di più; lo sfondo è allora scuro, se non se ne sceglie un altro.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -13619,10 +13619,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Predefinito</translation>
     </message>
     <message>
-        <source>The colour that fits the window, light or dark</source>
-        <translation>Il colore adatto alla finestra, chiaro o scuro</translation>
-    </message>
-    <message>
         <source>Load the camera from a JSON file</source>
         <translation>Carica la camera da un file JSON</translation>
     </message>
@@ -13729,6 +13725,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Frame what is shown, or the focus; press again for the whole domain (Home)</source>
         <translation>Inquadra ciò che si mostra, o il focus; ancora una volta: l&apos;intero dominio (Home)</translation>
+    </message>
+    <message>
+        <source>The colour that fits the window, light or dark; dark behind a shaded volume</source>
+        <translation>Il colore che si adatta alla finestra, chiaro o scuro; scuro dietro un volume ombreggiato</translation>
     </message>
 </context>
 <context>

@@ -73,14 +73,37 @@ private:
                                   : known.name == given.name;
         });
         if (option == syntax_.options.end())
-            return unknown(given, word);
+            return takeUsualSwitch(word, given);
         if (!option->repeatable && arguments_.has(option->name))
             return wrong("'" + word + "' is given twice.");
+        if (option->name.starts_with("no-") && arguments_.has(option->name.substr(3)))
+            return contradiction(option->name.substr(3));
         const auto value = takeValue(*option, given, word);
         if (!value)
             return value.error();
         arguments_.options.emplace_back(option->name, *value);
         return {};
+    }
+
+    /// "--shaded" beside "--no-shaded".
+    Status takeUsualSwitch(const std::string& word, const OptionWord& given)
+    {
+        const std::string name(given.name);
+        if (given.isLetter || std::ranges::find(syntax_.usualSwitches, name) == syntax_.usualSwitches.end())
+            return unknown(given, word);
+        if (given.value)
+            return wrong("'--" + name + "' takes no value.");
+        if (arguments_.has(name))
+            return wrong("'" + word + "' is given twice.");
+        if (arguments_.has("no-" + name))
+            return contradiction(name);
+        arguments_.options.emplace_back(name, "");
+        return {};
+    }
+
+    Error contradiction(const std::string& name) const
+    {
+        return wrong("'--" + name + "' and '--no-" + name + "' contradict each other. Leave one of the two out.");
     }
 
     Result<std::string> takeValue(const Option& option, const OptionWord& given, const std::string& word)

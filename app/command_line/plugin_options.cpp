@@ -57,6 +57,8 @@ std::string optionName(const Parameter& parameter)
 /// Under which name the arguments hold the parameter.
 std::string optionName(const Arguments& arguments, const Parameter& parameter)
 {
+    if (isOnByDefault(parameter) && arguments.has(parameter.id) && !arguments.ownOptions.contains(parameter.id))
+        return parameter.id; // said, though it is usual
     const std::string name = optionName(parameter);
     return arguments.ownOptions.contains(name) ? namedAsPlugins(name) : name;
 }
@@ -154,7 +156,7 @@ Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& 
                                    const std::optional<ValueRange>& range, std::vector<Message>* remarks)
 {
     if (isSwitch(parameter))
-        return ParameterValue(!isOnByDefault(parameter));
+        return ParameterValue(!isOnByDefault(parameter) || name == parameter.id);
     if (isTransferFunction(parameter))
         return readTransferFunction(*arguments.value(name), std::get<TransferFunction>(parameter.defaultValue), range,
                                     remarks);
@@ -176,6 +178,8 @@ void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters)
 {
     for (const Parameter& parameter : parameters) {
         const Option option = optionOf(parameter);
+        if (isOnByDefault(parameter))
+            syntax.usualSwitches.push_back(parameter.id);
         const auto same = std::ranges::find_if(
             syntax.options, [&](const Option& one) { return one.ofPlugin && one.name == option.name; });
         if (same == syntax.options.end())

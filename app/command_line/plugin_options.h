@@ -32,7 +32,8 @@ template <class Interface> std::string idChoices(const std::vector<Provided<Inte
 }
 
 /// Adds an option for each parameter, unless another plugin's of that name is there already: "--id VALUE"; "--id" for a
-/// truth value that is false by default, "--no-id" for one that is true; one option a time, repeated, for isovalues
+/// truth value that is false by default, "--no-id" for one that is true, where "--id" is taken, too; one option a time,
+/// repeated, for isovalues
 /// ("--isovalue" for the parameter "isovalues"); "--id FILE" for a transfer function.
 void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters);
 

@@ -287,7 +287,8 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return annotations.error();
     view.picture.annotations = *annotations;
     view.picture.annotations.camera = *camera;
-    view.picture.annotations.background = request.picture.background;
+    const bool isDark = !invocation.arguments.has("background") && drawsLitVolume(*renderer.plugin, view.scene.values);
+    view.picture.annotations.background = isDark ? usualBackground(true) : request.picture.background;
     return view;
 }
 
@@ -412,8 +413,9 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     AnnotationContent& content = view.picture.annotations;
     content.state = seen.annotations;
     content.camera = *camera;
+    const bool isDark = drawsLitVolume(*renderer->plugin, seen.appearance.settings);
     content.background = invocation.arguments.has("background") ? request.picture.background
-                                                                : seen.background.value_or(usualBackground(false));
+                                                                : seen.background.value_or(usualBackground(isDark));
     if (kept.viewSize[0] > 0)
         view.picture.viewSize = {kept.viewSize[0], kept.viewSize[1]};
     view.picture.size = {request.picture.width, request.picture.height};
@@ -559,8 +561,8 @@ Syntax renderSyntax(PluginHost& host)
         .examples = {
             {"tan render engine.tan --error 0.5 --isovalue 100:silver:0.4 --isovalue 180:#ff8000 -o engine.png",
              "A translucent surface around a solid one."},
-            {"tan render engine.tan --mode volume --transfer bones.json --shaded -o engine.png",
-             "A volume through a transfer function of your own, shaded."},
+            {"tan render engine.tan --mode volume --transfer bones.json --no-shaded -o engine.png",
+             "A volume through a transfer function of your own, without light."},
             {"tan render engine.tan --mode hybrid --isovalue 180:gold --clip 0,-1,0,-128 -o engine.png",
              "A surface in a volume, cut open at the plane y = 128."},
             {"tan render engine.tan --slice x=128 --slice z=64 --colour-bar -o engine.png",

@@ -172,7 +172,7 @@ std::vector<Option> pictureOptions(PluginHost& host)
         {.name = "background",
          .placeholder = "COLOUR",
          .explanation = "transparent, #rrggbb, or one of " + colourNames() + ".",
-         .byDefault = "white"},
+         .byDefault = "white, and dark behind a shaded volume"},
         {.name = "backend",
          .placeholder = "cpu|gl",
          .explanation = "Rendering back end: the CPU, or OpenGL 3.3.",

@@ -36,6 +36,7 @@ struct Syntax {
     std::string explanation; ///< a paragraph or two
     std::vector<Positional> positionals;
     std::vector<Option> options;
+    std::vector<std::string> usualSwitches{}; ///< of "--no-NAME": NAME, which says what is done anyway
     std::vector<Example> examples;
     std::vector<int> exitCodes{0, 2, 3, 4, 130}; ///< those that can occur
     bool resultMayBeOutput = false; ///< '-o -' is standard output, which then holds the result and nothing else

@@ -92,7 +92,8 @@ Result<Picture> PictureMaker::Parts::draw(const ViewValue& view, const Provided<
                        .size = {request.width, request.height},
                        .viewSize = {request.viewWidth, request.viewHeight},
                        .transparent = request.transparent};
-    wanted.annotations.background = view.background.value_or(usualBackground(false));
+    const bool isDark = drawsLitVolume(*renderer.plugin, view.appearance.settings);
+    wanted.annotations.background = view.background.value_or(usualBackground(isDark));
     wanted.tools = keptDrawings(keptTools(*host, view), model->description(),
                                 matteringParameters(parameters, view.appearance.settings), view, view.camera,
                                 sizeInUnits(wanted), {});

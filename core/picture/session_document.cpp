@@ -7,6 +7,7 @@
 #include "core/picture/png_file.h"
 #include "core/picture/text_file.h"
 #include "core/view/view_text.h"
+#include "plugins/api/scene_parameters.h"
 
 #include <tan/open.h>
 #include <tan/version.h>
@@ -142,6 +143,9 @@ void readModelFacts(const JsonObject& model, SessionDocument& document)
         document.range = ValueRange{*least, *largest};
 }
 
+/// Of sessions in which volumes are lit unless their setting says otherwise.
+constexpr std::string_view shadedKey = "usuallyShaded";
+
 constexpr std::string_view sessionKey = "TAn-session"; // without a blank, as Qt reads keywords
 
 /// On one line, and without two blanks side by side: programs with Qt make one of them when they read a picture.
@@ -164,6 +168,7 @@ JsonValue sessionJson(const SessionDocument& document, const std::filesystem::pa
     if (document.range)
         model["range"] = JsonArray{document.range->minimum, document.range->maximum};
     JsonObject ours = {{"format", formatName}, {"version", formatVersion}, {"model", model}};
+    ours[shadedKey] = true;
     if (const auto view = parseJson(viewToText(document.view)); view && view->object() != nullptr)
         ours = over(std::move(ours), *view->object());
     if (!document.hasCamera)
@@ -270,6 +275,8 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     fields.read("file", file);
     document.file = file;
     readView(fields, document.view);
+    if (!fields.has(shadedKey)) // then volumes are not lit unless their setting says so
+        document.view.appearance.settings.try_emplace(shadedId, false);
     document.hasCamera = fields.has("camera");
     if (path.empty() && !error)
         error = Error{ErrorKind::BadInput, Message::say("it names no model in \"model.path\".")};

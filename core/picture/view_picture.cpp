@@ -125,6 +125,12 @@ std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMes
     return shownErrorRemarks(field, mesh.query, mesh.scale, isovalues, transfer);
 }
 
+bool drawsLitVolume(const Renderer& renderer, const ParameterValues& settings)
+{
+    const auto parameters = matteringParameters(renderer.parameters({}), settings);
+    return hasParameter(parameters, shadedId) && parameterValue<bool>(parameters, settings, shadedId);
+}
+
 Colour usualBackground(bool isDark)
 {
     return isDark ? darkBackground : lightBackground;

@@ -52,6 +52,10 @@ SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* 
 std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMesh& mesh, const ParameterValues& values,
                                         const Scene& scene);
 
+/// Whether a renderer with these settings draws a volume that is lit: it stands before a dark ground, unless another
+/// one was chosen.
+bool drawsLitVolume(const Renderer& renderer, const ParameterValues& settings);
+
 /// The background of a view for which none was chosen.
 Colour usualBackground(bool isDark);
 /// The view that `tan render` takes pictures of, unless a session says how large its own was: its texts and lines are

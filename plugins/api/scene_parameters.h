@@ -64,15 +64,16 @@ inline Parameter transferParameter(const FieldExtent& field)
     return parameter;
 }
 
-/// bool, false by default.
+/// bool, true by default. Behind a lit volume the ground is dark, unless another one was chosen.
 inline Parameter shadedParameter()
 {
     Parameter parameter;
     parameter.id = shadedId;
     parameter.label = Message::marked("Shaded");
     parameter.explanation = Message::marked(
-        "Lights the volume as if a surface lay perpendicular to the direction in which its values change most.");
-    parameter.defaultValue = false;
+        "Lights the volume as if a surface lay perpendicular to the direction in which its values change most; the "
+        "background is then dark, unless you choose another one.");
+    parameter.defaultValue = true;
     return parameter;
 }
 

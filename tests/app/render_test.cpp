@@ -77,12 +77,13 @@ class RenderTest : public QObject {
 private:
     Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
     QString path(const QString& name) const { return folder_.filePath(name); }
-    /// A picture of 60 x 60 from the front, and its figures.
+    /// A picture of 60 x 60 from the front, and its figures. Volumes are not lit, so that they are before white, too.
     std::pair<QImage, QJsonObject> drawn(const QStringList& options, const QString& mode = "volume") const
     {
+        const bool isVolume = mode == "volume" || mode == "hybrid";
         const Run run = tan(QStringList{"render", "c60.tan", "--mode", mode, "--camera", "front", "--size", "60x60",
                                         "-o", "picture.png", "--json"} +
-                            options);
+                            (isVolume ? QStringList{"--no-shaded"} : QStringList()) + options);
         if (run.exitCode != 0)
             qWarning("%s", run.messages.constData());
         return run.exitCode == 0 ? std::pair(QImage(path("picture.png")), run.json())
@@ -416,7 +417,33 @@ private slots:
         const QImage fine = drawn({"--samples", "4"}).first;
         QVERIFY(largestDifference(coarse, fine) > 0);
         QCOMPARE(drawn({"--samples", "1", "--threads", "1"}).first, coarse);
-        QVERIFY(largestDifference(drawn({"--shaded", "--samples", "1"}).first, coarse) > 5);
+    }
+
+    /// Volumes are lit and stand before a dark ground, unless it is said otherwise; what is usual can be said, too.
+    void volumesAreLit()
+    {
+        const auto picture = [this](const QStringList& options) {
+            const Run run = tan(QStringList{"render", "c60.tan", "--size", "60x60", "-o", "picture.png"} + options);
+            return run.exitCode == 0 ? QImage(path("picture.png")) : QImage();
+        };
+        const auto corner = [](const QImage& image) { return image.pixelColor(1, 1); };
+        for (const char* mode : {"volume", "hybrid"}) {
+            const QStringList words{"--mode", mode};
+            const QImage usual = picture(words), unlit = picture(words + QStringList{"--no-shaded"});
+            const QImage onWhite = picture(words + QStringList{"--background", "white"});
+            QVERIFY2(corner(usual).lightness() < 50, mode);
+            QVERIFY2(corner(unlit) == QColor(Qt::white) && corner(onWhite) == QColor(Qt::white), mode);
+            QVERIFY2(largestDifference(onWhite, unlit) > 5, mode);
+            QVERIFY2(picture(words + QStringList{"--shaded"}) == usual, mode);
+        }
+        QCOMPARE(corner(picture({})), QColor(Qt::white));
+        for (const QStringList& order : {QStringList{"--shaded", "--no-shaded"}, {"--no-shaded", "--shaded"}}) {
+            const Run run = tan(QStringList{"render", "c60.tan", "--mode", "volume", "-o", "picture.png"} + order);
+            QCOMPARE(run.exitCode, 2);
+            QVERIFY2(run.messages.contains("'--shaded' and '--no-shaded' contradict each other"), run.messages);
+        }
+        QCOMPARE(tan({"render", "c60.tan", "--shaded", "-o", "picture.png"}).exitCode, 2); // of no isosurface
+        QCOMPARE(tan({"render", "c60.tan", "--mode", "volume", "--shaded=on", "-o", "picture.png"}).exitCode, 2);
     }
 
     void theBoundaryIsDrawn()

@@ -111,10 +111,10 @@ def pictures(bounds, values):
     size = ("--size", "160x120", "--backend", "cpu", "--error", "2")
     return {
         "isosurface": ("--mode", "isosurface", "--isovalue", isovalue, *size),
-        "volume": ("--mode", "volume", *size),
-        "shaded volume": ("--mode", "volume", "--shaded", *size),
-        "hybrid": ("--mode", "hybrid", "--isovalue", isovalue, *size),
-        "focus": ("--mode", "focus", *size, "--focus", "box:" + box(bounds, 0.3, 0.6), "--focus-error", "0.5",
+        "volume": ("--mode", "volume", "--no-shaded", *size),
+        "shaded volume": ("--mode", "volume", "--background", "white", *size),
+        "hybrid": ("--mode", "hybrid", "--no-shaded", "--isovalue", isovalue, *size),
+        "focus": ("--mode", "focus", "--no-shaded", *size, "--focus", "box:" + box(bounds, 0.3, 0.6), "--focus-error", "0.5",
                   "--falloff", "%.6g" % (0.1 * (bounds[3] - bounds[0]))),
     }
 

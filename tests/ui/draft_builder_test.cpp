@@ -156,16 +156,16 @@ void DraftBuilderTest::anotherLookKeepsTheMeshes()
     QTRY_COMPARE(newest().size(), expected);
     const auto before = newest();
     SceneRequest other = full.request;
-    other.values["shaded"] = true;
+    other.values["shaded"] = false;
     builder.requestAppearance(other);
-    QTRY_VERIFY(newest().size() == expected && testing::partsOf(*newest().front().scene).volume->shaded);
+    QTRY_VERIFY(newest().size() == expected && !testing::partsOf(*newest().front().scene).volume->shaded);
     QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
              testing::partsOf(*before.front().scene).volume->mesh);
     SceneRequest elsewhere = full.request;
     elsewhere.query.error = 3.0;
     builder.requestAppearance(elsewhere); // of a mesh that is not known yet: as if it had not been asked for
     builder.requestAppearance(full.request);
-    QTRY_VERIFY(newest().size() == expected && !testing::partsOf(*newest().front().scene).volume->shaded);
+    QTRY_VERIFY(newest().size() == expected && testing::partsOf(*newest().front().scene).volume->shaded);
     QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
              testing::partsOf(*before.front().scene).volume->mesh);
 }

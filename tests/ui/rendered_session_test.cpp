@@ -125,7 +125,7 @@ void RenderedSessionTest::asTheWindowDrawsIt()
         TransferFunction transfer = session().view().appearance.transfer;
         transfer.opacities.back().opacity = 0.5F;
         session().setTransfer(transfer);
-        session().setSetting("shaded", true);
+        session().setSetting("shaded", false);
         session().setAnnotations(allAnnotations());
         Camera camera = window_->viewport().camera();
         camera.azimuth = 77;

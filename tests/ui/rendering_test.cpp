@@ -30,6 +30,7 @@ private slots:
     void cleanup();
     void theModeChangesWithoutAnotherMesh();
     void settingsStayWhenTheModeChanges();
+    void litVolumesHaveADarkGround();
     void aDefaultThatIsConfirmedIsNoEdit();
     void whatCouldNotBeDrawnIsForgottenWithTheNextPicture();
     void aSettingOfAnotherTypeIsLeftOut();
@@ -124,15 +125,15 @@ void RenderingTest::settingsStayWhenTheModeChanges()
 {
     showVolume();
     window_->find<QCheckBox>("rendering.setting.shaded").click();
-    QTRY_VERIFY(testing::partsOf(*window_->viewport().scene()).volume->shaded);
+    QTRY_VERIFY(!testing::partsOf(*window_->viewport().scene()).volume->shaded);
     window_->find<QCheckBox>("rendering.setting.outline").click();
     window_->find<QAction>("action.mode.isosurface").trigger();
     QVERIFY(window_->window.findChild<QCheckBox*>("rendering.setting.shaded") == nullptr);
     QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).lines.empty());
     window_->find<QAction>("action.mode.hybrid").trigger();
     QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
-    QVERIFY(testing::partsOf(*window_->viewport().scene()).volume->shaded);
-    QVERIFY(window_->find<QCheckBox>("rendering.setting.shaded").isChecked());
+    QVERIFY(!testing::partsOf(*window_->viewport().scene()).volume->shaded);
+    QVERIFY(!window_->find<QCheckBox>("rendering.setting.shaded").isChecked());
     auto& order = window_->find<QComboBox>("rendering.setting.order");
     order.setCurrentIndex(1);
     emit order.activated(1);
@@ -140,6 +141,28 @@ void RenderingTest::settingsStayWhenTheModeChanges()
     undo();
     QTRY_VERIFY(!testing::partsOf(*window_->viewport().scene()).wholeCells);
     QCOMPARE(order.currentIndex(), 0);
+}
+
+/// Behind a lit volume the ground is dark, unless another one was chosen; behind all else it fits the window.
+void RenderingTest::litVolumesHaveADarkGround()
+{
+    const auto ground = [this] { return window_->viewport().background(); };
+    const Colour light = ground();
+    QVERIFY(light.red > 0.8F);
+    showVolume();
+    QVERIFY(testing::partsOf(*window_->viewport().scene()).volume->shaded);
+    QVERIFY(ground().red < 0.2F && !session().view().background);
+    auto& shaded = window_->find<QCheckBox>("rendering.setting.shaded");
+    shaded.click();
+    QCOMPARE(ground(), light);
+    shaded.click();
+    QVERIFY(ground().red < 0.2F);
+    session().setBackground(Colour{0, 0.5F, 0});
+    QCOMPARE(ground(), (Colour{0, 0.5F, 0}));
+    undo();
+    QVERIFY(ground().red < 0.2F);
+    window_->find<QAction>("action.mode.isosurface").trigger();
+    QCOMPARE(ground(), light);
 }
 
 void RenderingTest::aDefaultThatIsConfirmedIsNoEdit()

@@ -115,6 +115,7 @@ private slots:
     void aModelIsFoundWhereItIs();
     void whatIsNotKnownIsKept();
     void whatIsMissingIsAsUsual();
+    void volumesStayLitOrNot();
     void badSessionsAreRefused_data();
     void badSessionsAreRefused();
     void aViewIsFoundByWhatItIsOf();
@@ -251,7 +252,28 @@ void SessionDocumentTest::whatIsMissingIsAsUsual()
         sessionFromText(R"({"format": "tan-session", "version": 1, "model": {"path": "a.tan"}})", "/folder");
     QVERIFY(read);
     QCOMPARE(read->model.string(), "/folder/a.tan");
-    QVERIFY(read->view == ViewValue() && !read->hasCamera && read->identity == 0);
+    ViewValue usual;
+    usual.appearance.settings["shaded"] = false; // what was meant where nothing said that volumes are usually lit
+    QVERIFY(read->view == usual && !read->hasCamera && read->identity == 0);
+}
+
+/// Where volumes are usually lit, sessions say so; in others they are lit if their setting says so.
+void SessionDocumentTest::volumesStayLitOrNot()
+{
+    SessionDocument document;
+    document.model = "/data/models/one.tan";
+    const auto settingsOf = [](const QJsonObject& root) {
+        const auto read = sessionFromText(QJsonDocument(root).toJson().toStdString(), "/");
+        return read ? read->view.appearance.settings : ParameterValues{{"unread", true}};
+    };
+    QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(document, "/"))).object();
+    QVERIFY(settingsOf(root).empty());
+    root.remove("usuallyShaded");
+    QVERIFY((settingsOf(root) == ParameterValues{{"shaded", false}}));
+    document.view.appearance.settings["shaded"] = true;
+    root = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(document, "/"))).object();
+    root.remove("usuallyShaded");
+    QVERIFY((settingsOf(root) == ParameterValues{{"shaded", true}}));
 }
 
 void SessionDocumentTest::badSessionsAreRefused_data()

@@ -186,7 +186,7 @@ QLayout* ViewPanel::makeFiles()
     background_->setAccessibleName(tr("Background colour"));
     usualBackground_->setObjectName("view.usualBackground");
     usualBackground_->setText(tr("Default"));
-    usualBackground_->setToolTip(tr("The colour that fits the window, light or dark"));
+    usualBackground_->setToolTip(tr("The colour that fits the window, light or dark; dark behind a shaded volume"));
     load_->setObjectName("view.load");
     load_->setToolTip(tr("Load the camera from a JSON file"));
     save_->setObjectName("view.save");

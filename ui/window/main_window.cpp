@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "core/picture/view_picture.h"
 #include "plugins/widgets/icons.h"
 #include "ui/opening/recent_files.h"
 #include "ui/panels/animation_panel.h"
@@ -759,6 +760,13 @@ void MainWindow::connectFollowing()
     const auto follow = [this] { viewport_->setFollowing(workbench_.session().inGesture()); };
     session.whenChanged(ViewPart::Scene, this, follow);
     session.whenChanged(ViewPart::Appearance | ViewPart::Isovalues, viewport_, &Viewport::expectChange);
+    const auto followLight = [this] {
+        const Renderer* const mode = workbench_.scenes().renderer();
+        const ParameterValues& settings = workbench_.session().view().appearance.settings;
+        viewport_->setLitVolume(mode != nullptr && drawsLitVolume(*mode, settings));
+    };
+    session.whenChanged(ViewPart::Appearance, viewport_, followLight);
+    connect(&session, &Session::modelChanged, viewport_, followLight);
     connect(&session, &Session::gestureChanged, this, [this](bool on) {
         if (!on)
             viewport_->setFollowing(false);

@@ -136,7 +136,7 @@ Drivers renderingControls()
                 return window.settled() && factsOf(*window.viewport().scene()).hasVolume;
             },
             inDock("dock.rendering")),
-        setting("shaded", true, [](const SceneFacts& scene) { return scene.shaded; }),
+        setting("shaded", false, [](const SceneFacts& scene) { return !scene.shaded; }),
         setting("order", std::string("with-cell"), [](const SceneFacts& scene) { return scene.withCell; }),
         shows(),
         projection(),

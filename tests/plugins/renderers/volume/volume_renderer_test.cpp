@@ -30,7 +30,7 @@ private slots:
         QCOMPARE(function.opacities.front().value, -10.0);
         QCOMPARE(function.opacities.back().value, 30.0);
         QCOMPARE(function.unitDistance, unitBox.diagonal().norm() / 40);
-        QVERIFY(!parameterValue<bool>(parameters, {}, "shaded"));
+        QVERIFY(parameterValue<bool>(parameters, {}, "shaded"));
         QVERIFY(parameterValue<bool>(parameters, {}, "outline"));
         QCOMPARE(parameterValue<std::string>(parameters, {}, "clip"), std::string());
     }
@@ -75,7 +75,7 @@ private slots:
         QVERIFY(partsOf(*scene).volume.has_value());
         QVERIFY(partsOf(*scene).volume->mesh->mesh->tetrahedra == inSpatialOrder(*mesh)->tetrahedra);
         QCOMPARE(partsOf(*scene).volume->transfer->classes.size(), mesh->tetrahedra.size());
-        QVERIFY(!partsOf(*scene).volume->shaded);
+        QVERIFY(partsOf(*scene).volume->shaded);
         QVERIFY(partsOf(*scene).surfaces.empty() && scene->clipPlanes.empty());
         QCOMPARE(partsOf(*scene).lines.size(), std::size_t(1));
         QVERIFY(scene->bounds.isApprox(unitBox));
@@ -85,8 +85,8 @@ private slots:
     {
         const auto session = open("volume", cone(6));
         const auto scene = prepared(
-            *session, {{"transfer", step}, {"shaded", true}, {"clip", std::string("0,1,0,0.5")}, {"outline", false}});
-        QVERIFY(partsOf(*scene).volume->shaded);
+            *session, {{"transfer", step}, {"shaded", false}, {"clip", std::string("0,1,0,0.5")}, {"outline", false}});
+        QVERIFY(!partsOf(*scene).volume->shaded);
         QCOMPARE(partsOf(*scene).volume->transfer->segments.size(), std::size_t(2));
         QVERIFY(partsOf(*scene).lines.empty());
         QCOMPARE(scene->clipPlanes.size(), std::size_t(1));
@@ -97,9 +97,9 @@ private slots:
     {
         const auto session = open("volume", cone(6));
         const auto first = prepared(*session, {{"transfer", step}});
-        const auto lit = prepared(*session, {{"transfer", step}, {"shaded", true}});
-        QCOMPARE(partsOf(*lit).volume->mesh, partsOf(*first).volume->mesh);
-        QCOMPARE(partsOf(*lit).volume->transfer, partsOf(*first).volume->transfer);
+        const auto unlit = prepared(*session, {{"transfer", step}, {"shaded", false}});
+        QCOMPARE(partsOf(*unlit).volume->mesh, partsOf(*first).volume->mesh);
+        QCOMPARE(partsOf(*unlit).volume->transfer, partsOf(*first).volume->transfer);
         const auto other = prepared(*session, {});
         QCOMPARE(partsOf(*other).volume->mesh, partsOf(*first).volume->mesh);
         QVERIFY(partsOf(*other).volume->transfer != partsOf(*first).volume->transfer);
