@@ -1906,6 +1906,10 @@ Verwerfung %2</translation>
         <source>Other Colour…</source>
         <translation>Andere Farbe …</translation>
     </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materialien</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CommandPalette</name>
@@ -12129,6 +12133,34 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most; the background is then dark, unless you choose another one.</source>
         <translation>Beleuchtet das Volumen, als läge eine Fläche quer zu der Richtung, in der sich seine Werte am stärksten ändern; der Hintergrund ist dann dunkel, sofern Sie keinen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Flesh</source>
+        <translation>Fleisch</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Stein</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>Chalk</source>
+        <translation>Kreide</translation>
     </message>
 </context>
 <context>

@@ -1906,6 +1906,10 @@ deformazione %2</translation>
         <source>Other Colour…</source>
         <translation>Altro colore…</translation>
     </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materiali</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CommandPalette</name>
@@ -12129,6 +12133,34 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Lights the volume as if a surface lay perpendicular to the direction in which its values change most; the background is then dark, unless you choose another one.</source>
         <translation>Illumina il volume come se una superficie giacesse perpendicolare alla direzione in cui i valori cambiano di più; lo sfondo è allora scuro, se non se ne sceglie un altro.</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Osso</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Pelle</translation>
+    </message>
+    <message>
+        <source>Flesh</source>
+        <translation>Carne</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Acciaio</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Pietra</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Acqua</translation>
+    </message>
+    <message>
+        <source>Chalk</source>
+        <translation>Gesso</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/materials.h"
 #include "plugins/api/renderer.h"
 
 #include <tan/render.h>
@@ -24,7 +25,7 @@ inline constexpr const char* clipId = "clip";
 inline Parameter isovaluesParameter(const FieldExtent& field)
 {
     const ValueRange& range = field.range;
-    const auto [red, green, blue] = distinctColour(0);
+    const auto [red, green, blue] = usualMaterial.colour;
     Parameter parameter;
     parameter.id = isovaluesId;
     parameter.label = Message::marked("Isovalues");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/colour_text.h"
 
+#include "plugins/api/materials.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -50,6 +52,9 @@ Result<Colour> parseColour(std::string_view text)
     const auto named = std::ranges::find(names, text, [](const auto& entry) { return entry.first; });
     if (named != names.end())
         return fromPacked(named->second);
+    const auto material = std::ranges::find(materials, text, [](const Material& one) { return one.word; });
+    if (material != materials.end())
+        return material->colour;
     if (text.starts_with('#') && (text.size() == 4 || text.size() == 7)) {
         const std::string digits = text.size() == 4 ? withDoubledDigits(text.substr(1)) : std::string(text.substr(1));
         std::uint32_t packed = 0;
@@ -77,6 +82,8 @@ std::string colourNames()
     std::string list;
     for (const auto& [name, packed] : names)
         list += (list.empty() ? "" : ", ") + std::string(name);
+    for (const Material& material : materials)
+        list += ", " + std::string(material.word);
     return list;
 }
 

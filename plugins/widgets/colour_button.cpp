@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/widgets/colour_button.h"
 
+#include "plugins/api/materials.h"
+
 #include <tan/render.h>
 
 #include <QColorDialog>
@@ -70,13 +72,20 @@ void ColourButton::setColour(const QColor& colour)
 void ColourButton::fillMenu(QMenu* menu)
 {
     menu->clear();
-    for (std::size_t index = 0; index < paletteNames.size(); ++index) {
-        const auto [red, green, blue] = distinctColour(index);
-        const QColor colour = QColor::fromRgbF(red, green, blue);
-        QAction* action = menu->addAction(swatch(colour, palette(), devicePixelRatioF()),
-                                          QCoreApplication::translate("Palette", paletteNames[index]));
+    const auto add = [&](const QString& name, const QColor& colour, std::size_t index) {
+        QAction* action = menu->addAction(swatch(colour, palette(), devicePixelRatioF()), name);
         action->setObjectName(QString("%1.%2").arg(objectName()).arg(index));
         connect(action, &QAction::triggered, this, [this, colour] { emit colourChosen(colour); });
+    };
+    for (std::size_t index = 0; index < paletteNames.size(); ++index) {
+        const auto [red, green, blue] = distinctColour(index);
+        add(QCoreApplication::translate("Palette", paletteNames[index]), QColor::fromRgbF(red, green, blue), index);
+    }
+    menu->addSection(tr("Materials"));
+    for (std::size_t index = 0; index < materials.size(); ++index) {
+        const auto [red, green, blue] = materials[index].colour;
+        add(QCoreApplication::translate("tetra::Message", materials[index].name.text),
+            QColor::fromRgbF(red, green, blue), paletteNames.size() + index);
     }
     menu->addSeparator();
     QAction* other = menu->addAction(tr("Other Colour…"), this, &ColourButton::chooseOther);

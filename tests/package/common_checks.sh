@@ -58,9 +58,9 @@ find_window() { window=$(xdotool search --onlyvisible --name c60.tan 2>/dev/null
 deadline=$((SECONDS + 60))
 until find_window; do [ "$SECONDS" -lt "$deadline" ] || { echo 'no window came up'; exit 1; }; sleep 0.2; done
 xdotool getwindowname "$window"
-# The surface is orange; nothing else in the window is, but for a button.
-orange() { xwd -silent -root -out /work/window.xwd; tail -c $((1366 * 768 * 4)) /work/window.xwd | od -An -v -w4 -tu1 | awk '$3 > $1 + 60 { ++n } END { print n + 0 }'; }
-until [ "$(orange)" -gt 10000 ]; do [ "$SECONDS" -lt "$deadline" ] || { echo 'no picture came'; exit 1; }; sleep 0.2; done
+# The surface is of bone, as nothing else in the window is.
+bone() { xwd -silent -root -out /work/window.xwd; tail -c $((1366 * 768 * 4)) /work/window.xwd | od -An -v -w4 -tu1 | awk '$3 > $1 + 15 && $3 < $1 + 45 && $2 > $1 { ++n } END { print n + 0 }'; }
+until [ "$(bone)" -gt 10000 ]; do [ "$SECONDS" -lt "$deadline" ] || { echo 'no picture came'; exit 1; }; sleep 0.2; done
 kill "$(xdotool getwindowpid "$window")"
 wait || true
 INSIDE

@@ -12,8 +12,8 @@ BARE = {"colour_bar": False, "axes": False}
 
 
 def seen(pixels):
-    """Where the surface is, which is orange; lines are grey."""
-    return pixels[..., 0].astype(int) > pixels[..., 2] + 40
+    """Where the surface is, which is of bone; lines are grey."""
+    return pixels[..., 0].astype(int) > pixels[..., 2] + 10
 
 
 def png_pixels(data):

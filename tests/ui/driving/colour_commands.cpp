@@ -9,8 +9,6 @@
 namespace tetra {
 namespace {
 
-constexpr int paletteSize = 7;
-
 /// The menu is filled when it opens.
 void openMenu(DrivenWindow& window, const QString& button)
 {

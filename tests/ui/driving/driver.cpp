@@ -187,9 +187,21 @@ Driver::Step inDock(const QString& dock)
 /// Of Okabe and Ito, as they have written them.
 Colour paletteColour(int index)
 {
-    constexpr std::array<std::array<int, 3>, 7> okabeIto{
-        {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {213, 94, 0}, {0, 114, 178}, {204, 121, 167}, {240, 228, 66}}};
-    const auto [red, green, blue] = okabeIto[static_cast<std::size_t>(index)];
+    constexpr std::array<std::array<int, 3>, paletteSize> colours{{{230, 159, 0}, // of Okabe and Ito
+                                                                   {86, 180, 233},
+                                                                   {0, 158, 115},
+                                                                   {213, 94, 0},
+                                                                   {0, 114, 178},
+                                                                   {204, 121, 167},
+                                                                   {240, 228, 66},
+                                                                   {232, 220, 196}, // materials
+                                                                   {224, 172, 142},
+                                                                   {190, 92, 80},
+                                                                   {176, 186, 198},
+                                                                   {150, 142, 132},
+                                                                   {96, 156, 196},
+                                                                   {245, 245, 242}}};
+    const auto [red, green, blue] = colours[static_cast<std::size_t>(index)];
     const QColor colour(red, green, blue);
     return {static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()), static_cast<float>(colour.blueF())};
 }
