@@ -260,7 +260,7 @@ Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::pa
 
 Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output)
 {
-    return buildModel(dataset, output, suitableMethod(dataset));
+    return guarded(noMemory, [&] { return buildModel(dataset, output, suitableMethod(dataset)); });
 }
 
 Result<BuildReport> writeModel(const Dataset& dataset, const std::filesystem::path& output, std::string builder,
