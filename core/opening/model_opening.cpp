@@ -49,7 +49,7 @@ Result<bool> holdsPacked(const ByteSource& source, const Progress& progress)
     Buffer<std::byte> front(std::min(source.size, atOnce));
     if (const Status read = source.read(0, front, progress); !read)
         return read.error();
-    return isFrontOfPacked(front);
+    return beginsLikeModel(front) && isFrontOfPacked(front);
 }
 
 /// Told of what goes wrong with a file.
@@ -297,6 +297,13 @@ Status checkPlace(const std::string& place)
     return Error{ErrorKind::BadInput, Message::say("There is no file '%1'. An address on a server begins with http:// "
                                                    "or https://.",
                                                    printable(place))};
+}
+
+/// Of a file of this machine.
+Result<bool> isPackedFile(const std::string& place, const Progress& progress)
+{
+    const auto file = fileSource(place);
+    return file ? holdsPacked(*file, progress) : file.error();
 }
 
 /// With `folder` for what of a file on a server is fetched.
@@ -574,15 +581,18 @@ Result<FoundModel> openModel(const std::string& place, const OpenOptions& option
 {
     if (const Status found = checkPlace(place); !found)
         return found.error();
-    if (!isAddress(place) && !isPacked(place)) {
-        const auto model = Model::open(place);
+    const auto open = [&]() -> Result<FoundModel> {
+        const Result<bool> packed = isAddress(place) ? Result<bool>(true) : isPackedFile(place, progress);
+        if (!packed.ok() && packed.error().kind == ErrorKind::OutOfResource)
+            return packed.error();
+        if (packed.ok() && *packed)
+            return openAnywhere(place, options, progress);
+        const auto model = Model::open(place); // which says best what else is wrong with the file
         if (!model)
             return model.error();
         return FoundModel{*model, true, (*model)->siteCount(), (*model)->fileSize(), (*model)->fileSize()};
-    }
-    return guarded(
-        Message::marked("Not enough memory to open '%1'. Close other programs."),
-        [&] { return openAnywhere(place, options, progress); }, place);
+    };
+    return guarded(Message::marked("Not enough memory to open '%1'. Close other programs."), open, place);
 }
 
 Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,
