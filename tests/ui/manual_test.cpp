@@ -120,7 +120,7 @@ private slots:
     /// F1 explains a control, and F1 once more opens the manual where it tells of its panel; in dialogs, too.
     void helpLeadsToTheParagraph()
     {
-        const WindowFixture fixture;
+        WindowFixture fixture;
         QStringList wanted;
         connect(fixture.window.findChild<HelpTexts*>(), &HelpTexts::manualWanted, this,
                 [&](const QString& place) { wanted.append(place); });
