@@ -28,8 +28,8 @@ check 'models' "cd /work; tan sample c60 --size 40 -o c60.nrrd
     for name in c60 body part; do for error in 4 1 0; do tan extract \$name.tan --error \$error -o \$name-\$error.vtu; done; done"
 run='export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; cd /work; plugin=$(find /opt/tan -name TAnReader.so)'
 check 'points, cells and arrays are those of tan extract; pictures of a contour and of a volume' \
-    "$run; xvfb-run -a pvbatch paraview_try.py \$plugin one"
-check 'two processes have the same mesh, each a part' "$run; xvfb-run -a mpirun --oversubscribe -np 2 pvbatch paraview_try.py \$plugin two"
+    "$run; xvfb-run -n 4711 pvbatch paraview_try.py \$plugin one"
+check 'two processes have the same mesh, each a part' "$run; xvfb-run -n 4712 mpirun --oversubscribe -np 2 pvbatch paraview_try.py \$plugin two"
 mkdir -p "$clean/paraview"
 cp "$system"/work/*.png "$clean/paraview/"
 echo "Pictures to look at: $clean/paraview"
