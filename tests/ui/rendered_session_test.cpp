@@ -218,7 +218,7 @@ QByteArray RenderedSessionTest::differenceOfBoth(const QString& mode, const QStr
         place.shown = false;
     const QImage drawn = savedPicture({sizeOfPictures, 0, false, none}).convertToFormat(QImage::Format_ARGB32);
     const Run run = tan(QStringList{"render", "c60.tan", "--mode", mode, "--error", "4", "--size", "201x145",
-                                    "--samples", "4", "-o", "program.png"} +
+                                    "--samples", "4", "--background", "white", "-o", "program.png"} +
                         options);
     return run.exitCode != 0 ? run.messages
                              : differenceOf(drawn, QImage(path("program.png")).convertToFormat(QImage::Format_ARGB32));
