@@ -45,7 +45,7 @@ from them, and draws these. Needs no Qt.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tan)
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/program/shlibs "libtan-picture ${TAN_SOVERSION} tan (= ${PROJECT_VERSION})\n")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers ${CMAKE_CURRENT_BINARY_DIR}/program/shlibs)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${core_of_same_version}")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${core_of_same_version}, python3") # tan-read-meshio.py
 # Until 0.1 the window was in this package: who has it keeps the window. meshio reads Gmsh, MED, XDMF ... by a script.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "tan-desktop, python3-meshio")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "tan-vtk-readers")

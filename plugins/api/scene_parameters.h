@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "plugins/api/materials.h"
 #include "plugins/api/renderer.h"
 
 #include <tan/render.h>
@@ -25,7 +24,7 @@ inline constexpr const char* clipId = "clip";
 inline Parameter isovaluesParameter(const FieldExtent& field)
 {
     const ValueRange& range = field.range;
-    const auto [red, green, blue] = usualMaterial.colour;
+    const auto [red, green, blue] = materials.front().colour;
     Parameter parameter;
     parameter.id = isovaluesId;
     parameter.label = Message::marked("Isovalues");

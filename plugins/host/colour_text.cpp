@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/colour_text.h"
 
-#include "plugins/api/materials.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/widgets/colour_button.h"
 
-#include "plugins/api/materials.h"
-
 #include <tan/render.h>
 
 #include <QColorDialog>

@@ -347,8 +347,8 @@ private slots:
     {
         const QStringList usual{"--error", "8", "--no-outline", "--samples", "1"};
         const auto [plain, ofPlain] = drawn(usual);
-        QCOMPARE(tan(QStringList{"render", "c60.tan", "--mode", "volume", "--camera", "front", "--size", "180x180",
-                                 "-o", "large.png"} +
+        QCOMPARE(tan(QStringList{"render", "c60.tan", "--mode", "volume", "--no-shaded", "--camera", "front", "--size",
+                                 "180x180", "-o", "large.png"} +
                      usual)
                      .exitCode,
                  0);

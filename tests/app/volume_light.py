@@ -246,7 +246,7 @@ class VolumeLight(unittest.TestCase):
         """Unlit and lit."""
         (self.folder / "camera.json").write_text(json.dumps(camera.settings))
         (self.folder / "function.json").write_text(function.text)
-        for name, more in (("unlit", ()), ("lit", ("--shaded",))):
+        for name, more in (("unlit", ("--no-shaded",)), ("lit", ())):
             tan(self.folder, "render", "model.tan", "--error", 2, "--mode", "volume", "--transfer", "function.json", "--camera", "camera.json", "--size",
                 f"{WIDTH}x{HEIGHT}", "--samples", 1, "--background", "#" + bytes(BACKGROUND).hex(), "--no-outline", *more, "-o", f"{name}.png")
         return {name: picture(self.folder / f"{name}.png") for name in TOLERANCES}

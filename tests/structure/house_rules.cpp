@@ -128,7 +128,7 @@ const std::vector<Room>& rooms()
           "core/picture/annotations"}},
         {"plugins/builders", {"core/include", "plugins/api"}},
         {"plugins/renderers", {"core/include", "plugins/api"}},
-        {"plugins/widgets", {"core/include", "plugins/api"}},
+        {"plugins/widgets", {"core/include"}},
         {"plugins/editors", {"core/include", "plugins/api", "plugins/widgets"}},
         {"plugins/process", {"core/include", "plugins/api"}},
         {"plugins/readers", {"core/include", "plugins/api", "plugins/process"}},

@@ -127,6 +127,7 @@ private slots:
         Browser browser;
         const auto press = [](QWidget& widget) { QTest::keyClick(&widget, Qt::Key_F1); };
         auto& budget = fixture.find<QWidget>("accuracy.byBudget");
+        fixture.window.show();
         fixture.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
         budget.setFocus();
