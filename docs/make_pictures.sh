@@ -29,7 +29,7 @@ build bluntfin bluntfin/bluntfinxyz.bin 0
 for error in 0 1 4; do
     view=("$models/bluntfin.tan" --error "$error" --camera "$pictures/bluntfin-camera.json" --size 400x200)
     draw "${view[@]}" --isovalue 1.244:silver -o "$pictures/bluntfin-surface-$error.png"
-    draw "${view[@]}" --mode volume --transfer "$pictures/bluntfin-transfer.json" -o "$pictures/bluntfin-volume-$error.png"
+    draw "${view[@]}" --mode volume --no-shaded --transfer "$pictures/bluntfin-transfer.json" -o "$pictures/bluntfin-volume-$error.png"
 done
 
 # What is seen first of real data, by the defaults, in two modes.
@@ -51,7 +51,7 @@ first bracket irregular/bracket_57k.vtu 0
 
 # Figure 15: the buckyball at 0.6 %, surfaces in a volume, in the exact order and in that of the paper; and cut open.
 build buckyball buckyball/c60large_128x128x128_uint8.nhdr 0.6
-view=("$models/buckyball.tan" --error 0.6 --mode hybrid --camera "$pictures/buckyball-camera.json" --size 260x260
+view=("$models/buckyball.tan" --error 0.6 --mode hybrid --no-shaded --camera "$pictures/buckyball-camera.json" --size 260x260
       --transfer "$pictures/buckyball-transfer.json" --no-outline)
 draw "${view[@]}" --isovalue 170:gold -o "$pictures/buckyball-exact.png"
 draw "${view[@]}" --isovalue 170:gold --order with-cell -o "$pictures/buckyball-with-cell.png"
