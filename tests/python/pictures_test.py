@@ -6,7 +6,7 @@ import struct
 import unittest
 import zlib
 
-from module import ModuleTest, np, tan
+from module import ModuleTest, lattice, np, placed, tan
 
 BARE = {"colour_bar": False, "axes": False}
 
@@ -117,6 +117,38 @@ class Pictures(ModuleTest):
         np.testing.assert_array_equal(stored, self.ball.render(size=(80, 60), samples=1, transparent=True, **look))
         self.assertIn(b"Software", texts)
 
+    def test_a_focus(self):
+        x, y, z = lattice(25)
+        model = tan.build(np.sin(9 * x) * np.cos(7 * y) * np.sin(8 * z + x), self.folder / "waves.tan", **placed(25))
+        ball, box = tan.sphere((0.4, 0, 0), 0.4, error=0.2, falloff=0.1), tan.box((-1, -1, -1), (-0.5, 1, 0), error=0.2, falloff=0.1)
+
+        def drawn(**look):
+            return model.render(size=(160, 120), samples=1, isovalues=[0.3], **BARE, **look).astype(int)
+
+        def far(one, other):
+            return np.abs(one - other).mean()
+
+        coarse, fine = drawn(error=30), drawn(error=0.2)
+        for focus in (ball, box, [ball, box], [box, ball], [tan.sphere((0, 0, 0), 1, error=0.2)]):
+            pixels = drawn(error=30, focus=focus)
+            self.assertGreater(far(pixels, coarse), 0.3)
+            self.assertLess(far(pixels, fine), far(coarse, fine))
+            model.save_picture(self.folder / "focus.png", size=(160, 120), samples=1, error=30, focus=focus, isovalues=[0.3], **BARE)
+            view, differences = model.kept_view(self.folder / "focus.png")
+            self.assertEqual(differences, [])
+            np.testing.assert_array_equal(model.render(view, size=(160, 120), samples=1), pixels)
+        # A ball that has all of the domain in it is no focus but the error.
+        np.testing.assert_array_equal(drawn(error=30, focus=tan.sphere((0, 0, 0), 3, error=0.2)), fine)
+        np.testing.assert_array_equal(drawn(view=tan.View(error=30, focus=ball).changed(focus=[])), coarse)
+        away = tan.sphere((2, 0, 0), 1.5, error=0.2)
+        for draw in (model.render, model.view, lambda **look: model.save_session(self.folder / "away.tansession", **look),
+                     lambda **look: model.save_picture(self.folder / "away.png", **look)):
+            self.refused(ValueError, "bounds", draw, focus=away)
+        for focus in (tan.sphere((0, 0, 0), 1), tan.box((1, 0, 0), (0, 1, 1), error=1), [ball, tan.sphere((0, 0, 0), 1, error=1)], [ball] * 17):
+            self.refused(ValueError, ".", tan.View, focus=focus)
+        for focus in (3, "ball", [ball, 3], tan.half_space((1, 0, 0), 0, error=1), {"sphere": 1}):
+            self.refused(TypeError, "sphere", tan.View, focus=focus)
+
     def test_a_film(self):
         first, half = (self.bare(frame=frame, isovalues=[0.8], azimuth=0) for frame in (0, 60))
         turned = self.bare(isovalues=[0.8], azimuth=180)
@@ -145,6 +177,7 @@ class Pictures(ModuleTest):
         self.refused(ValueError, "JSON", tan.View.from_text, "[")
         self.refused(ValueError, ".", self.ball.render, tan.View.from_text('{"camera": 3}'))
         self.refused(OSError, "nowhere", self.ball.save_picture, self.folder / "nowhere" / "a.png", size=(20, 20))
+        self.refused(ValueError, r"\.png", self.ball.save_picture, self.folder / "a.jpg", size=(20, 20))
         self.refused(OSError, "none", self.ball.kept_view, self.folder / "none.png")
 
 

@@ -33,7 +33,7 @@ LONGEST = 9000  # characters: a path of 5000 may be in it
 
 # Values by what they are: expressions in the names that world() makes.
 NOTHING = ["None"]
-TEXTS = ["'1'", "''", "'none'"]
+TEXTS = ["'1'", "''", "'nothing'"]
 BYTES_OBJECTS = ["b'1'", "bytearray(b'1')", "memoryview(b'123')"]
 OBJECTS = ["object()", "{}", "{'a': 1}", "int", "len", "(part for part in (1, 2, 3))", "Ellipsis", "NotImplemented", "np", "tan"]
 OURS = ["m", "mesh", "surface", "view", "data", "tan.sphere((0, 0, 0), 1)", "verdict", "ended", "tan.Error('a')", "tan.Mesh", "size"]
@@ -129,6 +129,7 @@ KINDS = {
     "kept": Kind(["'a.tansession'"], NO_PATHS + [name for name in NO_FILES if "changed" not in name] + ["'ball.tan'"]),
     "target": Kind(["'out.tan'"], NO_PATHS + NO_TARGETS, ["'out.tan\\n'", "'-o'"]),
     "written": Kind(["'out.file'"], NO_PATHS + [name for name in NO_TARGETS if name not in ("'text.txt'", "'ball.tan/'")], ["'-o'"]),
+    "picture": Kind(["'out.png'"], NO_PATHS + NO_TARGETS + ["'out.jpg'", "'out'", "'png'"], ["'-o.png'", "'OUT.PNG'"]),
     "folder": Kind(["'folder'"], NO_PATHS + ["'text.txt'", "'none'", "'a' * 5000"]),
     "progress": Kind(["told"], ["3", "'x'", "b'x'", "{}", "[]", "object()", "1.5", "m", "mesh", "view", "np.zeros(3)", "True", "np"], ["len",
         "tan.box"]),
@@ -149,7 +150,7 @@ KINDS = {
         ["np.full(30, 1e308)", "np.full(30, 5e-324)", "np.arange(30) > 3", "np.arange(30, dtype='>i2')", "np.zeros(30)", "np.arange(30).astype('f2')",
         "np.where(cloud[:, 0] > 0.5, np.inf, 1)", "np.resize([-1e308, 1e308], 30)"]),
     "hidden": Kind(["cloud[:, 1] < 0.1"], arrays((30,), [(29,), (30, 1)]) + ["cloud[:, 0]", "np.ones(30, bool)"]),
-    "cells": Kind(["corners", "{'tetra': corners}", "[('tetra', corners)]"], arrays((5, 4), [(5, 4), (5, 3)]) + ["corners - 5", "corners + 5",
+    "cells": Kind(["corners", "{'tetra': corners}", "[('tetra', corners)]"], arrays((5, 4), [(5, 4), (5, 3)]) + ["corners - 5", "corners + 15",
         "corners.astype(float)", "corners > 3", "corners[:, :3]", "corners[0]", "{'cube': corners}", "{1: corners}", "{'wedge': corners}",
         "{'\\ud800': corners}", "[('tetra',)]", "[('tetra', corners, 3)]", "[(1, corners)]", "{'tetra': None}", "corners * 0",
         "np.full((1, 4), 2**64 - 1, 'u8')", "np.zeros((0, 4), int)", "{'tetra': corners, 'voxel': corners}", "[('tetra', [[0, 1]])]", "'tetra'"],
@@ -162,6 +163,12 @@ KINDS = {
         "tan.half_space((0, 0, 0), 1, error=1)", "tan.Sphere(1, 0, (0, 0, 'a'), 1)", "{tan.sphere((0, 0, 0), 1): 3}"],
         ["tan.sphere((1e308,) * 3, 1e308, error=0, falloff=1e308)", "[]", "tan.box((1, 1, 1), (0, 0, 0), error=1)", "()",
         "(tan.sphere((0, 0, 0), 1, error=1) for _ in range(3))", "[tan.sphere((0, 0, 0), 1, error=1)] * 2000"]),
+    "looked_into": Kind(["tan.sphere((0, 0, 0), 0.5, error=1)", "[tan.box((-1, -1, -1), (0, 0, 0), error=1), tan.sphere((0, 0, 0), 0.5, error=1)]", "[]"],
+        FALSE_NUMBERS[:6] + NOT_NUMBERS + TRUTHS + ["3", "object()", "m", "view", "[3]", "[None]", "tan.box", "tan.sphere((0, 0, 0), 1)", "[m]",
+        "tan.Region(1.0, 0.0)", "tan.half_space((1, 0, 0), 0, error=1)", "{tan.sphere((0, 0, 0), 1): 3}", "[tan.sphere((0, 0, 0), 1, error=1)] * 17",
+        "tan.box((1, 1, 1), (0, 0, 0), error=1)", "[tan.sphere((0, 0, 0), 1, error=e) for e in (1, 2)]"],
+        ["tan.sphere((1e308,) * 3, 1e308, error=0, falloff=1e308)", "tan.sphere((0, 0, 0), 1e308, error=0, falloff=1e308)",
+        "(tan.sphere((0, 0, 0), 1, error=1) for _ in range(3))", "tan.box((-1e308,) * 3, (1e308,) * 3, error=0)"]),
     "field": Kind(["'2'", "'sphere(0,0,0,0.5;0,5)'"], NO_TEXTS + TEXTS[1:] + ["'min(' * 10**5", "'-1'", "'nan'", "'1e999'", "'2,'", "'box(0,0,0)'",
         "'1\\0'", "'\\u0663'"]),
     "window": Kind(["tan.box((-1, -1, -1), (0, 0, 0))"], FALSE_NUMBERS[:6] + NO_VECTORS + ["tan.sphere((0, 0, 0), 1)", "((0, 0, 0), (1, 1, 1))",
@@ -202,7 +209,7 @@ LOOK = {"mode": "mode?", "isovalues": "isovalues?", "transfer": "transfer?", "az
         "up": "up?",
         "perspective": "truth?", "zoom": "zoom?", "target": "vector?", "background": "colour?", "window": "window?", "settings": "settings?",
         "axes": "truth?",
-        "title": "truth?", "colour_bar": "truth?", "error": "amount?", "budget": "budget?"}
+        "title": "truth?", "colour_bar": "truth?", "error": "amount?", "budget": "budget?", "focus": "looked_into?"}
 DRAWN = {"transparent": "truth", "samples": "samples", "threads": "threads", "frame": "frame?", "backend": "backend", "progress": "progress?", **LOOK}
 BUILT = {"error": "amount", "warping": "warping", "method": "method?", "block": "block?", "ordered_by": "ordered_by?", "weights": "weights?",
          "progress": "progress?"}
@@ -233,7 +240,7 @@ FUNCTIONS = {
     "m.size_at({})": ([], {"error": "amount", "warping": "amount?", "budget": "budget?"}),
     "m.mesh({})": ([], QUERY),
     "m.mesh(field={})": (["field"], {}),
-    "m.mesh(absolute={})": (["amount"], {}),
+    "m.mesh(absolute={})": (["amount?"], {}),
     "m.isosurface({})": (["number"], QUERY),
     "m.slice({})": (["normal", "at"], QUERY),
     "m.sample({})": (["places"], QUERY),
@@ -247,7 +254,7 @@ FUNCTIONS = {
     "m.render({}, size=(24, 18), samples=1)": ([], {"view": "view?", **LOOK}),
     "m.render({}, size=(24, 18))": ([], DRAWN),
     "m.render({}, samples=1)": ([], {"size": "size"}),
-    "m.save_picture({}, size=(24, 18))": (["written"], {**DRAWN, "view": "view?"}),
+    "m.save_picture({}, size=(24, 18))": (["picture"], {**DRAWN, "view": "view?"}),
     "m.save_session({})": (["written"], {**LOOK, "size": "size", "view": "view?"}),
     "mesh.sample({})": (["places"], {"progress": "progress?"}),
     "mesh.isosurface({})": (["number"], {"progress": "progress?"}),

@@ -298,7 +298,7 @@ class Model:
         size: (width, height) in pixels. transparent: without the background. samples: a pixel is the mean of so many squared samples,
         1 to 4. threads: the most to use; 0: all. backend: "cpu", or "gl" for the graphics card. frame: of the view's film.
         """
-        looked = view_of(view, look)
+        looked = self._placed(view_of(view, look))
         options = drawing(looked, size)
         options.transparent, options.samples, options.threads = truth(transparent, "transparent"), whole(samples, "samples", 1, 4), whole(threads, "threads", 0, 4096)
         options.frame = None if frame is None else whole(frame, "frame", 0, 2**31 - 1)
@@ -309,6 +309,8 @@ class Model:
     def save_picture(self, path: Any, view: Optional[View] = None, *, size: Tuple[int, int] = (1024, 768), **how: Any) -> None:
         """Writes a picture as PNG. It says of itself how it was made: TAn's window, and kept_view(), open its view again."""
         target = self._target(path)
+        if not target.lower().endswith(".png"):
+            raise WrongUsage(f"'{target}' does not end in .png, the one format in which pictures are written.")
         looked = view_of(view, {name: value for name, value in how.items() if name not in _DRAWING})
         drawn = {name: value for name, value in how.items() if name in _DRAWING}
         pixels = self.render(looked, size=size, **drawn)
@@ -325,6 +327,15 @@ class Model:
         """The view, whose mode there is."""
         if view.mode is not None:
             choice(view.mode, "mode", [mode for mode, _ in self.modes()])
+        return self._placed(view)
+
+    def _placed(self, view: View) -> View:
+        """The view, whose focus lies where pictures can have it: they would move it."""
+        least, largest = self.bounds.tolist()
+        for middle in view._middles:
+            if any(not low <= place <= high for low, place, high in zip(least, middle, largest)):
+                raise WrongUsage(f"The middle of a picture's focus lies in the bounds of the data, from {tuple(least)} to {tuple(largest)}, "
+                                 f"not at {tuple(middle)}. Take a box that ends at the bounds, or a smaller sphere within them.")
         return view
 
     def _repr_html_(self) -> str:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import copy
 import json
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from ._errors import WrongUsage
 from ._numbers import Vector, choice, listed, number, shown, text, truth, vector, whole
+from ._regions import Box, Region, Sphere
 
 Colour = Union[Tuple[float, float, float], List[float]]
 _UP = ("x", "-x", "y", "-y", "z", "-z")
+_MOST_REGIONS = 16  # mostFocusRegions of the views
 
 
 def _colour(value: Any, name: str) -> List[float]:
@@ -45,6 +47,31 @@ def _is_list(value: Any) -> bool:
     return hasattr(value, "__iter__") and getattr(value, "ndim", 1) > 0
 
 
+def _middle(region: Union[Box, Sphere]) -> List[float]:
+    if isinstance(region, Sphere):
+        return list(region.centre)
+    return [(low + high) / 2 for low, high in zip(region.least, region.largest)]
+
+
+def _beside(region: Union[Box, Sphere]) -> Dict[str, Any]:
+    """As a view's text has a region beside the first one."""
+    if isinstance(region, Sphere):
+        return {"centre": list(region.centre), "radius": region.radius}
+    return {"least": list(region.least), "largest": list(region.largest)}
+
+
+def _focus(regions: Sequence[Union[Box, Sphere]]) -> Dict[str, Any]:
+    """As a view's text has all of them."""
+    if not regions:
+        return {"shape": "none"}
+    first = regions[0]
+    said: Dict[str, Any] = {"error": first.error, "falloff": first.falloff, "centre": _middle(first), "number": 0,
+                            "others": [_beside(region) for region in regions[1:]]}
+    if isinstance(first, Sphere):
+        return {**said, "shape": "sphere", "radius": first.radius}
+    return {**said, "shape": "box", "size": [high - low for low, high in zip(first.least, first.largest)]}
+
+
 class View:
     """How a model is looked at: which mesh, how it is drawn, from where. What is not said is as the model is seen at first. A value:
     changed() gives another one.
@@ -58,6 +85,8 @@ class View:
     azimuth, elevation, roll: of the camera, in degrees; up: "x", "-x", "y", "-y", "z", "-z"; perspective: False for a parallel view;
         zoom: 2 shows everything twice as large as if it filled the picture; target: (x, y, z) in the middle of the picture.
     background: (red, green, blue) from 0 to 1.
+    focus: where the error is smaller, as in Model.mesh(): tan.sphere(...), tan.box(...), or a list of up to 16 of these with one error
+        and one falloff; their middles lie in the bounds of the data. An empty list: none.
     window: the part of the domain that is shown, tan.box(...).
     settings: of the mode, by their ids; numbers as they are.
     colour_bar, axes, scale_bar, title, accuracy: whether these are written over the picture.
@@ -73,6 +102,7 @@ class View:
         self._fitted = True
         self._zoom = 1.0
         self._target: Optional[List[float]] = None
+        self._middles: List[List[float]] = []
         self._change(look)
 
     @classmethod
@@ -206,12 +236,28 @@ class View:
         self._text["background"] = _colour(value, "background")
 
     def _set_window(self, value: Any) -> None:
-        from ._regions import Box
         if not isinstance(value, Box):
             raise TypeError(f"window is tan.box(...), not {shown(value)}")
         if any(least > largest for least, largest in zip(value.least, value.largest)):
             raise WrongUsage(f"window goes from {value.least} to {value.largest}, which is no box.")
         self._member("mesh")["window"] = {"on": True, "border": value.border, "least": list(value.least), "largest": list(value.largest)}
+
+    def _set_focus(self, value: Any) -> None:
+        kinds = "the focus of a picture is tan.sphere(...) or tan.box(...), or a list of these"
+        regions = [value] if isinstance(value, Region) else listed(value, kinds)
+        if not all(isinstance(region, (Box, Sphere)) for region in regions):
+            raise TypeError(kinds)
+        if any(region.error is None for region in regions):
+            raise WrongUsage("A focus needs an error: tan.sphere(centre, radius, error=0.2).")
+        if len({(region.error, region.falloff) for region in regions}) > 1:
+            raise WrongUsage("The regions of a picture's focus have one error and one falloff. Draw them one by one, or make them alike.")
+        if len(regions) > _MOST_REGIONS:
+            raise WrongUsage(f"The focus of a picture has at most {_MOST_REGIONS} regions, not {len(regions)}.")
+        for region in regions:
+            if isinstance(region, Box) and any(least > largest for least, largest in zip(region.least, region.largest)):
+                raise WrongUsage(f"focus goes from {region.least} to {region.largest}, which is no box.")
+        self._middles = [_middle(region) for region in regions]
+        self._member("mesh")["focus"] = _focus(regions)
 
     def _annotation(self, name: str, is_shown: bool) -> None:
         self._member("annotations").setdefault(name, {})["shown"] = is_shown
