@@ -172,7 +172,7 @@ struct DrawnPiece {
     std::vector<Colour> colours; ///< of the vertices
     std::vector<ScreenTriangle> triangles;
 
-    void addPolygon(const ClippedPolygon& polygon, const Projector& projector, std::uint32_t material)
+    void addPolygon(const ClippedPolygon& polygon, const Projector& projector, std::uint32_t look)
     {
         const std::uint32_t first = own | static_cast<std::uint32_t>(vertices.size());
         for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -181,7 +181,7 @@ struct DrawnPiece {
             colours.push_back({corner.colour.x(), corner.colour.y(), corner.colour.z()});
         }
         for (std::uint32_t i = 2; i < polygon.count; ++i)
-            triangles.push_back({{first, first + i - 1, first + i}, material});
+            triangles.push_back({{first, first + i - 1, first + i}, look});
     }
 };
 
@@ -216,15 +216,14 @@ private:
         }
         return corner;
     }
-    std::uint32_t addMaterial(const Material& material)
+    std::uint32_t addLook(const SurfaceLook& look)
     {
-        list_.materials.push_back(material);
-        return static_cast<std::uint32_t>(list_.materials.size() - 1);
+        list_.looks.push_back(look);
+        return static_cast<std::uint32_t>(list_.looks.size() - 1);
     }
     Buffer<std::uint8_t> projectVertices(const TriangleMesh& mesh);
     DrawnPiece projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
-                                const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex,
-                                std::uint32_t material) const;
+                                const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex, std::uint32_t look) const;
     bool isDrawn(const Surface& surface, const std::array<std::uint32_t, 3>& triangle) const;
     void append(std::span<const DrawnPiece> pieces, bool coloured);
 
@@ -260,7 +259,7 @@ bool Builder::isDrawn(const Surface& surface, const std::array<std::uint32_t, 3>
 
 DrawnPiece Builder::projectTriangles(const Surface& surface, std::size_t first, std::size_t last,
                                      const Buffer<std::uint8_t>& bits, std::uint32_t firstVertex,
-                                     std::uint32_t material) const
+                                     std::uint32_t look) const
 {
     DrawnPiece piece;
     const TriangleMesh& mesh = *surface.mesh;
@@ -272,11 +271,11 @@ DrawnPiece Builder::projectTriangles(const Surface& surface, std::size_t first, 
             !isDrawn(surface, mesh.triangles[t]))
             continue;
         if ((any & outside_view::cut) == 0) {
-            const ScreenTriangle triangle{{firstVertex + a, firstVertex + b, firstVertex + c}, material};
+            const ScreenTriangle triangle{{firstVertex + a, firstVertex + b, firstVertex + c}, look};
             if (projector_.isWhole() || !isEmpty(samplesUnder(list_, triangle, projector_.samples())))
                 piece.triangles.push_back(triangle);
         } else
-            piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), projector_, material);
+            piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), projector_, look);
     }
     return piece;
 }
@@ -308,8 +307,8 @@ Status Builder::addSurface(const Surface& surface, bool overlay)
         return Error{ErrorKind::OutOfResource, Message::say("The scene has more than two billion vertices.")};
     const bool coloured = !mesh.colours.empty();
     const float opacity = overlay ? 1 : std::min(surface.opacity, 1.0f);
-    const std::uint32_t material = addMaterial(
-        {surface.colour, opacity, isLit(surface), !overlay, coloured, overlay ? nullptr : surface.share.get()});
+    const std::uint32_t look =
+        addLook({surface.colour, opacity, isLit(surface), !overlay, coloured, overlay ? nullptr : surface.share.get()});
     const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());
     const Buffer<std::uint8_t> bits = projectVertices(mesh);
     if (coloured) {
@@ -322,7 +321,7 @@ Status Builder::addSurface(const Surface& surface, bool overlay)
             return;
         const std::size_t first = p * trianglesInChunk;
         const std::size_t last = std::min(first + trianglesInChunk, mesh.triangles.size());
-        pieces[p] = projectTriangles(surface, first, last, bits, firstVertex, material);
+        pieces[p] = projectTriangles(surface, first, last, bits, firstVertex, look);
     });
     if (!progress_.cancelled())
         append(pieces, coloured);
@@ -331,13 +330,13 @@ Status Builder::addSurface(const Surface& surface, bool overlay)
 
 void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
 {
-    const std::uint32_t material = addMaterial({lines.colour, 1, false, false});
+    const std::uint32_t look = addLook({lines.colour, 1, false, false});
     DrawnPiece piece;
     for (const LineQuad& quad : thickLines(lines, projector_.transform(), lines.width * samplesPerPixelAxis))
         for (const auto& [b, c] : {std::array{1, 2}, std::array{2, 3}})
             piece.addPolygon(clipTriangle({ClipVertex{quad[0]}, ClipVertex{quad[static_cast<std::size_t>(b)]},
                                            ClipVertex{quad[static_cast<std::size_t>(c)]}}),
-                             projector_, material);
+                             projector_, look);
     append({&piece, 1}, false);
 }
 

@@ -28,7 +28,8 @@ struct ScreenVertex {
     Eigen::Vector3f normal{0, 0, 1};
 };
 
-struct Material {
+/// What triangles of a surface have in common.
+struct SurfaceLook {
     Colour colour;
     float opacity = 1;
     bool lit = true;
@@ -40,7 +41,7 @@ struct Material {
 
 struct ScreenTriangle {
     std::array<std::uint32_t, 3> vertices;
-    std::uint32_t material;
+    std::uint32_t look; ///< number of one
 };
 
 /// q of the first overlay, nearer than everything else; each further one is a little nearer than the one before.
@@ -51,9 +52,9 @@ inline constexpr float overlayNearness = 1e9f;
 /// or far beyond the picture are cut.
 struct DrawList {
     Buffer<ScreenVertex> vertices;
-    Buffer<Colour> colours; ///< of vertices whose material is coloured, at their places; may end before them
+    Buffer<Colour> colours; ///< of vertices whose look is coloured, at their places; may end before them
     Buffer<ScreenTriangle> triangles;
-    std::vector<Material> materials;
+    std::vector<SurfaceLook> looks;
 };
 
 /// Where surfaces are looked at, and how exactly.

@@ -127,7 +127,7 @@ bool TilePainter::shows(std::size_t sample, float nearness, bool clipped) const
 
 void TilePainter::drawOpaque(std::uint32_t triangle)
 {
-    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].clipped;
+    const bool clipped = !shown_.empty() && list_.looks[list_.triangles[triangle].look].clipped;
     forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
         if (!shows(sample, nearness, clipped))
             return;
@@ -138,7 +138,7 @@ void TilePainter::drawOpaque(std::uint32_t triangle)
 
 void TilePainter::collectTranslucent(std::uint32_t triangle)
 {
-    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].clipped;
+    const bool clipped = !shown_.empty() && list_.looks[list_.triangles[triangle].look].clipped;
     forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
         if (!shows(sample, nearness, clipped))
             return;
@@ -180,9 +180,9 @@ Eigen::Vector3d TilePainter::placeOf(const Fragment& fragment, std::size_t sampl
 PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sample) const
 {
     const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
-    const Material& material = list_.materials[triangle.material];
-    Colour colour = material.coloured ? ownColour(fragment) : material.colour;
-    if (material.lit) {
+    const SurfaceLook& look = list_.looks[triangle.look];
+    Colour colour = look.coloured ? ownColour(fragment) : look.colour;
+    if (look.lit) {
         const ScreenVertex& a = list_.vertices[triangle.vertices[0]];
         const ScreenVertex& b = list_.vertices[triangle.vertices[1]];
         const ScreenVertex& c = list_.vertices[triangle.vertices[2]];
@@ -198,9 +198,8 @@ PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sampl
         const float squared = lengths > 0 ? std::min(1.0f, dot * dot / lengths) : 1;
         colour = shaded(colour, std::sqrt(squared), squared);
     }
-    const float opacity = material.share == nullptr
-                              ? material.opacity
-                              : opacityAt(material.opacity, material.share, placeOf(fragment, sample));
+    const float opacity =
+        look.share == nullptr ? look.opacity : opacityAt(look.opacity, look.share, placeOf(fragment, sample));
     return {colour.red * opacity, colour.green * opacity, colour.blue * opacity, opacity};
 }
 
@@ -236,7 +235,7 @@ void TilePainter::draw(const SampleRectangle& tile, std::span<const std::uint32_
 {
     clear(tile);
     const auto isOpaque = [&](std::uint32_t triangle) {
-        return list_.materials[list_.triangles[triangle].material].isOpaque();
+        return list_.looks[list_.triangles[triangle].look].isOpaque();
     };
     for (const std::uint32_t triangle : triangles)
         if (isOpaque(triangle))
