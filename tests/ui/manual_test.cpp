@@ -127,7 +127,10 @@ private slots:
         Browser browser;
         const auto press = [](QWidget& widget) { QTest::keyClick(&widget, Qt::Key_F1); };
         auto& budget = fixture.find<QWidget>("accuracy.byBudget");
+        const auto model = buildSampleModel(*fixture.host, sampleDataset(6), fixture.folderPath());
+        fixture.window.open(QString::fromStdString(model));
         fixture.window.show();
+        QTRY_VERIFY(fixture.settled() && budget.isEnabled());
         fixture.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
         budget.setFocus();
