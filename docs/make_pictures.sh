@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of the manual with the programs that were built (./dev pictures builds them): the paper's Figures 14 and 15
-# drawn again, and the window.
+# drawn again, those of the tutorials and of the gallery, and the window.
 #   docs/make_pictures.sh [DATA [MODELS [SCREENSHOTS]]]
 # DATA: the folder with bluntfin, buckyball and regular (default: ../shared/data beside the repository). MODELS: where the models
 # are built, once (default: build/pictures). SCREENSHOTS: what ./dev screenshots has made (default: build/screenshots).
@@ -56,6 +56,9 @@ view=("$models/buckyball.tan" --error 0.6 --mode hybrid --no-shaded --camera "$p
 draw "${view[@]}" --isovalue 170:gold -o "$pictures/buckyball-exact.png"
 draw "${view[@]}" --isovalue 170:gold --order with-cell -o "$pictures/buckyball-with-cell.png"
 draw "${view[@]}" --isovalue 170:gold --clip 0,1,0,63.5 -o "$pictures/buckyball-cut.png"
+
+# The gallery, by the commands that its page shows.
+python3 tests/docs/gallery_test.py build/release --data "$data" --update
 
 # The window with the sample, in both colours and three languages.
 take() { cp "$screenshots/$1.png" "docs/user/images/$2.png"; }

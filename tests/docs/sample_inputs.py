@@ -27,7 +27,9 @@ def write_engine(folder, tan):
     (folder / "volume.nhdr").write_bytes(nrrd_header("volume", "33 33 33", "uint8", "8 8 3.5", "volume.raw"))
     (folder / "volume.raw").write_bytes(samples)
     (folder / "large.nhdr").write_bytes(nrrd_header("large", "48 48 48", "uint8", "1 1 1", "large.raw"))
-    (folder / "large.raw").write_bytes(c60_bytes(folder, tan, 48))
+    large = c60_bytes(folder, tan, 48)
+    (folder / "large.raw").write_bytes(large)
+    (folder / "large.nrrd").write_bytes(nrrd_header("large", "48 48 48", "uint8", "1 1 1") + large)
 
 
 def write_engine_of_full_size(folder):
