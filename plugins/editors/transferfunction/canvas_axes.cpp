@@ -98,7 +98,12 @@ void paintMarker(QPainter& painter, const CanvasScene& scene, const EditorItem& 
         item.kind == EditorItem::Kind::Isovalue && !scene.state.host().isovalues()[item.index].visible;
     painter.setPen(QPen(scene.palette.color(QPalette::Base), 3.5));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    painter.setPen(QPen(colour, isCurrent ? 2.5 : 1.5, isHidden ? Qt::DotLine : Qt::SolidLine));
+    const double width = isCurrent ? 2.5 : 1.5;
+    QColor edge = scene.palette.color(QPalette::WindowText); // the colour may be that of the ground
+    edge.setAlphaF(0.4F);
+    painter.setPen(QPen(edge, width + 1.2, isHidden ? Qt::DotLine : Qt::SolidLine));
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.setPen(QPen(colour, width, isHidden ? Qt::DotLine : Qt::SolidLine));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     painter.setPen(QPen(rim, isCurrent ? 2 : 1));
     painter.setBrush(isHidden ? scene.palette.color(QPalette::Base) : colour);
