@@ -144,9 +144,10 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&plugins));
         auto& list = fixture.find<QWidget>("plugins.list");
         list.setFocus();
+        QTRY_VERIFY(list.hasFocus());
         press(list);
-        if (auto* popup = fixture.window.findChild<QWidget*>("help"))
-            press(*popup);
+        if (wanted.size() < 2) // it has a text of its own
+            press(fixture.find<QWidget>("help"));
         QCOMPARE(wanted.last(), QString("manual.html#plugins"));
     }
 
