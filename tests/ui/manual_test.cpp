@@ -136,6 +136,7 @@ private slots:
         budget.setFocus();
         fixture.find<QAction>("action.help").trigger();
         QCOMPARE(fixture.find<QLabel>("help.text").text(), budget.toolTip());
+        QCOMPARE(fixture.find<QLabel>("help.manual").textFormat(), Qt::RichText);
         press(fixture.find<QWidget>("help"));
         QCOMPARE(wanted, {"manual.html#accuracy"});
         fixture.find<QAction>("action.plugins").trigger();

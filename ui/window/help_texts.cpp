@@ -108,6 +108,7 @@ void HelpTexts::showText(QPoint place, const QString& text, QWidget* of)
     const QString link = QStringLiteral("<a href=\"%1\">%2</a>");
     auto* manual = new QLabel(link.arg(manualPlaceOf(of), tr("More in the manual (F1)")));
     manual->setObjectName("help.manual");
+    manual->setTextFormat(Qt::RichText); // a link of our own
     connect(manual, &QLabel::linkActivated, this, [this, popup](const QString& target) {
         popup->close();
         emit manualWanted(target);
