@@ -57,6 +57,21 @@ draw "${view[@]}" --isovalue 170:gold -o "$pictures/buckyball-exact.png"
 draw "${view[@]}" --isovalue 170:gold --order with-cell -o "$pictures/buckyball-with-cell.png"
 draw "${view[@]}" --isovalue 170:gold --clip 0,1,0,63.5 -o "$pictures/buckyball-cut.png"
 
+# What the tutorials end with, by the commands that they show; of the large volume a small one. The commands of their last sections, on data
+# of one's own, are left out.
+tutorial()
+{
+    local page=docs/user/tutorial-$1.md picture=$2 changes=$3 folder
+    folder=$(mktemp -d)
+    sed -E '/^## .*[Yy]our own/,$d' "$page" | sed -nE 's/^    ((echo|tan (sample|build|render)) .*)/\1/p' | grep -v http | sed -E "$changes" >"$folder/commands"
+    (PATH=$PWD/build/release/bin:$PATH && cd "$folder" && sh -e commands)
+    cp "$folder/$picture.png" "$pictures/tutorial-$1.png"
+    rm -rf "$folder"
+}
+tutorial ct solid ''
+tutorial cfd shock ''
+tutorial large large 's/--size 1700/--size 160/; s/--block 64 //'
+
 # The gallery, by the commands that its page shows.
 python3 tests/docs/gallery_test.py build/release --data "$data" --update
 
