@@ -68,7 +68,7 @@ import numpy, tan
 z, y, x = numpy.mgrid[0:17, 0:17, 0:17]
 model = tan.build(numpy.hypot(x - 8.0, y - 8.0), "pipe.tan", name="pipe")
 mesh = model.mesh(error=1)
-assert abs(mesh.volume - 16**3) < 1e-6 and len(mesh.tetrahedra) > 100, mesh
+assert abs(mesh.volume() - 16**3) < 1e-6 and len(mesh.tetrahedra) > 100, mesh
 assert model.render(mode="volume", size=(64, 48)).shape == (48, 64, 4)
 assert tan.open("c60.tan").verify("c60.nrrd", levels=[4])
 assert tan.build("c60.nrrd", "again.tan", error=2).mesh(error=4).error <= 4
