@@ -12119,8 +12119,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Plugin „%1“ hat ein optisches Modell mit einer Tabelle aus %2 Einträgen; höchstens %3 können verwendet werden. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
     </message>
     <message>
-        <source>Points that the moved boundary leaves outside the mesh are compared with a place within the warping; at the nearest place they may be off by more.</source>
-        <translation>Punkte, die der verschobene Rand außerhalb des Netzes lässt, werden mit einer Stelle innerhalb der Verwerfung verglichen; an der nächsten Stelle können sie um mehr abweichen.</translation>
+        <source>Points that the moved boundary leaves outside the mesh are compared with a place within the warping; at the nearest place they may be off by more, which &apos;tan verify&apos; measures.</source>
+        <translation>Punkte, die der verschobene Rand außerhalb des Netzes lässt, werden mit einer Stelle innerhalb der Verwerfung verglichen; an der nächsten Stelle können sie um mehr abweichen, was „tan verify“ misst.</translation>
     </message>
     <message>
         <source>Between vertices interpolate &apos;%1&apos;, and take the power of ten afterwards: the factor holds for that. &apos;%2&apos;, interpolated itself, may be off by much more.</source>

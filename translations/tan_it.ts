@@ -12119,8 +12119,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il plugin «%1» ha un modello ottico con una tabella di %2 voci; se ne possono usare al massimo %3. È un difetto del plugin; segnalarlo al suo autore.</translation>
     </message>
     <message>
-        <source>Points that the moved boundary leaves outside the mesh are compared with a place within the warping; at the nearest place they may be off by more.</source>
-        <translation>I punti che il bordo spostato lascia fuori dalla mesh sono confrontati con un luogo entro la deformazione; nel luogo più vicino possono scostarsi di più.</translation>
+        <source>Points that the moved boundary leaves outside the mesh are compared with a place within the warping; at the nearest place they may be off by more, which &apos;tan verify&apos; measures.</source>
+        <translation>I punti che il bordo spostato lascia fuori dalla mesh sono confrontati con un luogo entro la deformazione; nel luogo più vicino possono scostarsi di più, il che è misurato da «tan verify».</translation>
     </message>
     <message>
         <source>Between vertices interpolate &apos;%1&apos;, and take the power of ten afterwards: the factor holds for that. &apos;%2&apos;, interpolated itself, may be off by much more.</source>

@@ -205,6 +205,8 @@ Result<Extraction> extractAtServer(const Invocation& invocation, const MeshQuery
     if (!query.range)
         describeMesh(invocation.host, output, outcome);
     FileRemarks remarks = *written;
+    if (!query.budget && !query.range && mesh->figures.numberAs<double>("scale").value_or(1) > 1)
+        remarks.push_back(nothingFinerRemark());
     const bool isGrid = !mesh->fact("error_kind").empty();
     if (!isGrid && mesh->figures.numberAs<double>("reached_warping").value_or(0) > 0)
         remarks.push_back(movedBoundaryRemark());

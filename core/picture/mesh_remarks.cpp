@@ -6,10 +6,15 @@
 
 namespace tetra {
 
+Message nothingFinerRemark()
+{
+    return Message::say("The model has no finer mesh than this, which keeps less than requested.");
+}
+
 Message movedBoundaryRemark()
 {
     return Message::say("Points that the moved boundary leaves outside the mesh are compared with a place within the "
-                        "warping; at the nearest place they may be off by more.");
+                        "warping; at the nearest place they may be off by more, which 'tan verify' measures.");
 }
 
 Message logarithmsRemark(std::string_view logarithms)
@@ -24,7 +29,7 @@ std::vector<Message> meshRemarks(const ModelDescription& model, const MeshQuery&
 {
     std::vector<Message> remarks;
     if (mesh.scale > 1 && !query.budget && !query.range)
-        remarks.push_back(Message::say("The model has no finer mesh than this, which keeps less than requested."));
+        remarks.push_back(nothingFinerRemark());
     const bool boundaryMoves = model.warpingWeight > 0 && model.domain != DomainClass::Curvilinear;
     if (boundaryMoves && mesh.reached && mesh.reached->warping > 0 && !isMeasured)
         remarks.push_back(movedBoundaryRemark());

@@ -10,6 +10,9 @@
 
 namespace tetra {
 
+/// Of a mesh that keeps less than was asked for, though nothing else limits it.
+Message nothingFinerRemark();
+
 /// Of a mesh with the moved boundary of irregular data: what its error does not promise of points outside.
 Message movedBoundaryRemark();
 

@@ -28,6 +28,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -215,9 +216,11 @@ bool holdsLogarithms(const ModelDescription& about)
 /// The name of the values, and of logarithms that of what they are of: "log10(nut)" and "nut".
 std::string arrayName(const ModelDescription& about)
 {
+    constexpr std::array<std::string_view, 6> others = {"site",     "birth_error", "death_error",
+                                                        "isovalue", "colour",      "Normals"};
     if (about.valueName.empty())
         return "value";
-    return about.valueName == "site" ? "value_site" : about.valueName;
+    return (std::ranges::find(others, about.valueName) != others.end() ? "value_" : "") + about.valueName;
 }
 
 std::string nameWithoutLogarithm(const std::string& name)
