@@ -300,6 +300,31 @@ void JsonObject::append(std::string name, JsonValue value)
     members_.emplace_back(std::move(name), std::move(value));
 }
 
+std::size_t JsonObject::size() const noexcept
+{
+    return members_.size();
+}
+
+JsonObject::Members::const_iterator JsonObject::begin() const noexcept
+{
+    return members_.begin();
+}
+
+JsonObject::Members::const_iterator JsonObject::end() const noexcept
+{
+    return members_.end();
+}
+
+JsonObject::Members::iterator JsonObject::begin() noexcept
+{
+    return members_.begin();
+}
+
+JsonObject::Members::iterator JsonObject::end() noexcept
+{
+    return members_.end();
+}
+
 const JsonValue* JsonValue::find(std::string_view name) const noexcept
 {
     const JsonObject* members = object();

@@ -31,6 +31,8 @@ using JsonMember = std::pair<std::string, JsonValue>;
 /// The members of an object in the order in which they were read or made, each name once. A look at one of them takes
 /// O(members).
 class TAN_INTERNAL JsonObject {
+    using Members = std::vector<JsonMember>;
+
 public:
     JsonObject() = default;
     JsonObject(std::initializer_list<JsonMember> members);
@@ -45,15 +47,15 @@ public:
     /// Adds a member whose name no other has.
     void append(std::string name, JsonValue value);
 
-    std::size_t size() const noexcept { return members_.size(); }
-    bool empty() const noexcept { return members_.empty(); }
-    auto begin() const noexcept { return members_.begin(); }
-    auto end() const noexcept { return members_.end(); }
-    auto begin() noexcept { return members_.begin(); }
-    auto end() noexcept { return members_.end(); }
+    std::size_t size() const noexcept;
+    bool empty() const noexcept { return size() == 0; }
+    Members::const_iterator begin() const noexcept;
+    Members::const_iterator end() const noexcept;
+    Members::iterator begin() noexcept;
+    Members::iterator end() noexcept;
 
 private:
-    std::vector<JsonMember> members_;
+    Members members_;
 };
 
 /// A value of a JSON text (RFC 8259) that is read or made. Numbers keep their text, so that the reader chooses the type

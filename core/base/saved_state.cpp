@@ -149,6 +149,14 @@ SavedState::~SavedState()
             ::close(descriptor);
 }
 
+Error SavedState::ofOtherWork(const std::filesystem::path& folder)
+{
+    return {ErrorKind::WrongUsage,
+            Message::say("What an interrupted build left in '%1' belongs to other data, other options, or another "
+                         "version of TAn. Give the same ones, or build from the beginning.",
+                         folder.string())};
+}
+
 Error SavedState::damaged() const
 {
     return {
@@ -172,10 +180,7 @@ Status SavedState::find()
         !addTo(sum_, file_, 0, size - sizeof checksum) || sum_.value() != checksum)
         return damaged();
     if (foot.fingerprint != fingerprint_)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("What an interrupted build left in '%1' belongs to other data, other options, or "
-                                  "another version of TAn. Give the same ones, or build from the beginning.",
-                                  folder_.string())};
+        return ofOtherWork(folder_);
     end_ = foot.objectSize;
     extents_.resize(foot.extentCount);
     if (readFully(file_, end_, std::as_writable_bytes(std::span(extents_))) != 0)

@@ -122,6 +122,9 @@ private:
 /// harm: then there is none. One thread.
 class SavedState {
 public:
+    /// What is said where the content of a work folder is not of the work that asks for it (WrongUsage).
+    static Error ofOtherWork(const std::filesystem::path& folder);
+
     /// In `folder`, where there may be one to go on from. `fingerprint` stands for all that the object depends on, the
     /// program's version included. Errors: it is damaged (BadInput), of another fingerprint (WrongUsage), or cannot be
     /// read. Reads all of it.

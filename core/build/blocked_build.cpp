@@ -102,6 +102,8 @@ private:
 
 Result<BuildReport> BuildInBlocks::run(const Progress& progress)
 {
+    if (const Status claimed = claimWork(target_.workFolder, fingerprint(build_.stopKey)); !claimed)
+        return claimed.error();
     const double begun = watched() ? coarseShare : 0;
     Status refined = watched() ? refineCoarsely(progress.part(0, begun)) : Status();
     if (refined)

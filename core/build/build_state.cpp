@@ -2,10 +2,16 @@
 #include "core/build/build_state.h"
 
 #include "core/base/checksum.h"
+#include "core/base/file_writer.h"
+#include "core/base/folder.h"
+#include "core/base/mapped_file.h"
 
 #include <tan/version.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace tetra {
 
@@ -29,13 +35,47 @@ std::uint64_t buildFingerprint(std::string_view files, const Dataset& dataset, s
     return checksum(std::as_bytes(std::span(text)));
 }
 
+namespace {
+
+/// Whether there is anything that a build could go on with: the state of one, or the runs of blocks.
+bool holdsWork(const std::filesystem::path& folder)
+{
+    std::error_code unreadable; // whoever writes there says so
+    return std::ranges::any_of(pathsIn(folder, unreadable), [](const std::filesystem::path& path) {
+        return path.filename() == "state" || path.extension() == ".run";
+    });
+}
+
+} // namespace
+
+Status claimWork(const std::filesystem::path& folder, std::uint64_t fingerprint)
+{
+    const std::filesystem::path path = folder / "build";
+    const std::string ours = std::to_string(fingerprint);
+    constexpr std::size_t mostBytes = 64;
+    const Result<std::string> there = wholeText(path, mostBytes);
+    if (there && *there == ours)
+        return {};
+    if (holdsWork(folder))
+        return SavedState::ofOtherWork(folder);
+    auto file = FileWriter::create(path, 1, folder);
+    if (!file)
+        return file.error();
+    if (const Status written = file->write(std::as_bytes(std::span(ours))); !written)
+        return written;
+    return file->commit(FileWriter::Durability::Power);
+}
+
 Result<std::unique_ptr<SavedState>> buildState(const BuildTarget& target, const Dataset& dataset,
                                                std::string_view method, std::span<const double> numbers,
                                                std::span<const float> weights)
 {
     if (target.workFolder.empty() || !target.resume)
         return std::unique_ptr<SavedState>();
-    return SavedState::open(target.workFolder, buildFingerprint(method, dataset, numbers, weights));
+    const std::uint64_t fingerprint = buildFingerprint(method, dataset, numbers, weights);
+    if (const Status claimed = claimWork(target.workFolder, fingerprint); !claimed)
+        return claimed.error();
+    return SavedState::open(target.workFolder, fingerprint);
 }
 
 } // namespace tetra

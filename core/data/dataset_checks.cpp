@@ -100,11 +100,8 @@ Status checkLatticePlacement(const Lattice& lattice)
     const Eigen::AlignedBox3d bounds = lattice.bounds();
     const Eigen::Vector3d extents = lattice.spacing.cwiseProduct(
         Eigen::Vector3d(lattice.size[0] - 1.0, lattice.size[1] - 1.0, lattice.size[2] - 1.0));
-    const auto isFar = [](const Eigen::Vector3d& place) {
-        return !place.allFinite() || place.cwiseAbs().maxCoeff() > farthestCoordinate;
-    };
-    if (isFar(lattice.origin) || isFar(extents) || isFar(bounds.min()) || isFar(bounds.max()) ||
-        lattice.spacing.minCoeff() * farthestCoordinate < 1)
+    if (!isUsablePlace(lattice.origin) || !isUsablePlace(extents) || !isUsablePlace(bounds.min()) ||
+        !isUsablePlace(bounds.max()) || lattice.spacing.minCoeff() * farthestCoordinate < 1)
         return Error{ErrorKind::BadInput,
                      Message::say("its origin %1 and spacing %2 are not finite, or too large or small to compute with. "
                                   "Check both.",
@@ -192,8 +189,7 @@ std::string pointText(const Lattice& lattice, std::uint64_t point)
 Status checkGrid(const Dataset& dataset)
 {
     for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
-        if (!((*dataset.positions)[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
-            !(*dataset.positions)[point].allFinite())
+        if (!isUsablePlace((*dataset.positions)[point]))
             return Error{ErrorKind::BadInput,
                          Message::say("point %1 has an invalid or extremely large position. Repair the file.",
                                       pointText(dataset.lattice, point))};

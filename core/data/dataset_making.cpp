@@ -85,7 +85,7 @@ Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::ve
     if (const Status usable = checkCount(name, values.size(), positions.size()); !usable)
         return usable.error();
     for (std::size_t point = 0; point < positions.size(); ++point)
-        if (!positions[point].allFinite() || !(positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate))
+        if (!isUsablePlace(positions[point]))
             return cannotUse(
                 name,
                 Message::say("the position of point %1 is not a finite number, or too large. Leave it out.", point));

@@ -243,10 +243,7 @@ Result<UnpackedMesh> fetchMesh(const std::string& address, const std::string& qu
 /// And near enough that what is reckoned with coordinates stays finite.
 bool isFinite(const TetrahedralMesh& mesh)
 {
-    return std::ranges::all_of(mesh.positions,
-                               [](const Eigen::Vector3d& place) {
-                                   return place.allFinite() && place.cwiseAbs().maxCoeff() <= farthestCoordinate;
-                               }) &&
+    return std::ranges::all_of(mesh.positions, isUsablePlace) &&
            std::ranges::all_of(mesh.values, [](float value) { return std::isfinite(value); });
 }
 

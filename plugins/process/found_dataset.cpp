@@ -79,8 +79,7 @@ Status checkPoints(const FileFindings& found, std::span<const double> values)
         return Error{ErrorKind::OutOfResource,
                      Message::say("it has more than 4294967295 points. Take a part of them.")};
     for (std::size_t point = 0; point < values.size(); ++point)
-        if (!(found.positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
-            !found.positions[point].allFinite())
+        if (!isUsablePlace(found.positions[point]))
             return Error{
                 ErrorKind::BadInput,
                 Message::say("the position of point %1 (from 0) is not a number, or too large. Repair the file.",

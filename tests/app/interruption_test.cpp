@@ -136,6 +136,43 @@ private slots:
         QVERIFY(QDir(folder_.filePath("kept.tan.work")).removeRecursively());
     }
 
+    /// What another build left is not thrown away for a new one unasked, in blocks or not.
+    void resumesNoOtherBuild_data()
+    {
+        QTest::addColumn<QStringList>("begun");
+        QTest::addColumn<QStringList>("other");
+        const QStringList whole = {"--block", "none"}, blocks = {"--block", "16"};
+        QTest::newRow("as a whole") << whole << whole + QStringList{"--error", "3"};
+        QTest::newRow("in blocks") << blocks << blocks + QStringList{"--error", "3"};
+        QTest::newRow("blocks of another size") << blocks << QStringList{"--block", "8"};
+        QTest::newRow("as a whole after blocks") << blocks << whole;
+    }
+    void resumesNoOtherBuild()
+    {
+        QFETCH(QStringList, begun);
+        QFETCH(QStringList, other);
+        const QString folder = folder_.filePath("kept.tan.work");
+        const QStringList build = {"build", "noise.nrrd", "--resume", "-o", "kept.tan"};
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(tanProgram(), build + begun);
+        QVERIFY(process.waitForStarted());
+        if (begun.contains("none"))
+            QTRY_VERIFY_WITH_TIMEOUT(unfinishedBytes() > 1'000'000, 60'000);
+        else
+            QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder).entryList({"block-*.run"}).empty(), 60'000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(collect(process).exitCode, 130);
+        const QStringList before = QDir(folder).entryList();
+        const Run run = runTan(build + other, folder_.path());
+        QVERIFY2(run.exitCode == 2, run.messages);
+        QVERIFY2(run.messages.contains("belongs to other data, other options, or another version of TAn"),
+                 run.messages);
+        QCOMPARE(QDir(folder).entryList(), before);
+        QVERIFY(QDir(folder).removeRecursively());
+    }
+
     /// What is kept lies beside a finished model, which stays as it is.
     void keepsBesideAFinishedModel()
     {

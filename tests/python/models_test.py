@@ -3,6 +3,7 @@
 """models_test.py FOLDER: what a model says of itself, and the meshes that it gives, judged by the samples themselves."""
 import gc
 import pathlib
+import pickle
 import unittest
 
 from module import ModuleTest, np, tan, volumes
@@ -19,6 +20,14 @@ class Models(ModuleTest):
         self.assertIn(f"ball: {m.sites:,} sites", repr(m))
         self.assertTrue(m.is_whole)
         self.assertEqual(m.file_size, pathlib.Path(m.path).stat().st_size)
+
+    def test_pickled_as_its_place(self):
+        again = pickle.loads(pickle.dumps(self.ball))
+        self.assertTrue(pathlib.Path(again.path).is_absolute())
+        np.testing.assert_array_equal(again.mesh(error=5).points, self.ball.mesh(error=5).points)
+        secret = tan.open(self.ball.path, token="secret")
+        with self.assertRaisesRegex(TypeError, "would give the token away"):
+            pickle.dumps(secret)
 
     def test_levels_are_the_curve(self):
         levels = self.ball.levels

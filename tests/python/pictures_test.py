@@ -4,6 +4,7 @@
 import json
 import struct
 import unittest
+import warnings
 import zlib
 
 from module import ModuleTest, lattice, np, placed, tan
@@ -91,6 +92,36 @@ class Pictures(ModuleTest):
         blue = {"colours": [{"value": 0, "colour": [0, 0, 1]}], "opacities": [{"value": 0, "opacity": 0.5}], "unitDistance": 0.2}
         middle = self.bare(mode="volume", transfer=blue, size=(60, 60), settings={"shaded": False})[30, 30]
         self.assertGreater(int(middle[2]), int(middle[0]) + 100)
+
+    def test_settings(self):
+        usual = self.ball.settings("volume")
+        self.assertIs(usual["shaded"], True)
+        self.assertNotIn("shaded", self.ball.settings("isosurface"))
+        view = tan.View(mode="volume", transfer="viridis")
+        lit, unlit = (self.ball.render(view, size=(40, 30), settings={"shaded": shaded}, **BARE) for shaded in (True, False))
+        self.assertTrue((lit != unlit).any())
+        for wrong, says in (({"shaddded": True}, "has no setting 'shaddded'. It has: "), ({"shaded": 1}, "is True or False"),
+                            ({"shaded": "no"}, "is True or False")):
+            with self.assertRaisesRegex(tan.WrongUsage, says):
+                self.ball.render(view, size=(40, 30), settings=wrong)
+        with self.assertRaisesRegex(tan.WrongUsage, "The mode 'isosurface' has no setting 'shaded'"):
+            self.ball.render(mode="isosurface", size=(40, 30), settings={"shaded": True})
+        # A whole number is a number, too, and as wrong as another where it is too large.
+        numbers = [(mode, name) for mode, _ in self.ball.modes() for name, value in self.ball.settings(mode).items() if type(value) is float]
+        self.assertTrue(numbers)
+        mode, name = numbers[0]
+        self.ball.render(mode=mode, size=(20, 15), settings={name: int(self.ball.settings(mode)[name])})
+        with self.assertRaisesRegex(tan.WrongUsage, f"The setting '{name}' is from .* to .*, not 1e.300"):
+            self.ball.render(mode=mode, size=(20, 15), settings={name: 1e300})
+
+    def test_surfaces_that_are_not_there(self):
+        with self.assertWarnsRegex(UserWarning, "The surface of 99 is empty: the data lie between 0 and "):
+            pixels = self.bare(isovalues=[99], mode="isosurface")
+        self.assertFalse(seen(pixels).any())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.bare(isovalues=[0.5], mode="isosurface")
+            self.bare(isovalues=[99], mode="volume")  # which has no surfaces
 
     def test_views_are_values(self):
         view = tan.View(mode="volume", azimuth=60)

@@ -170,6 +170,11 @@ class Files(ModuleTest):
         self.assertLessEqual(m.levels["error"][-1], 1)
         verdict = m.verify(self.file, levels=[5])
         self.assertTrue(verdict, verdict.text)
+        self.assertEqual(tan.open(m.path).remarks, ())
+        np.save(self.folder / "told.npy", np.zeros((3, 4, 5)) + np.arange(5))
+        remarks = tan.build(self.folder / "told.npy", self.folder / "told.tan").remarks
+        self.assertTrue(any(remark.startswith("a guess: the array's dimensions are") for remark in remarks), remarks)
+        self.assertTrue(any("does not state its spacing" in remark for remark in remarks), remarks)
         other = self.folder / "other.nrrd"
         other.write_bytes(self.file.read_bytes()[:-4] + np.float32(0.5).tobytes())
         refuted = m.verify(other, levels=[5])

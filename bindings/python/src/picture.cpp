@@ -72,6 +72,32 @@ std::vector<std::pair<std::string, std::string>> modesOf(OpenedModel& opened)
     });
 }
 
+/// What can be set of the mode of a view: of each setting its id, its type, what is usual, its least and largest number,
+/// equal where it has no bounds, and its choices, none where any text will do.
+py::list settingsOf(OpenedModel& opened, const std::string& text)
+{
+    const auto parameters = withMaker(opened, false, py::none(), [&](PictureMaker& maker, const Progress&) {
+        const auto view = viewFromText(text, maker.startingView());
+        return view ? maker.parameters(*view) : Result<std::vector<Parameter>>(view.error());
+    });
+    py::list settings;
+    for (const Parameter& parameter : parameters) {
+        const ParameterValue& value = parameter.defaultValue;
+        py::object usual = py::none(); // of what is more than a word or a number
+        if (const auto* truth = std::get_if<bool>(&value))
+            usual = py::bool_(*truth);
+        else if (const auto* whole = std::get_if<std::int64_t>(&value))
+            usual = py::int_(*whole);
+        else if (const auto* number = std::get_if<double>(&value))
+            usual = py::float_(*number);
+        else if (const auto* word = std::get_if<std::string>(&value))
+            usual = py::str(*word);
+        settings.append(py::make_tuple(parameter.id, parameterTypeName(value), usual, parameter.minimum,
+                                       std::max(parameter.minimum, parameter.maximum), parameter.choices));
+    }
+    return settings;
+}
+
 /// With the colours of a map from the least value to the largest.
 Result<TransferFunction> coloured(const TransferFunction& function, const std::string& name, const ValueRange& range)
 {
@@ -219,6 +245,7 @@ void bindPictures(py::module_& module)
         .def_readwrite("frame", &DrawOptions::frame);
     module.def("starting_view", &startingViewText);
     module.def("modes", &modesOf);
+    module.def("settings", &settingsOf);
     module.def("draw", &draw);
     module.def("kept_view", &keptViewOf);
     module.def("fitted_view", &fittedText);

@@ -85,12 +85,22 @@ def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warpi
         if isinstance(source, str) or hasattr(source, "__fspath__"):
             if lattice:
                 raise WrongUsage(f"{', '.join(lattice)}: of arrays. What a reader takes is said by options={{'spacing': '1x1x2'}}.")
-            _program.run(_words(path_text(source, "source"), target, said, terms, options or {}), report)
+            told = _told(_program.run(_words(path_text(source, "source"), target, said, terms, options or {}), report))
         else:
             if options:
                 raise WrongUsage("options are of files. Arrays have keywords.")
-            _tan.build(data_of(source, lattice).dataset(), target, _options(said, terms), report)
-    return open(target)
+            data = data_of(source, lattice)
+            _tan.build(data.dataset(), target, _options(said, terms), report)
+            told = data.remarks
+    model = open(target)
+    model._remarks = tuple(told)
+    return model
+
+
+def _told(answer: Dict[str, Any]) -> List[str]:
+    """What the program has taken without being told, has left out, and remarks."""
+    guesses = [f"a guess: {answer['taken'][part]}" for part in answer.get("guesses", [])]
+    return guesses + [f"not used: {sentence}" for sentence in answer.get("unused", [])] + list(answer.get("remarks", []))
 
 
 def _word(value: Any, name: str) -> Optional[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import warnings
 from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -43,11 +44,25 @@ class Model:
         self._token = token
         self._about = held.description()
         self._levels: Optional[npt.NDArray[np.void]] = None
+        self._remarks: Tuple[str, ...] = ()
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        """Pickled as the place where it lies, which is opened there again: for processes that share its disk, or reach its server."""
+        from ._build import open as opened
+        if self._token:
+            raise TypeError("A model that was opened with a token is not pickled, as that would give the token away. Open it there by its address.")
+        return opened, (self.path if "://" in self.path else os.path.abspath(self.path),)
 
     @property
     def path(self) -> str:
         """Where it lies: a path or an address."""
         return str(self._about["path"])
+
+    @property
+    def remarks(self) -> Tuple[str, ...]:
+        """What there was to say of the data when tan.build() made it, in sentences: what was guessed, what a file has that was not used,
+        points that were left out. None of a model that was opened."""
+        return self._remarks
 
     @property
     def kind(self) -> str:
@@ -279,9 +294,14 @@ class Model:
         """The ways to draw it, the usual one first: ids for View(mode=...), and names."""
         return [(str(mode), str(name)) for mode, name in _tan.modes(self._held)]
 
+    def settings(self, mode: Optional[str] = None) -> Dict[str, Union[bool, int, float, str]]:
+        """What can be set of a mode, or of the usual one, in View(settings=...): the ids, with what is usual for this model."""
+        view = self._checked(View(mode=mode))
+        return {name: usual for name, _, usual, _, _, _ in _tan.settings(self._held, view.text) if usual is not None}
+
     def view(self, *, size: Tuple[int, int] = (1024, 768), **look: Any) -> View:
         """How the model is seen at first, in a picture of this size, with everything said, and with these changes."""
-        asked = self._known(view_of(None, look))
+        asked = self._checked(view_of(None, look))
         return View.from_text(_tan.fitted_view(self._held, asked.text, drawing(asked, size)))
 
     def kept_view(self, path: Any) -> Tuple[View, List[str]]:
@@ -298,7 +318,7 @@ class Model:
         size: (width, height) in pixels. transparent: without the background. samples: a pixel is the mean of so many squared samples,
         1 to 4. threads: the most to use; 0: all. backend: "cpu", or "gl" for the graphics card. frame: of the view's film.
         """
-        looked = self._placed(view_of(view, look))
+        looked = self._checked(view_of(view, look))
         options = drawing(looked, size)
         options.transparent, options.samples, options.threads = truth(transparent, "transparent"), whole(samples, "samples", 1, 4), whole(threads, "threads", 0, 4096)
         options.frame = None if frame is None else whole(frame, "frame", 0, 2**31 - 1)
@@ -320,23 +340,22 @@ class Model:
 
     def save_session(self, path: Any, view: Optional[View] = None, *, size: Tuple[int, int] = (1024, 768), **look: Any) -> None:
         """Writes a session (.tansession), which TAn's window and `tan render` open."""
-        looked = self._known(view_of(view, look))
+        looked = self._checked(view_of(view, look))
         _tan.write_session(self._held, looked.text, drawing(looked, size), self._target(path))
 
-    def _known(self, view: View) -> View:
-        """The view, whose mode there is."""
-        if view.mode is not None:
-            choice(view.mode, "mode", [mode for mode, _ in self.modes()])
-        return self._placed(view)
-
-    def _placed(self, view: View) -> View:
-        """The view, whose focus lies where pictures can have it: they would move it."""
+    def _checked(self, view: View) -> View:
+        """The view, as the model has it: pictures would leave out what it has not, and move a focus into the bounds."""
+        mode = choice(view.mode if view.mode is not None else self.modes()[0][0], "mode", [mode for mode, _ in self.modes()])
         least, largest = self.bounds.tolist()
         for middle in view._middles:
             if any(not low <= place <= high for low, place, high in zip(least, middle, largest)):
                 raise WrongUsage(f"The middle of a picture's focus lies in the bounds of the data, from {tuple(least)} to {tuple(largest)}, "
                                  f"not at {tuple(middle)}. Take a box that ends at the bounds, or a smaller sphere within them.")
-        return view
+        known = _tan.settings(self._held, view.text)
+        if any(setting[1] == "isovalues" for setting in known):
+            for value in view._isovalues_outside(self.range):
+                warnings.warn(f"The surface of {value:g} is empty: the data lie between {self.range[0]:g} and {self.range[1]:g}.", stacklevel=3)
+        return view._settled(mode, known)
 
     def _repr_html_(self) -> str:
         from ._notebook import page

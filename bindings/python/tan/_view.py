@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import copy
 import json
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple, Union
 
 from ._errors import WrongUsage
 from ._numbers import Vector, choice, listed, number, shown, text, truth, vector, whole
 from ._regions import Box, Region, Sphere
 
+Setting = Tuple[str, str, Union[None, bool, int, float, str], float, float, List[str]]  # as _tan.settings() has it
 Colour = Union[Tuple[float, float, float], List[float]]
 _UP = ("x", "-x", "y", "-y", "z", "-z")
 _MOST_REGIONS = 16  # mostFocusRegions of the views
@@ -31,6 +32,25 @@ def _setting(value: Any, name: str) -> Any:
     if hasattr(value, "__index__"):
         return {"integer": whole(value, name, -(2**63))}
     return {"number": number(value, name)}
+
+
+def _fitting(setting: Setting, value: Any) -> Any:
+    """A setting's value as a view's text has it, if it is one."""
+    name, kind, _, least, largest, choices = setting
+    given = value if not isinstance(value, dict) else value.get("number", value.get("integer"))
+    is_number = isinstance(value, dict) and set(value) <= {"number", "integer"}
+    if kind in ("boolean", "text"):
+        if type(given) is not (bool if kind == "boolean" else str):
+            raise WrongUsage(f"The setting '{name}' is {'True or False' if kind == 'boolean' else 'a text'}.")
+        if choices and given not in choices:
+            raise WrongUsage(f"The setting '{name}' is one of {', '.join(choices)}, not {shown(given)}.")
+    if kind in ("integer", "number"):
+        if not is_number or (kind == "integer" and "integer" not in value):
+            raise WrongUsage(f"The setting '{name}' is {'a whole number' if kind == 'integer' else 'a number'}.")
+        if least < largest and not least <= given <= largest:
+            raise WrongUsage(f"The setting '{name}' is from {least:g} to {largest:g}, not {given:g}.")
+        return {kind: given if kind == "integer" else float(given)}
+    return value
 
 
 def _as_json(value: Dict[str, Any], name: str) -> Dict[str, Any]:
@@ -88,7 +108,7 @@ class View:
     focus: where the error is smaller, as in Model.mesh(): tan.sphere(...), tan.box(...), or a list of up to 16 of these with one error
         and one falloff; their middles lie in the bounds of the data. An empty list: none.
     window: the part of the domain that is shown, tan.box(...).
-    settings: of the mode, by their ids; numbers as they are.
+    settings: of the mode, by the ids that Model.settings() lists; numbers as they are.
     colour_bar, axes, scale_bar, title, accuracy: whether these are written over the picture.
 
     >>> view = View(mode="volume", azimuth=60, transfer="inferno")
@@ -103,6 +123,7 @@ class View:
         self._zoom = 1.0
         self._target: Optional[List[float]] = None
         self._middles: List[List[float]] = []
+        self._asked: FrozenSet[str] = frozenset()
         self._change(look)
 
     @classmethod
@@ -191,6 +212,11 @@ class View:
             raise WrongUsage(f"opacity is above 0 and at most 1, not {opacity:g}.")
         return {"value": number(value, "isovalues"), "colour": _colour(colour, "the colour of an isovalue"), "opacity": opacity, "visible": True}
 
+    def _isovalues_outside(self, values: Tuple[float, float]) -> List[float]:
+        said = self._text.get("isovalues", [])
+        asked = [part.get("value") for part in said if isinstance(part, dict)] if isinstance(said, list) else []
+        return [value for value in asked if isinstance(value, (int, float)) and not values[0] <= value <= values[1]]
+
     def _set_transfer(self, value: Any) -> None:
         if isinstance(value, str):
             self._colours = text(value, "transfer")
@@ -205,6 +231,19 @@ class View:
             raise TypeError(f"settings is a dictionary, not {shown(value)}")
         said = _as_json({str(name): _setting(part, str(name)) for name, part in value.items()}, "settings")
         self._member("look").setdefault("settings", {}).update(said)
+        self._asked |= frozenset(said)
+
+    def _settled(self, mode: str, known: Sequence[Setting]) -> View:
+        """With the settings that were asked for as a mode has them."""
+        other = copy.deepcopy(self)
+        settings = other._found("look").get("settings", {})
+        for name in sorted(self._asked):
+            found = [setting for setting in known if setting[0] == name]
+            if not found:
+                ids = ", ".join(setting[0] for setting in known if setting[2] is not None)
+                raise WrongUsage(f"The mode '{mode}' has no setting '{name}'. It has: {ids}.")
+            settings[name] = _fitting(found[0], settings[name])
+        return other
 
     def _look_from(self, name: str, value: Any) -> None:
         self._member("camera")[name] = value

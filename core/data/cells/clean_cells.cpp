@@ -263,7 +263,7 @@ private:
                 ++repairs_.notFinite;
                 repairs_.faulty.push_back({cell, CellFault::NotFinite});
             } else if (!std::ranges::all_of(*points,
-                                            [&](std::uint64_t p) { return complex_.positions[p].allFinite(); }))
+                                            [&](std::uint64_t p) { return isUsablePlace(complex_.positions[p]); }))
                 places.add(cell);
             else
                 chosen_.push_back(cell);
@@ -281,8 +281,9 @@ private:
                                          "of cell %2). The file is damaged.",
                                          faces.count(), faces.first()));
         if (places.count() > 0)
-            return badCells(Message::say("Cells have a corner whose position is not finite (%1 in all, the first is "
-                                         "cell %2). Correct the points, or blank the cells.",
+            return badCells(Message::say("Cells have a corner whose position is not finite, or too large to compute "
+                                         "with (%1 in all, the first is cell %2). Correct the points, or blank the "
+                                         "cells.",
                                          places.count(), places.first()));
         if (chosen_.empty())
             return badCells(Message::say("No cell of the mesh has a volume and finite values: nothing is left."));

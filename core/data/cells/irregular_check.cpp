@@ -86,7 +86,7 @@ MeshOverlaps findOverlaps(Positions positions, TetrahedronSpan tetrahedra, const
         const Eigen::AlignedBox3d box = boxOf(one);
         const auto near = [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); };
         tree.visitNear(near, [&](std::uint32_t other) {
-            if (!found.complete || other == one || !near(boxOf(other)) ||
+            if (!found.complete || progress.cancelled() || other == one || !near(boxOf(other)) ||
                 (other < one && std::ranges::binary_search(suspected, other)) ||
                 !tetrahedraOverlap(positions, tetrahedra[one], tetrahedra[other]))
                 return;
@@ -158,8 +158,9 @@ Status checkPoints(const Dataset& dataset)
         return bad(Message::say("The dataset is not an irregular mesh: it has no positions or no tetrahedra."));
     const auto& positions = *dataset.positions;
     if (positions.size() != dataset.values.count() || dataset.values.notFiniteCount() > 0 ||
-        !std::ranges::all_of(positions, [](const auto& position) { return position.allFinite(); }))
-        return bad(Message::say("The mesh does not have a finite position and a finite value for each point."));
+        !std::ranges::all_of(positions, isUsablePlace))
+        return bad(Message::say("The mesh does not have a finite value for each point, and a finite position that is "
+                                "not too large to compute with."));
     std::vector<bool> used(positions.size());
     for (const auto& tetrahedron : *dataset.tetrahedra)
         for (const std::uint32_t point : tetrahedron) {
@@ -189,14 +190,17 @@ Status checkIrregular(const Dataset& dataset, const Progress& progress)
     const MeshFaces faces = findMeshFaces(tetrahedra);
     if (const Status matching = checkFaces(positions, tetrahedra, faces); !matching)
         return matching;
+    constexpr std::uint64_t most = 1000;
+    std::uint64_t count = 0;
     const MeshOverlaps overlaps = findOverlaps(
-        positions, tetrahedra, faces, [](std::uint32_t, std::uint32_t) { return false; }, progress);
+        positions, tetrahedra, faces, [&](std::uint32_t, std::uint32_t) { return ++count > most; }, progress);
     if (progress.cancelled())
         return cancelledError(checkingMesh);
     if (overlaps.pairs.empty())
         return {};
-    const std::uint64_t count = overlaps.pairs.size();
     const std::string place = placeText(centreOf(positions, tetrahedra[overlaps.pairs[0][0]]));
+    if (count > most)
+        return fault(Message::say("more than %1 pairs of tetrahedra that overlap, one at %2", most, place));
     return fault(count == 1 ? Message::say("1 pair of tetrahedra that overlap, one at %1", place)
                             : Message::say("%1 pairs of tetrahedra that overlap, one at %2", count, place));
 }

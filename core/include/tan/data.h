@@ -568,6 +568,12 @@ TAN_API Status checkLatticePlacement(const Lattice& lattice);
 /// The largest magnitude of a coordinate: volumes are still finite then.
 inline constexpr double farthestCoordinate = 1e90;
 
+/// Whether one can compute with a position: finite, and no coordinate beyond the farthest.
+inline bool isUsablePlace(const Eigen::Vector3d& place)
+{
+    return place.allFinite() && place.cwiseAbs().maxCoeff() <= farthestCoordinate;
+}
+
 /// No NaN, no infinity.
 TAN_API Status checkFinite(const Lattice& lattice, const ScalarField& values);
 

@@ -76,6 +76,9 @@ VtkSource cgnsSource(const std::string& path)
     source.tell = [reader, headers](Provenance& provenance) {
         if (*headers)
             tellCgnsUnit(**headers, provenance);
+        else
+            provenance.leftOut.push_back(Message::say(
+                "Units, should it have any: its headers are too many, or not as CGNS's library writes them."));
         tellFamilies(*reader, provenance);
     };
     source.finishContents = [headers](FileContents& contents) {

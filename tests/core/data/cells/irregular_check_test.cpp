@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include <stop_token>
+#include <utility>
+#include <vector>
+
 using namespace tetra;
 
 namespace {
@@ -23,6 +27,19 @@ Dataset datasetOf(std::vector<Eigen::Vector3d> positions, Tetrahedra tetrahedra)
 }
 
 const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+
+/// Tetrahedra of which each two overlap.
+std::pair<std::vector<Eigen::Vector3d>, Tetrahedra> copiesNearby(std::uint32_t count)
+{
+    std::vector<Eigen::Vector3d> positions;
+    Tetrahedra tetrahedra;
+    for (std::uint32_t copy = 0; copy < count; ++copy) {
+        for (std::size_t i = 0; i < 4; ++i)
+            positions.push_back(corners[i] + Eigen::Vector3d::Constant(.001 * copy));
+        tetrahedra.push_back({4 * copy, 4 * copy + 1, 4 * copy + 2, 4 * copy + 3});
+    }
+    return {positions, tetrahedra};
+}
 
 } // namespace
 
@@ -72,6 +89,8 @@ private slots:
         QTest::newRow("turned") << datasetOf(corners, {{0, 1, 2, 3}, {1, 3, 2, 4}}) << "1 tetrahedron that is flat";
         QTest::newRow("unused") << datasetOf(corners, {{0, 1, 2, 3}}) << "1 points that no tetrahedron";
         QTest::newRow("range") << datasetOf(corners, {{0, 1, 2, 5}}) << "point 5 of 5";
+        QTest::newRow("far") << datasetOf({corners[0], corners[1], corners[2], {0, 0, 1e200}}, {{0, 1, 2, 3}})
+                             << "not too large to compute with";
         QTest::newRow("none") << datasetOf(corners, {}) << "no tetrahedra";
         QTest::newRow("twice") << datasetOf(corners, {{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 4}}) << "three or more";
         auto positions = corners;
@@ -95,6 +114,33 @@ private slots:
         const Status checked = checkIrregular(dataset);
         QVERIFY(!checked.ok());
         QVERIFY2(QString::fromStdString(checked.error().text()).contains(says), checked.error().text().c_str());
+    }
+
+    /// Each of many pairs may take a while, and each of a tetrahedron's pairs is asked about in one go.
+    void overlapsCanBeCancelled()
+    {
+        const auto [positions, tetrahedra] = copiesNearby(40);
+        std::stop_source stop;
+        int asked = 0;
+        const auto cancelAtFirst = [&](std::uint32_t, std::uint32_t) {
+            ++asked;
+            stop.request_stop();
+            return false;
+        };
+        const MeshOverlaps found = findOverlaps(positions, tetrahedra, findMeshFaces(tetrahedra), cancelAtFirst,
+                                                Progress(stop.get_token(), [](double, const Message&) {}));
+        QCOMPARE(asked, 1);
+        QCOMPARE(found.pairs.size(), 1u);
+    }
+
+    /// A mesh that is wrong everywhere is not counted to the end.
+    void manyOverlapsAreNotCounted()
+    {
+        const auto [positions, tetrahedra] = copiesNearby(50);
+        const Status checked = checkIrregular(datasetOf(positions, tetrahedra));
+        QVERIFY(!checked.ok());
+        QVERIFY2(checked.error().text().find("more than 1000 pairs of tetrahedra that overlap") != std::string::npos,
+                 checked.error().text().c_str());
     }
 
     /// A part in the cavity of another one is no fault: two shells of a tetrahedron with a smaller one in the hole.

@@ -581,6 +581,8 @@ private slots:
         complex = singleCell(CellShape::Hexahedron);
         complex.positions[2][1] = notANumber;
         QTest::newRow("place") << complex << "not finite";
+        complex.positions[2][1] = -1e120;
+        QTest::newRow("far") << complex << "or too large to compute with (1 in all, the first is cell 0)";
         complex = singleCell(CellShape::Hexahedron);
         complex.offsets[1] = 7;
         QTest::newRow("offsets") << complex << "offsets";

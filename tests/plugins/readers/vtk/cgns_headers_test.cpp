@@ -117,6 +117,15 @@ private slots:
                  qPrintable(takenOf(dataset->source.taken)));
     }
 
+    /// What cannot be told is said.
+    void headersThatAreNotRead()
+    {
+        const auto dataset = builtVtkReader().read(folder_.path() / "odd.cgns", {}, {});
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+        QVERIFY2(leftOutOf(dataset->source.leftOut).contains("Units, should it have any"),
+                 qPrintable(leftOutOf(dataset->source.leftOut)));
+    }
+
 private:
     /// The same file, as long as one that is not read to tell what it holds; HDF5 does not mind what lies behind.
     static std::filesystem::path enlarged(const std::filesystem::path& file)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Writes CGNS files into the folder named first: grids of two steps, grids of two bases, and meshes of which one has no values. Exits with 77
-# without h5py.
+# Writes CGNS files into the folder named first: grids of two steps, grids of two bases, meshes of which one has no values, and a
+# grid whose headers are not as they should be. Exits with 77 without h5py.
 import pathlib
 import sys
 
@@ -84,6 +84,10 @@ with with_file("bases.cgns") as file:
         cgns_node(flow, "GridLocation", "GridLocation_t", "CellCenter")
         array(flow, "Heat", values(12).reshape(3, 2, 2), (0, 0, 0, 1, 0))  # of units that are not told
         flow["Ring"] = file["Base1"]  # which leads back here
+
+with with_file("odd.cgns") as file:
+    flow = cgns_node(grid(new_base(file), "Zone", 0), "Flow", "FlowSolution_t")
+    array(flow, "Density", values(36).reshape(4, 3, 3), range(2000))
 
 with with_file("mesh.cgns") as file:
     base = new_base(file)
