@@ -72,8 +72,8 @@ std::vector<std::pair<std::string, std::string>> modesOf(OpenedModel& opened)
     });
 }
 
-/// What can be set of the mode of a view: of each setting its id, its type, what is usual, its least and largest number,
-/// equal where it has no bounds, and its choices, none where any text will do.
+/// What can be set of the mode of a view: of each setting its id, its type, what is usual, its least and largest
+/// number, equal where it has no bounds, and its choices, none where any text will do.
 py::list settingsOf(OpenedModel& opened, const std::string& text)
 {
     const auto parameters = withMaker(opened, false, py::none(), [&](PictureMaker& maker, const Progress&) {
