@@ -9,7 +9,7 @@ trap 'rm -f "$log"' EXIT
 
 echo '== lintian'
 lintian --allow-root --fail-on error "$packages"/*.deb
-for part in deb upgrade rpm bundle; do
+for part in deb upgrade rpm bundle wheel; do
     echo "== $part"
     "$here/${part}_test.sh" "$packages" 2>&1 | tee -a "$log"
 done
