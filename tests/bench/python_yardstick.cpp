@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// python_yardstick MODEL ERROR: for each line of its input extracts the mesh of that error (%) and prints the seconds that it took. What
+// the Python module is measured against (python_module.py).
+#include <tan/model.h>
+#include <tan/query.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+int main(int argumentCount, char** arguments)
+{
+    if (argumentCount != 3) {
+        std::fputs("python_yardstick MODEL ERROR\n", stderr);
+        return 2;
+    }
+    const auto model = tetra::Model::open(arguments[1]);
+    if (!model) {
+        std::fputs((model.error().text() + "\n").c_str(), stderr);
+        return 3;
+    }
+    tetra::MeshQuery query;
+    query.error = std::atof(arguments[2]);
+    tetra::MeshExtractor extractor(*model);
+    for (std::string line; std::getline(std::cin, line);) {
+        const auto start = std::chrono::steady_clock::now();
+        const auto mesh = extractor.extract(query);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        if (!mesh)
+            return 3;
+        std::printf("%.6f %zu\n", seconds.count(), (*mesh)->mesh.tetrahedra.size());
+        std::fflush(stdout);
+    }
+    return 0;
+}
