@@ -1,33 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/simd.h"
+
 #include <tan/mesh.h>
 
 #include <algorithm>
 
 namespace tetra {
 
-/// The light on a surface, the same in both back ends: a headlight in the eye, equal on both sides. With c the cosine
-/// between the normal and the direction to the eye, a colour channel becomes
-///     min(1, channel * (ambient + diffuse * |c|) + specular * |c|^32).
-/// Lighting and blending act on the sRGB-coded channels, not on linear light, as VTK and ParaView do: a colour map
-/// looks here as it does there.
-struct Shading {
-    static constexpr float ambient = 0.25f;
-    static constexpr float diffuse = 0.75f;
-    static constexpr float specular = 0.15f;
+/// A light far away that moves with the camera.
+struct CameraLight {
+    float right, up, back; ///< where it comes from, of length 1: to the right, up, and from behind the camera
+    float strength;
 };
 
-/// The colour of a lit surface, from the absolute cosine and its square, which the caller has anyway.
-inline Colour shaded(const Colour& colour, float cosine, float squaredCosine)
+/// The light on surfaces and volumes, the same in both back ends: one in the eye, a key light from above on the left
+/// that makes relief, a fill light in the shadows that it leaves, and a rim light from behind that parts what is near
+/// from what is far. A surface has the same light on both sides: the normal is that towards the eye. With c its cosine
+/// with the direction to the eye, a colour channel becomes
+///     min(1, channel * (ambient + headlight c + sum of strength max(0, normal . light))
+///            + strength max(0, normal . highlight)^32),
+/// the highlight that of the key light, halfway between it and the view's axis. Lighting and blending act on the
+/// sRGB-coded channels, not on linear light, as VTK and ParaView do: a colour map looks here as it does there.
+struct Shading {
+    static constexpr float ambient = 0.24f;
+    static constexpr float headlight = 0.34f;
+    static constexpr CameraLight lights[] = {
+        {-24.0f / 49, 36.0f / 49, 23.0f / 49, 0.52f}, // key
+        {0.8f, -0.36f, 0.48f, 0.15f},                 // fill
+        {0.36f, 0.8f, -0.48f, 0.25f},                 // rim
+    };
+    static constexpr CameraLight highlight = {-2.0f / 7, 3.0f / 7, 6.0f / 7, 0.15f};
+};
+
+/// What becomes of a colour: times the factor, and the highlight added.
+template <class Number> struct Falling {
+    Number factor, highlight;
+};
+
+/// max(0, normal . light), of lanes or of one number.
+template <class Number> TETRA_SIMD_INLINE Number falling(const CameraLight& light, Number right, Number up, Number back)
 {
-    const float power4 = squaredCosine * squaredCosine;
-    const float power8 = power4 * power4;
-    const float power16 = power8 * power8;
-    const float specular = Shading::specular * power16 * power16;
-    const float factor = Shading::ambient + Shading::diffuse * cosine;
-    return {std::min(1.0f, colour.red * factor + specular), std::min(1.0f, colour.green * factor + specular),
-            std::min(1.0f, colour.blue * factor + specular)};
+    const Number cosine = light.right * right + light.up * up + light.back * back;
+    return cosine > 0 ? cosine : Number{};
+}
+
+/// The light on a normal of length 1, in the camera's axes as lights are, towards the eye, and its cosine with the
+/// direction to the eye. For use inside functions compiled for several instruction sets.
+template <class Number> TETRA_SIMD_INLINE Falling<Number> lightOn(Number right, Number up, Number back, Number cosine)
+{
+    Number factor = Shading::ambient + Shading::headlight * cosine;
+    for (const CameraLight& light : Shading::lights)
+        factor += light.strength * falling(light, right, up, back);
+    Number power = falling(Shading::highlight, right, up, back);
+    for (int doubled = 0; doubled < 5; ++doubled)
+        power *= power;
+    return {factor, Shading::highlight.strength * power};
+}
+
+inline Colour shaded(const Colour& colour, const Falling<float>& light)
+{
+    const auto channel = [&light](float of) { return std::min(1.0f, of * light.factor + light.highlight); };
+    return {channel(colour.red), channel(colour.green), channel(colour.blue)};
 }
 
 } // namespace tetra

@@ -17,6 +17,7 @@ ViewTransform makeViewTransform(const Camera& camera, double width, double heigh
     transform.clipFromWorld = projection * view;
     transform.perspective = camera.perspective;
 
+    transform.cameraFromWorld = view.topLeftCorner<3, 3>().cast<float>();
     const Eigen::Matrix3d worldFromEye = view.topLeftCorner<3, 3>().transpose();
     if (!camera.perspective) {
         // z = P22 * zEye + P23, and q = zEye / distance.

@@ -52,6 +52,8 @@ struct ViewTransform {
     Eigen::Vector3f towardsEye{0, 0, 1};
     Eigen::Vector3f towardsEyePerX{0, 0, 0};
     Eigen::Vector3f towardsEyePerY{0, 0, 0};
+    /// The camera's axes: right, up, back.
+    Eigen::Matrix3f cameraFromWorld = Eigen::Matrix3f::Identity();
     /// Of clip space: q = nearnessPerClip * z / w + nearnessAtZero, in perspective of 1 in place of z.
     double nearnessPerClip = -1;
     double nearnessAtZero = 0;

@@ -1,15 +1,17 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formula of core/render/scene.h.
-uniform vec3 light; // ambient, diffuse, specular
+// The light on surfaces; `normal` and `towardsEye` in the camera's axes, of any length.
+uniform bool isLit;
+
+vec2 lightOn(vec3 normal, float cosine);
 
 vec3 lit(vec3 colour, vec3 normal, vec3 towardsEye)
 {
+    if (!isLit)
+        return colour;
     float dotProduct = dot(normal, towardsEye);
     float lengths = dot(normal, normal) * dot(towardsEye, towardsEye);
-    float squared = lengths > 0.0 ? min(1.0, dotProduct * dotProduct / lengths) : 1.0;
-    float power4 = squared * squared;
-    float power8 = power4 * power4;
-    float power16 = power8 * power8;
-    return min(vec3(1.0), colour * (light.x + light.y * sqrt(squared)) + light.z * power16 * power16);
+    vec2 light = lengths > 0.0 ? lightOn(normalize(dotProduct < 0.0 ? -normal : normal), min(1.0, abs(dotProduct) * inversesqrt(lengths)))
+                               : lightOn(vec3(0.0, 0.0, 1.0), 1.0);
+    return min(vec3(1.0), colour * light.x + light.y);
 }

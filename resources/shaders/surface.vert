@@ -10,6 +10,7 @@ uniform vec4 colour;
 uniform bool coloured;
 uniform bool overlay; // over everything: at the near plane
 uniform vec4 eye; // its place (w = 1), or the direction towards it (w = 0)
+uniform mat3 cameraFromWorld; // right, up, back
 
 out vec3 surfaceColour;
 out vec3 surfaceNormal;
@@ -26,6 +27,6 @@ void main()
         gl_Position.z = -gl_Position.w;
     placeInMesh = position;
     surfaceColour = coloured ? vertexColour : colour.rgb;
-    surfaceNormal = normal;
-    towardsEye = eye.xyz - eye.w * position;
+    surfaceNormal = cameraFromWorld * normal;
+    towardsEye = cameraFromWorld * (eye.xyz - eye.w * position);
 }

@@ -18,7 +18,6 @@ uniform bool layered;
 uniform bool wholeCells;         // each cell goes behind all layers that it meets
 uniform int focusPart;           // focus.frag; 0 without a focus
 uniform bool shaded;
-uniform vec3 light;              // ambient, diffuse, specular
 
 flat in vec4 faceBounds[4];
 flat in vec4 slope;
@@ -32,6 +31,7 @@ layout(location = 0) out vec4 result;
 const uint noLayer = 0xffffffffu;
 const float farBound = 1e30;
 
+vec2 lightOn(vec3 normal, float cosine);
 vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong);
 vec2 rangeOfPart(vec2 fromCentre, vec2 shown);
 float weightAt(vec2 fromCentre, float w);
@@ -119,11 +119,9 @@ vec2 lightAt(vec2 place, vec3 ray, float w)
     if (!(square > leastSquare))
         return vec2(1.0, 0.0);
     float along = dot(gradient, ray);
-    float squaredCosine = min(1.0, along * along / (square * dot(ray, ray)));
-    float power2 = squaredCosine * squaredCosine;
-    float power4 = power2 * power2;
-    float power8 = power4 * power4;
-    return vec2(light.x + light.y * sqrt(squaredCosine), light.z * power8 * power8);
+    float scale = inversesqrt(square);
+    vec3 normal = gradient * (along > 0.0 ? -scale : scale);
+    return lightOn(normal * vec3(1.0, -1.0, -1.0), min(1.0, abs(along) * scale * inversesqrt(dot(ray, ray))));
 }
 
 // At the ends of the ray's way, affine between them: factor and its rise, highlight and its rise.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// python_yardstick MODEL ERROR: for each line of its input extracts the mesh of that error (%) and prints the seconds that it took. What
-// the Python module is measured against (python_module.py).
+// python_yardstick MODEL ERROR: for each line of its input extracts the mesh of that error (%) and prints the seconds
+// that it took. What the Python module is measured against (python_module.py).
 #include <tan/model.h>
 #include <tan/query.h>
 

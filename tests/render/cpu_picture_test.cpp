@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the CPU back end (B4), the reference, against closed forms.
 #include "core/render/resolve.h"
-#include "core/render/shading.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
@@ -97,7 +96,7 @@ private slots:
                 {quad({-2, -0.9f + 0.15f * static_cast<float>(sheet), -2}, {4, 0, 0}, {0, 0, 4}), colour, opacity});
         const PictureOptions options{.width = 9, .height = 9, .background = {0, 0, 0}, .samplesPerAxis = 1};
         const float hidden = 1 - std::pow(1 - opacity, float(sheets)); // 0.986
-        const Pixel expected = toPixel(mixed(shaded(colour, 1, 1), hidden, options.background));
+        const Pixel expected = toPixel(mixed(facing(colour), hidden, options.background));
         QVERIFY(difference(pixelAt(renderedByCpu(scene, fromFront, options), 4, 4), expected) <= 1);
     }
 
@@ -134,8 +133,16 @@ private slots:
                 return std::nullopt;
             ++lit;
             const Vector3d normal = from + (middle - std::sqrt(1 - distance * distance)) * ray;
-            const auto cosine = static_cast<float>(std::abs(normal.dot(ray)));
-            return toPixel(shaded(colour, cosine, cosine * cosine));
+            const Vector3d inCamera = viewMatrix(camera).topLeftCorner<3, 3>() * normal;
+            const auto along = [&](double right, double up, double back) {
+                return std::max(0.0, inCamera.dot(Vector3d(right, up, back)));
+            };
+            const double factor = 0.24 + 0.34 * std::abs(normal.dot(ray)) +
+                                  0.52 * along(-24.0 / 49, 36.0 / 49, 23.0 / 49) + 0.15 * along(0.8, -0.36, 0.48) +
+                                  0.25 * along(0.36, 0.8, -0.48);
+            const double highlight = 0.15 * std::pow(along(-2.0 / 7, 3.0 / 7, 6.0 / 7), 32);
+            const auto channel = [&](float of) { return static_cast<float>(std::min(1.0, of * factor + highlight)); };
+            return toPixel(Colour{channel(colour.red), channel(colour.green), channel(colour.blue)});
         }));
         QVERIFY(lit > 5000);
     }
@@ -154,7 +161,7 @@ private slots:
         const Picture picture = renderedByCpu(scene, camera, {.width = 70, .height = 70});
         Colour expected{1, 1, 1};
         for (const std::size_t i : {2, 0, 3, 4, 1}) // from the farthest
-            expected = mixed(shaded(colours[i], 1, 1), opacities[i], expected);
+            expected = mixed(facing(colours[i]), opacities[i], expected);
         QVERIFY(everyPixel(picture, 1, [&](int, int) { return toPixel(expected); }));
     }
 
@@ -167,9 +174,10 @@ private slots:
         Camera camera = fromFront;
         camera.perspective = false;
         const Picture picture = renderedByCpu(scene, camera, {.width = 100, .height = 50, .samplesPerAxis = 1});
-        const float squared = 0.8f; // of the cosine: the planes are inclined by 1 : 2
-        const Colour red = shaded({1, 0, 0}, std::sqrt(squared), squared);
-        const Colour blue = shaded({0, 0, 1}, std::sqrt(squared), squared);
+        // The planes are inclined by 1 : 2, the red one to the right and the blue one to the left.
+        const float sine = std::sqrt(0.2f), cosine = std::sqrt(0.8f);
+        const Colour red = shaded({1, 0, 0}, lightOn(sine, 0.0f, cosine, cosine));
+        const Colour blue = shaded({0, 0, 1}, lightOn(-sine, 0.0f, cosine, cosine));
         const Pixel left = toPixel(mixed(red, 0.6f, mixed(blue, 0.6f, {1, 1, 1})));
         const Pixel right = toPixel(mixed(blue, 0.6f, mixed(red, 0.6f, {1, 1, 1})));
         QVERIFY(everyPixel(picture, 1, [&](int x, int) { return x < 50 ? left : right; }));
@@ -268,9 +276,9 @@ private slots:
         scene.surfaces.push_back({quad({0, 2, -2}, {2, 0, 0}, {0, 0, 4}), {0, 0, 1}, 1});    // right, behind
         scene.surfaces.push_back({quad({-2, -2.5, -2}, {4, 0, 0}, {0, 0, 2}), green, 0.5f}); // below, before all
         picture = renderedByCpu(scene, camera, options);
-        QCOMPARE(pixelAt(picture, 16, 30), toPixel(shaded(green, 1, 1)));
+        QCOMPARE(pixelAt(picture, 16, 30), toPixel(facing(green)));
         QCOMPARE(pixelAt(picture, 83, 30), red);
-        QVERIFY(difference(pixelAt(picture, 83, 60), toPixel(mixed(shaded(green, 1, 1), 0.5f, {1, 0, 0}))) <= 1);
+        QVERIFY(difference(pixelAt(picture, 83, 60), toPixel(mixed(facing(green), 0.5f, {1, 0, 0}))) <= 1);
     }
 
     void antialiasingIsTheMeanOfTheSamples()
@@ -307,7 +315,7 @@ private slots:
             const Picture picture =
                 renderedByCpu(scene, camera, {.width = width, .height = height, .samplesPerAxis = samples});
             QCOMPARE(picture.pixels.size(), std::size_t(width) * std::size_t(height));
-            QVERIFY(everyPixel(picture, 1, [&](int, int) { return toPixel(shaded(colour, 1, 1)); }));
+            QVERIFY(everyPixel(picture, 1, [&](int, int) { return toPixel(facing(colour)); }));
         }
     }
 
@@ -370,7 +378,7 @@ private slots:
         Camera camera = fromFront;
         camera.perspective = false;
         const Picture picture = renderedByCpu(scene, camera, {.width = 20, .height = 20});
-        QVERIFY(everyPixel(picture, 1, [](int, int) { return toPixel(shaded({0, 0, 0}, 1, 1)); }));
+        QVERIFY(everyPixel(picture, 1, [](int, int) { return toPixel(facing({0, 0, 0})); }));
     }
 
     void reportsAndCancels()

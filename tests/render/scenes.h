@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/render/shading.h"
+
 #include <tan/render.h>
 
 #include <Eigen/Core>
@@ -15,6 +17,12 @@
 namespace tetra::testing {
 
 using MeshPointer = std::shared_ptr<const TriangleMesh>;
+
+/// A lit colour that faces the eye, or that of a surface without normals.
+inline Colour facing(const Colour& colour)
+{
+    return shaded(colour, lightOn<float>(0, 0, 1, 1));
+}
 
 /// A parallelogram with one normal.
 inline MeshPointer quad(const Eigen::Vector3d& corner, const Eigen::Vector3d& along, const Eigen::Vector3d& across)

@@ -261,7 +261,7 @@ private slots:
     {
         SceneParts scene = fogCube(0.5f);
         scene.surfaces.push_back({quad({0, 1, 0}, {4, 0, 0}, {0, 0, 4}), {0, 0, 0.8f}, 0.25f});
-        const Colour sheet = shaded({0, 0, 0.8f}, 1, 1);
+        const Colour sheet = facing({0, 0, 0.8f});
         scene.lines.push_back({{{0, 3, 2}, {4, 3, 2}}, {{0, 1}}, {0, 1, 0}, 2});
         const PictureOptions options{.width = 41, .height = 41, .background = {0.2f, 0.3f, 0.4f}, .samplesPerAxis = 1};
         const Picture picture = rendered(scene, beforeCube(), options);
@@ -283,7 +283,7 @@ private slots:
 
         // With an opaque wall instead nothing behind it is seen.
         scene.surfaces.push_back({quad({0, 2, 0}, {4, 0, 0}, {0, 0, 4}), {0.5f, 0.5f, 0.5f}, 1});
-        const Colour wall = shaded({0.5f, 0.5f, 0.5f}, 1, 1);
+        const Colour wall = facing({0.5f, 0.5f, 0.5f});
         QVERIFY(difference(pixelAt(rendered(scene, beforeCube(), options), 20, 20), bytes(expected(wall, 1))) <= 1);
     }
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/shading.h"
 #include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/core/render/volume/ray_integrator.h"
 #include "tests/core/render/volume/volume_meshes.h"
+#include "tests/render/scenes.h"
 
 #include <tan/render.h>
 
@@ -47,7 +47,7 @@ inline IsoLayer addLayer(SceneParts& scene, double isovalue, const Colour& colou
         qFatal("%s", surface.error().text().c_str());
     std::ranges::fill(surface->normals, Eigen::Vector3f::Zero());
     scene.surfaces.push_back({std::make_shared<const TriangleMesh>(std::move(surface).value()), colour, opacity});
-    const Colour lit = shaded(colour, 1, 1);
+    const Colour lit = facing(colour);
     return {isovalue, {lit.red, lit.green, lit.blue}, opacity};
 }
 

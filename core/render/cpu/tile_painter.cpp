@@ -177,6 +177,23 @@ Eigen::Vector3d TilePainter::placeOf(const Fragment& fragment, std::size_t sampl
     return worldFromImage_ * (image - view_.imageFromWorld.col(3));
 }
 
+namespace {
+
+/// `normal` and `towardsEye` of any length.
+Falling<float> surfaceLight(const Eigen::Matrix3f& cameraFromWorld, const Eigen::Vector3f& normal,
+                            const Eigen::Vector3f& towardsEye)
+{
+    const float along = normal.dot(towardsEye);
+    const float length = normal.norm();
+    const float lengths = length * towardsEye.norm();
+    if (!(lengths > 0))
+        return lightOn<float>(0, 0, 1, 1);
+    const Eigen::Vector3f towards = cameraFromWorld * normal * (along < 0 ? -1 / length : 1 / length);
+    return lightOn(towards.x(), towards.y(), towards.z(), std::min(1.0f, std::abs(along) / lengths));
+}
+
+} // namespace
+
 PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sample) const
 {
     const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
@@ -193,10 +210,7 @@ PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sampl
         const float y = static_cast<float>(part_.top + tile_.top + static_cast<int>(sample / width)) + 0.5f;
         const Eigen::Vector3f towardsEye =
             transform_.towardsEye + x * transform_.towardsEyePerX + y * transform_.towardsEyePerY;
-        const float dot = normal.dot(towardsEye);
-        const float lengths = normal.squaredNorm() * towardsEye.squaredNorm();
-        const float squared = lengths > 0 ? std::min(1.0f, dot * dot / lengths) : 1;
-        colour = shaded(colour, std::sqrt(squared), squared);
+        colour = shaded(colour, surfaceLight(transform_.cameraFromWorld, normal, towardsEye));
     }
     const float opacity =
         look.share == nullptr ? look.opacity : opacityAt(look.opacity, look.share, placeOf(fragment, sample));

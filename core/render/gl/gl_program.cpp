@@ -2,10 +2,13 @@
 #include "core/render/gl/gl_program.h"
 
 #include "core/render/focus_weight.h"
+#include "core/render/shading.h"
 
 #include <tan_shaders.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -167,6 +170,18 @@ void setCuts(const GlProgram& program, std::span<const ClipPlane> planes, const 
     program.set("cuts", cuts);
 }
 
+void setLights(const GlProgram& program)
+{
+    const auto vectorOf = [](const CameraLight& light) {
+        return Eigen::Vector4f(light.right, light.up, light.back, light.strength);
+    };
+    std::vector<Eigen::Vector4f> lights;
+    std::ranges::transform(Shading::lights, std::back_inserter(lights), vectorOf);
+    program.set("ownLight", Eigen::Vector2f(Shading::ambient, Shading::headlight));
+    program.set("lights", lights);
+    program.set("highlight", vectorOf(Shading::highlight));
+}
+
 namespace {
 
 std::string volumeVertexShader()
@@ -194,9 +209,10 @@ Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const
                                                     const std::string& maker)
 {
     const std::string text = "#version 330 core\n" + shader;
-    return GlProgram::make(gl, volumeVertexShader().c_str(),
-                           std::array{shaders::volumeFrag, shaders::modelFrag, shaders::focusFrag, text.c_str()},
-                           refusalOf(maker));
+    return GlProgram::make(
+        gl, volumeVertexShader().c_str(),
+        std::array{shaders::volumeFrag, shaders::modelFrag, shaders::lightsFrag, shaders::focusFrag, text.c_str()},
+        refusalOf(maker));
 }
 
 Result<std::unique_ptr<GlProgram>> makeRayProgram(const GlFunctions& gl, const std::string& shader,
@@ -226,8 +242,9 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
             status = made.error();
     };
     make(programs.opaque, shaders::surfaceVert,
-         std::array{shaders::opaqueFrag, shaders::lightingFrag, shaders::cutFrag});
-    make(programs.peel, shaders::surfaceVert, std::array{shaders::peelFrag, shaders::lightingFrag, shaders::cutFrag});
+         std::array{shaders::opaqueFrag, shaders::lightingFrag, shaders::lightsFrag, shaders::cutFrag});
+    make(programs.peel, shaders::surfaceVert,
+         std::array{shaders::peelFrag, shaders::lightingFrag, shaders::lightsFrag, shaders::cutFrag});
     make(programs.line, shaders::lineVert, std::array{shaders::lineFrag});
     make(programs.under, shaders::screenVert, std::array{shaders::underFrag});
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
@@ -235,7 +252,7 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
     make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
     make(programs.limit, shaders::screenVert, std::array{shaders::limitFrag});
     make(programs.volume, volumeVertexShader().c_str(),
-         std::array{shaders::volumeFrag, shaders::slabFrag, shaders::focusFrag});
+         std::array{shaders::volumeFrag, shaders::slabFrag, shaders::lightsFrag, shaders::focusFrag});
     if (!status)
         return status.error();
     return programs;

@@ -90,6 +90,9 @@ Status checkRegions(const Scene& scene);
 /// Sets the uniforms of cut.frag in the program in use, for places relative to `origin`.
 void setCuts(const GlProgram& program, std::span<const ClipPlane> planes, const Eigen::Vector3d& origin);
 
+/// Sets the uniforms of lights.frag in the program in use.
+void setLights(const GlProgram& program);
+
 /// The programs of ScenePainter; their texts are in resources/shaders.
 struct PainterPrograms {
     std::unique_ptr<GlProgram> opaque;

@@ -4,7 +4,6 @@
 #include "core/render/focus_weight.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/scene_checks.h"
-#include "core/render/shading.h"
 #include "core/render/view_transform.h"
 
 #include <tan/render.h>
@@ -107,8 +106,9 @@ void SurfacePainter::draw(const GlProgram& program, const DrawnSurface& drawn) c
     program.set("colour", colourOf(*drawn.surface));
     program.set("coloured", drawn.surface->mesh->colours.empty() ? 0 : 1);
     program.set("backFacesOnly", drawn.surface->backFacesOnly ? 1 : 0);
-    program.set("light", isLit(*drawn.surface) ? Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular)
-                                               : Eigen::Vector3f(1, 0, 0));
+    program.set("cameraFromWorld", transform_.cameraFromWorld);
+    program.set("isLit", isLit(*drawn.surface) ? 1 : 0);
+    setLights(program);
     program.set("overlay", drawn.overlay ? 1 : 0);
     setCuts(program, drawn.overlay ? std::span<const ClipPlane>() : scene_->clipPlanes, origin);
     gl_.bindVertexArray(drawn.buffers->vertexArray.name());

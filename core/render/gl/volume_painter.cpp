@@ -3,7 +3,6 @@
 
 #include "core/render/focus_weight.h"
 #include "core/render/gl/gl_program.h"
-#include "core/render/shading.h"
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/projected_volume.h"
@@ -282,7 +281,7 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set("boundOfDepth", boundOfDepth_);
     program.set("wholeCells", wholeCells_ ? 1 : 0);
     program.set("unit", static_cast<float>(view_.unit));
-    program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
+    setLights(program);
     // How long u and v are for one unit of length across the view, in units of w for one along it.
     program.set(
         "lengths",

@@ -64,12 +64,12 @@ lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& fact
     const Lanes square = right * right + down * down + away * away;
     const auto known = square > leastSquare;
     const Lanes ones = Lanes{} + 1.0f;
-    const Lanes squaredCosine = smaller(along * along / ((known ? square : ones) * rays.ray * rays.ray), ones);
-    Lanes power = squaredCosine;
-    for (int doubled = 0; doubled < 4; ++doubled)
-        power *= power;
-    factor = known ? Shading::ambient + Shading::diffuse * squareRoot(squaredCosine) : ones;
-    highlight = known ? Shading::specular * power : Lanes{};
+    const Lanes scale = 1.0f / squareRoot(known ? square : ones);
+    const Lanes towards = along > 0 ? -scale : scale;
+    const Lanes cosine = smaller(-along * towards / rays.ray, ones);
+    const Falling<Lanes> light = lightOn<Lanes>(right * towards, -down * towards, -away * towards, cosine);
+    factor = known ? light.factor : ones;
+    highlight = known ? light.highlight : Lanes{};
 }
 
 /// The light is taken where a ray comes in and goes out, and is affine between.

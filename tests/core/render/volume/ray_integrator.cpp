@@ -76,6 +76,12 @@ RayIntegrator::RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction
       bounds_(boundsOf(mesh).merged(scene_.bounds))
 {
     worldFromClip_ = (projectionMatrix(camera, double(width) / height, bounds_) * viewMatrix(camera)).inverse();
+    const auto onNearPlane = [this](double x, double y) -> Vector3d {
+        return (worldFromClip_ * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
+    };
+    const Vector3d right = (onNearPlane(1, 0) - onNearPlane(0, 0)).normalized();
+    const Vector3d up = (onNearPlane(0, 1) - onNearPlane(0, 0)).normalized();
+    cameraFromWorld_ << right.transpose(), up.transpose(), right.cross(up).transpose();
     for (const OpacityPoint& point : function_.opacities) {
         extinctions_.push_back(extinctionOf(point.opacity, function_.unitDistance));
         mostExtinction_ = std::max(mostExtinction_, extinctions_.back());
@@ -240,8 +246,15 @@ RayIntegrator::Falling RayIntegrator::fallingAt(const Ray& ray, const Piece& pie
     const Vector3d gradient = piece.cell->gradients * (piece.weights + place * piece.perLength);
     if (gradient.norm() < 1e-6)
         return {};
-    const double cosine = std::min(1.0, std::abs(gradient.dot(ray.direction)) / gradient.norm());
-    return {0.25 + 0.75 * cosine, 0.15 * std::pow(cosine, 32)};
+    const double along = gradient.dot(ray.direction) / gradient.norm();
+    const Vector3d normal = cameraFromWorld_ * gradient.normalized() * (along > 0 ? -1 : 1);
+    const auto falling = [&normal](double right, double up, double back) {
+        return std::max(0.0, normal.dot(Vector3d(right, up, back)));
+    };
+    const double key = falling(-24.0 / 49, 36.0 / 49, 23.0 / 49), fill = falling(0.8, -0.36, 0.48),
+                 rim = falling(0.36, 0.8, -0.48);
+    return {0.24 + 0.34 * std::abs(along) + 0.52 * key + 0.15 * fill + 0.25 * rim,
+            0.15 * std::pow(falling(-2.0 / 7, 3.0 / 7, 6.0 / 7), 32)};
 }
 
 /// The values of points of the transfer function between two values, in the order from the first to the second.

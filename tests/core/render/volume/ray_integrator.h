@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/render/shading.h"
 #include "core/render/volume/volume_renderer.h"
 
 #include <tan/mesh.h>
@@ -109,6 +108,7 @@ private:
     int width_, height_;
     RayScene scene_;
     Eigen::Matrix4d worldFromClip_;
+    Eigen::Matrix3d cameraFromWorld_; ///< rows: right, up, back
     Eigen::AlignedBox3d bounds_;
     std::vector<Cell> cells_;
     std::vector<double> extinctions_; ///< of the function's points
