@@ -17,10 +17,11 @@ struct CameraLight {
 
 /// The light on surfaces and volumes, the same in both back ends: one in the eye, a key light from above on the left
 /// that makes relief, a fill light in the shadows that it leaves, and a rim light from behind that parts what is near
-/// from what is far. A surface has the same light on both sides: the normal is that towards the eye. With c its cosine
-/// with the direction to the eye, a colour channel becomes
-///     min(1, channel * (ambient + headlight c + sum of strength max(0, normal . light))
-///            + strength max(0, normal . highlight)^32),
+/// from what is far. A surface shows the side towards the eye; edge-on, where rounding decides which that is, it has
+/// the mean of both, so that nothing flickers along outlines. With n the normal of that side, c its cosine with the
+/// direction to the eye and s = min(1, (1 + c / twoSided) / 2), a colour channel becomes
+///     min(1, channel * (ambient + headlight c + sum of strength (s max(0, n . light) + (1 - s) max(0, -n . light)))
+///            + strength max(0, n . highlight)^32),
 /// the highlight that of the key light, halfway between it and the view's axis. Lighting and blending act on the
 /// sRGB-coded channels, not on linear light, as VTK and ParaView do: a colour map looks here as it does there.
 struct Shading {

@@ -27,6 +27,10 @@ STEPS = 16  # of a slab
 TOLERANCES = {"unlit": 1, "lit": 1}  # of 255
 BESIDE = numpy.array([(0, 0), (0.002, 0), (-0.002, 0), (0, 0.002), (0, -0.002)])  # in pixels
 
+# To the right, up and back of the camera.
+SIDE_LIGHTS = [(0.52, numpy.array([-24, 36, 23]) / 49), (0.15, numpy.array([0.8, -0.36, 0.48])), (0.25, numpy.array([0.36, 0.8, -0.48]))]
+HIGHLIGHT = numpy.array([-2, 3, 6]) / 7
+
 # Values as shares of the range, unit distances as shares of the diagonal.
 SMOOTH = {"unit": 0.05, "colours": [(0.05, (0.1, 0.2, 0.9)), (0.35, (0.2, 0.9, 0.3)), (0.6, (0.95, 0.85, 0.2)), (0.9, (0.9, 0.1, 0.6))],
           "opacities": [(0.08, 0), (0.3, 0.05), (0.55, 0.3), (0.83, 0.9), (0.97, 0.2)]}
@@ -183,15 +187,19 @@ class Pieces:
         shares = [at + place[:, None] * change for place in (begin, end)]
         self.values = [(share * mesh.values[mesh.corners[cell]]).sum(axis=1) for share in shares]
         gradients = mesh.corner_gradients(axes)[cell]
-        self.lights = [self.light(numpy.einsum("pk,pki->pi", share, gradients), directions[self.ray]) for share in shares]
+        self.lights = [self.light(numpy.einsum("pk,pki->pi", share, gradients), directions[self.ray], axes) for share in shares]
 
     @staticmethod
-    def light(gradients, directions):
+    def light(gradients, directions, axes):
         """Factor and highlight."""
         size = lengths(gradients)
         known = size >= 1e-6
-        cosine = numpy.abs((gradients * directions).sum(axis=1)) / numpy.where(known, size, 1)
-        return numpy.where(known, [0.25 + 0.75 * cosine, 0.15 * cosine**32], [[1.0], [0.0]])
+        normals = gradients / numpy.where(known, size, 1)[:, None]
+        cosine = (normals * directions).sum(axis=1)
+        right, up, forward = axes
+        towards_eye = numpy.where(cosine > 0, -1, 1)[:, None] * normals @ numpy.array([right, up, -forward]).T
+        factor = 0.24 + 0.34 * numpy.abs(cosine) + sum(share * numpy.maximum(0, towards_eye @ place) for share, place in SIDE_LIGHTS)
+        return numpy.where(known, [factor, 0.15 * numpy.maximum(0, towards_eye @ HIGHLIGHT) ** 32], [[1.0], [0.0]])
 
     def seen(self, function, lit):
         """The colours, from 0 to 1, at the eye."""
