@@ -27,6 +27,7 @@ struct CameraLight {
 struct Shading {
     static constexpr float ambient = 0.24f;
     static constexpr float headlight = 0.34f;
+    static constexpr float twoSided = 0.25f;
     static constexpr CameraLight lights[] = {
         {-24.0f / 49, 36.0f / 49, 23.0f / 49, 0.52f}, // key
         {0.8f, -0.36f, 0.48f, 0.15f},                 // fill
@@ -40,21 +41,27 @@ template <class Number> struct Falling {
     Number factor, highlight;
 };
 
-/// max(0, normal . light), of lanes or of one number.
-template <class Number> TETRA_SIMD_INLINE Number falling(const CameraLight& light, Number right, Number up, Number back)
+/// The cosine of a normal with a light, of lanes or of one number.
+template <class Number>
+TETRA_SIMD_INLINE Number cosineWith(const CameraLight& light, Number right, Number up, Number back)
 {
-    const Number cosine = light.right * right + light.up * up + light.back * back;
-    return cosine > 0 ? cosine : Number{};
+    return light.right * right + light.up * up + light.back * back;
 }
 
 /// The light on a normal of length 1, in the camera's axes as lights are, towards the eye, and its cosine with the
 /// direction to the eye. For use inside functions compiled for several instruction sets.
 template <class Number> TETRA_SIMD_INLINE Falling<Number> lightOn(Number right, Number up, Number back, Number cosine)
 {
+    const Number ones = Number{} + 1.0f;
+    const Number share = 0.5f + cosine * (0.5f / Shading::twoSided);
+    const Number front = share < ones ? share : ones;
     Number factor = Shading::ambient + Shading::headlight * cosine;
-    for (const CameraLight& light : Shading::lights)
-        factor += light.strength * falling(light, right, up, back);
-    Number power = falling(Shading::highlight, right, up, back);
+    for (const CameraLight& light : Shading::lights) {
+        const Number falling = cosineWith(light, right, up, back);
+        factor += light.strength * falling * (falling > 0 ? front : front - ones);
+    }
+    const Number highest = cosineWith(Shading::highlight, right, up, back);
+    Number power = highest > 0 ? highest : Number{};
     for (int doubled = 0; doubled < 5; ++doubled)
         power *= power;
     return {factor, Shading::highlight.strength * power};

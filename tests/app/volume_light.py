@@ -98,7 +98,7 @@ class Mesh:
     def corner_gradients(self, axes):
         """Those of the corners of each cell; of cells that are too thin in the view of these axes their mean, four times."""
         gradients = self.gradients[self.corners]
-        thin = self.volumes < 1e-5 * numpy.ptp(self.places @ axes.T, axis=1).prod(axis=1)
+        thin = 6 * self.volumes <= 1e-5 * numpy.ptp(self.places @ axes.T, axis=1).prod(axis=1)
         gradients[thin] = gradients[thin].mean(axis=1, keepdims=True)
         return gradients
 
@@ -198,7 +198,10 @@ class Pieces:
         cosine = (normals * directions).sum(axis=1)
         right, up, forward = axes
         towards_eye = numpy.where(cosine > 0, -1, 1)[:, None] * normals @ numpy.array([right, up, -forward]).T
-        factor = 0.24 + 0.34 * numpy.abs(cosine) + sum(share * numpy.maximum(0, towards_eye @ place) for share, place in SIDE_LIGHTS)
+        front = numpy.minimum(1, 0.5 + 2 * numpy.abs(cosine))
+        falls = [(strength, towards_eye @ place) for strength, place in SIDE_LIGHTS]
+        factor = 0.24 + 0.34 * numpy.abs(cosine) + sum(strength * (front * numpy.maximum(0, fall) + (1 - front) * numpy.maximum(0, -fall))
+                                                       for strength, fall in falls)
         return numpy.where(known, [factor, 0.15 * numpy.maximum(0, towards_eye @ HIGHLIGHT) ** 32], [[1.0], [0.0]])
 
     def seen(self, function, lit):

@@ -134,13 +134,14 @@ private slots:
             ++lit;
             const Vector3d normal = from + (middle - std::sqrt(1 - distance * distance)) * ray;
             const Vector3d inCamera = viewMatrix(camera).topLeftCorner<3, 3>() * normal;
+            const double cosine = std::abs(normal.dot(ray)), front = std::min(1.0, 0.5 + 2 * cosine);
             const auto along = [&](double right, double up, double back) {
-                return std::max(0.0, inCamera.dot(Vector3d(right, up, back)));
+                const double falling = inCamera.dot(Vector3d(right, up, back));
+                return falling > 0 ? front * falling : (front - 1) * falling;
             };
-            const double factor = 0.24 + 0.34 * std::abs(normal.dot(ray)) +
-                                  0.52 * along(-24.0 / 49, 36.0 / 49, 23.0 / 49) + 0.15 * along(0.8, -0.36, 0.48) +
-                                  0.25 * along(0.36, 0.8, -0.48);
-            const double highlight = 0.15 * std::pow(along(-2.0 / 7, 3.0 / 7, 6.0 / 7), 32);
+            const double factor = 0.24 + 0.34 * cosine + 0.52 * along(-24.0 / 49, 36.0 / 49, 23.0 / 49) +
+                                  0.15 * along(0.8, -0.36, 0.48) + 0.25 * along(0.36, 0.8, -0.48);
+            const double highlight = 0.15 * std::pow(std::max(0.0, inCamera.dot(Vector3d(-2, 3, 6) / 7)), 32);
             const auto channel = [&](float of) { return static_cast<float>(std::min(1.0, of * factor + highlight)); };
             return toPixel(Colour{channel(colour.red), channel(colour.green), channel(colour.blue)});
         }));

@@ -178,6 +178,7 @@ void setLights(const GlProgram& program)
     std::vector<Eigen::Vector4f> lights;
     std::ranges::transform(Shading::lights, std::back_inserter(lights), vectorOf);
     program.set("ownLight", Eigen::Vector2f(Shading::ambient, Shading::headlight));
+    program.set("twoSided", Shading::twoSided);
     program.set("lights", lights);
     program.set("highlight", vectorOf(Shading::highlight));
 }

@@ -248,13 +248,15 @@ RayIntegrator::Falling RayIntegrator::fallingAt(const Ray& ray, const Piece& pie
         return {};
     const double along = gradient.dot(ray.direction) / gradient.norm();
     const Vector3d normal = cameraFromWorld_ * gradient.normalized() * (along > 0 ? -1 : 1);
-    const auto falling = [&normal](double right, double up, double back) {
-        return std::max(0.0, normal.dot(Vector3d(right, up, back)));
+    const double front = std::min(1.0, 0.5 + 2 * std::abs(along));
+    const auto falling = [&](double right, double up, double back) {
+        const double cosine = normal.dot(Vector3d(right, up, back));
+        return front * std::max(0.0, cosine) + (1 - front) * std::max(0.0, -cosine);
     };
     const double key = falling(-24.0 / 49, 36.0 / 49, 23.0 / 49), fill = falling(0.8, -0.36, 0.48),
                  rim = falling(0.36, 0.8, -0.48);
     return {0.24 + 0.34 * std::abs(along) + 0.52 * key + 0.15 * fill + 0.25 * rim,
-            0.15 * std::pow(falling(-2.0 / 7, 3.0 / 7, 6.0 / 7), 32)};
+            0.15 * std::pow(std::max(0.0, normal.dot(Vector3d(-2, 3, 6) / 7)), 32)};
 }
 
 /// The values of points of the transfer function between two values, in the order from the first to the second.
