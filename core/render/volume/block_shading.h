@@ -67,9 +67,9 @@ lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& fact
     const Lanes scale = 1.0f / squareRoot(known ? square : ones);
     const Lanes towards = along > 0 ? -scale : scale;
     const Lanes cosine = smaller(-along * towards / rays.ray, ones);
-    const Falling<Lanes> light = lightOn<Lanes>(right * towards, -down * towards, -away * towards, cosine);
-    factor = known ? light.factor : ones;
-    highlight = known ? light.highlight : Lanes{};
+    const Falling<Lanes> falling = lightOn<Lanes>(right * towards, -down * towards, -away * towards, cosine);
+    factor = known ? falling.factor : ones;
+    highlight = known ? falling.highlight : Lanes{};
 }
 
 /// The light is taken where a ray comes in and goes out, and is affine between.
