@@ -25,15 +25,15 @@ struct CameraLight {
 /// the highlight that of the key light, halfway between it and the view's axis. Lighting and blending act on the
 /// sRGB-coded channels, not on linear light, as VTK and ParaView do: a colour map looks here as it does there.
 struct Shading {
-    static constexpr float ambient = 0.24f;
-    static constexpr float headlight = 0.34f;
+    static constexpr float ambient = 0.08f;
+    static constexpr float headlight = 0.52f;
     static constexpr float twoSided = 0.25f;
     static constexpr CameraLight lights[] = {
-        {-24.0f / 49, 36.0f / 49, 23.0f / 49, 0.52f}, // key
-        {0.8f, -0.36f, 0.48f, 0.15f},                 // fill
-        {0.36f, 0.8f, -0.48f, 0.25f},                 // rim
+        {-96.0f / 169, 72.0f / 169, 119.0f / 169, 0.45f}, // key
+        {0.8f, -0.36f, 0.48f, 0.1f},                      // fill
+        {0.36f, 0.8f, -0.48f, 0.1f},                      // rim
     };
-    static constexpr CameraLight highlight = {-2.0f / 7, 3.0f / 7, 6.0f / 7, 0.15f};
+    static constexpr CameraLight highlight = {-4.0f / 13, 3.0f / 13, 12.0f / 13, 0.18f};
 };
 
 /// What becomes of a colour: times the factor, and the highlight added.

@@ -28,8 +28,8 @@ TOLERANCES = {"unlit": 1, "lit": 1}  # of 255
 BESIDE = numpy.array([(0, 0), (0.002, 0), (-0.002, 0), (0, 0.002), (0, -0.002)])  # in pixels
 
 # To the right, up and back of the camera.
-SIDE_LIGHTS = [(0.52, numpy.array([-24, 36, 23]) / 49), (0.15, numpy.array([0.8, -0.36, 0.48])), (0.25, numpy.array([0.36, 0.8, -0.48]))]
-HIGHLIGHT = numpy.array([-2, 3, 6]) / 7
+SIDE_LIGHTS = [(0.45, numpy.array([-96, 72, 119]) / 169), (0.1, numpy.array([0.8, -0.36, 0.48])), (0.1, numpy.array([0.36, 0.8, -0.48]))]
+HIGHLIGHT = numpy.array([-4, 3, 12]) / 13
 
 # Values as shares of the range, unit distances as shares of the diagonal.
 SMOOTH = {"unit": 0.05, "colours": [(0.05, (0.1, 0.2, 0.9)), (0.35, (0.2, 0.9, 0.3)), (0.6, (0.95, 0.85, 0.2)), (0.9, (0.9, 0.1, 0.6))],
@@ -200,9 +200,9 @@ class Pieces:
         towards_eye = numpy.where(cosine > 0, -1, 1)[:, None] * normals @ numpy.array([right, up, -forward]).T
         front = numpy.minimum(1, 0.5 + 2 * numpy.abs(cosine))
         falls = [(strength, towards_eye @ place) for strength, place in SIDE_LIGHTS]
-        factor = 0.24 + 0.34 * numpy.abs(cosine) + sum(strength * (front * numpy.maximum(0, fall) + (1 - front) * numpy.maximum(0, -fall))
+        factor = 0.08 + 0.52 * numpy.abs(cosine) + sum(strength * (front * numpy.maximum(0, fall) + (1 - front) * numpy.maximum(0, -fall))
                                                        for strength, fall in falls)
-        return numpy.where(known, [factor, 0.15 * numpy.maximum(0, towards_eye @ HIGHLIGHT) ** 32], [[1.0], [0.0]])
+        return numpy.where(known, [factor, 0.18 * numpy.maximum(0, towards_eye @ HIGHLIGHT) ** 32], [[1.0], [0.0]])
 
     def seen(self, function, lit):
         """The colours, from 0 to 1, at the eye."""

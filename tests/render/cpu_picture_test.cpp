@@ -139,9 +139,9 @@ private slots:
                 const double falling = inCamera.dot(Vector3d(right, up, back));
                 return falling > 0 ? front * falling : (front - 1) * falling;
             };
-            const double factor = 0.24 + 0.34 * cosine + 0.52 * along(-24.0 / 49, 36.0 / 49, 23.0 / 49) +
-                                  0.15 * along(0.8, -0.36, 0.48) + 0.25 * along(0.36, 0.8, -0.48);
-            const double highlight = 0.15 * std::pow(std::max(0.0, inCamera.dot(Vector3d(-2, 3, 6) / 7)), 32);
+            const double factor = 0.08 + 0.52 * cosine + 0.45 * along(-96.0 / 169, 72.0 / 169, 119.0 / 169) +
+                                  0.1 * along(0.8, -0.36, 0.48) + 0.1 * along(0.36, 0.8, -0.48);
+            const double highlight = 0.18 * std::pow(std::max(0.0, inCamera.dot(Vector3d(-4, 3, 12) / 13)), 32);
             const auto channel = [&](float of) { return static_cast<float>(std::min(1.0, of * factor + highlight)); };
             return toPixel(Colour{channel(colour.red), channel(colour.green), channel(colour.blue)});
         }));

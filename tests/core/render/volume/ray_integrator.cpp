@@ -253,10 +253,10 @@ RayIntegrator::Falling RayIntegrator::fallingAt(const Ray& ray, const Piece& pie
         const double cosine = normal.dot(Vector3d(right, up, back));
         return front * std::max(0.0, cosine) + (1 - front) * std::max(0.0, -cosine);
     };
-    const double key = falling(-24.0 / 49, 36.0 / 49, 23.0 / 49), fill = falling(0.8, -0.36, 0.48),
+    const double key = falling(-96.0 / 169, 72.0 / 169, 119.0 / 169), fill = falling(0.8, -0.36, 0.48),
                  rim = falling(0.36, 0.8, -0.48);
-    return {0.24 + 0.34 * std::abs(along) + 0.52 * key + 0.15 * fill + 0.25 * rim,
-            0.15 * std::pow(std::max(0.0, normal.dot(Vector3d(-2, 3, 6) / 7)), 32)};
+    return {0.08 + 0.52 * std::abs(along) + 0.45 * key + 0.1 * fill + 0.1 * rim,
+            0.18 * std::pow(std::max(0.0, normal.dot(Vector3d(-4, 3, 12) / 13)), 32)};
 }
 
 /// The values of points of the transfer function between two values, in the order from the first to the second.
