@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/dataset_checks.h"
 #include "core/data/merged_points.h"
+#include "core/geometry/orientation.h"
 
 #include <tan/data.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -40,6 +43,20 @@ std::uint64_t leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::ve
     positions.resize(kept);
     values.resize(kept);
     return without;
+}
+
+/// Whether four of the points are not in one plane, exactly. O(points).
+bool fillSpace(std::span<const Eigen::Vector3d> positions)
+{
+    const Eigen::Vector3d& first = positions.front();
+    const auto farthest = [&](const auto& distance) -> const Eigen::Vector3d& {
+        return *std::ranges::max_element(positions, {}, distance);
+    };
+    const Eigen::Vector3d& second = farthest([&](const auto& place) { return (place - first).squaredNorm(); });
+    const Eigen::Vector3d along = (second - first).stableNormalized();
+    const Eigen::Vector3d& third =
+        farthest([&](const auto& place) { return along.cross(place - first).squaredNorm(); });
+    return std::ranges::any_of(positions, [&](const auto& place) { return orientation(first, second, third, place); });
 }
 
 Dataset named(Dataset dataset, std::string name)
@@ -104,6 +121,9 @@ Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::ve
                                       : Message::say("%1 points without a finite value were left out.", withoutValue));
     if (const Message merged = mergeRemark(mergePoints(positions, values)); !merged.empty())
         dataset.remarks.push_back(merged);
+    if (!fillSpace(positions))
+        return cannotUse(name, Message::say("all its points lie in a plane, or there are fewer than four. TAn needs "
+                                            "points that have a volume between them."));
     dataset.lattice.size = {static_cast<std::uint32_t>(values.size()), 1, 1};
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
     dataset.values = ScalarField::of(std::move(values));

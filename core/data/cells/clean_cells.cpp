@@ -114,8 +114,8 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
         Message::say("%1 cells were left out: they are inverted and overlap their neighbours.", folded));
     add(overlapping, Message::say("1 cell was left out: it overlaps others."),
         Message::say("%1 cells were left out: they overlap others.", overlapping));
-    add(repairs.unused, Message::say("1 point belongs to no cell and was left out."),
-        Message::say("%1 points belong to no cell and were left out.", repairs.unused));
+    add(repairs.unused, Message::say("1 point belongs to no cell with a volume and was left out."),
+        Message::say("%1 points belong to no cell with a volume and were left out.", repairs.unused));
     return remarks;
 }
 

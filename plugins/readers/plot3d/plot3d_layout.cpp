@@ -222,7 +222,8 @@ Error explain(const std::vector<Candidate>& all, const std::vector<Candidate>& f
             nearest = &candidate;
     if (nearest == nullptr)
         return {ErrorKind::BadInput,
-                Message::say("it is not a PLOT3D file: it does not begin with the sizes of its grids.")};
+                Message::say("it is not a PLOT3D file: it does not begin with the sizes of its grids. If it is "
+                             "of another program, export VTK, or a table of points with values.")};
     const std::string size = sizeText(nearest->layout.sizes[0]);
     const Message wanted =
         nearest->layout.text

@@ -103,6 +103,13 @@ Status setSamples(const NrrdFields& fields, const ParameterValues& values, Store
     for (std::size_t i = 0; i < 3; ++i)
         volume.strides[i] = stride(points[i]);
     volume.componentStride = stride(roles->components.value_or(0));
+    if (const NrrdAxis& first = (*axes)[points[0]];
+        !roles->components && first.size <= 4 && first.kind.empty() && !first.spacing && !first.direction)
+        volume.taken.push_back({TakenPart::Places,
+                                Message::say("the first axis, of %1 points; if it holds colours, the header has to say "
+                                             "so ('kinds: RGB-color domain domain')",
+                                             first.size),
+                                true});
     const std::string kind = roles->components ? (*axes)[*roles->components].kind : std::string();
     const bool isHalfMatrix = kind.ends_with("matrix") &&
                               (kind.find("symmetric") != std::string::npos || kind.find("masked") != std::string::npos);

@@ -175,7 +175,8 @@ Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::str
 {
     if (arrays.empty())
         return Error{ErrorKind::BadInput,
-                     Message::say("it has no array with a number for each point or cell. Write it with one.")};
+                     Message::say("it has no array with a number for each point or cell. Write it with one, of "
+                                  "points or cells that fill a volume.")};
     if (!wanted.empty() && wanted != "automatic") {
         if (const auto found = std::ranges::find(arrays, wanted, &VtkArray::name); found != arrays.end())
             return *found;

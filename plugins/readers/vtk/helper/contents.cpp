@@ -158,7 +158,9 @@ FileContents contentsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& re
             contents.cells += static_cast<std::uint64_t>(data.GetNumberOfCells());
         }
         for (const VtkArray& array : arraysOf(data))
-            if (std::ranges::find(contents.arrays, array.name, &FileArray::name) == contents.arrays.end())
+            if (std::ranges::none_of(contents.arrays, [&](const FileArray& there) {
+                    return there.name == array.name && there.perCell == array.perCell;
+                }))
                 contents.arrays.push_back({array.name, array.components, array.perCell, rangeOf(array)});
     }
     if (!selection)

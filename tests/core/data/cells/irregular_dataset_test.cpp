@@ -280,7 +280,7 @@ private slots:
             if (place[0] == 1 && place[1] == 0)
                 QCOMPARE(dataset->values.at(point), 1.5);
         }
-        QVERIFY(remarksOf(*dataset).contains("9 points belong to no cell"));
+        QVERIFY(remarksOf(*dataset).contains("9 points belong to no cell with a volume"));
     }
 
     void seamsAreWelded()
@@ -336,7 +336,7 @@ private slots:
         QVERIFY(remarksOf(*dataset).contains("1 cell is a vertex"));
         QVERIFY(remarksOf(*dataset).contains("2 cells use a corner twice"));
         QVERIFY(remarksOf(*dataset).contains("1 cell without volume was"));
-        QVERIFY(remarksOf(*dataset).contains("2 points belong to no cell"));
+        QVERIFY(remarksOf(*dataset).contains("2 points belong to no cell with a volume"));
     }
 
     void blankedAndRepeatedCells()
