@@ -3803,14 +3803,6 @@ Verwerfung %2</translation>
         <translation>%1 Tetraeder waren doppelt da.</translation>
     </message>
     <message>
-        <source>1 point belongs to no cell and was left out.</source>
-        <translation>1 Punkt gehört zu keiner Zelle und wurde weggelassen.</translation>
-    </message>
-    <message>
-        <source>%1 points belong to no cell and were left out.</source>
-        <translation>%1 Punkte gehören zu keiner Zelle und wurden weggelassen.</translation>
-    </message>
-    <message>
         <source>The mesh has no cells or no points.</source>
         <translation>Das Netz hat keine Zellen oder keine Punkte.</translation>
     </message>
@@ -3841,10 +3833,6 @@ Verwerfung %2</translation>
     <message>
         <source>Cells do not have the number of corners of their shape (%1 in all, the first is cell %2). The file is damaged.</source>
         <translation>Zellen haben eine andere Zahl von Ecken als ihre Form (%1 insgesamt, die erste ist Zelle %2). Die Datei ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>Cells have a corner whose position is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
-        <translation>Zellen haben eine Ecke, deren Ort nicht endlich ist (%1 insgesamt, die erste ist Zelle %2). Korrigieren Sie die Punkte, oder blenden Sie die Zellen aus.</translation>
     </message>
     <message>
         <source>No cell of the mesh has a volume and finite values: nothing is left.</source>
@@ -3893,10 +3881,6 @@ Verwerfung %2</translation>
     <message>
         <source>The dataset is not an irregular mesh: it has no positions or no tetrahedra.</source>
         <translation>Der Datensatz ist kein unregelmäßiges Netz: Er hat keine Positionen oder keine Tetraeder.</translation>
-    </message>
-    <message>
-        <source>The mesh does not have a finite position and a finite value for each point.</source>
-        <translation>Das Netz hat nicht für jeden Punkt eine endliche Position und einen endlichen Wert.</translation>
     </message>
     <message>
         <source>A tetrahedron of the mesh refers to point %1 of %2.</source>
@@ -6875,10 +6859,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Aus ganzen Zahlen von 64 Bit wurden Gleitkommazahlen von 53 Bit.</translation>
     </message>
     <message>
-        <source>it has no array with a number for each point or cell. Write it with one.</source>
-        <translation>Sie hat kein Feld mit einer Zahl für jeden Punkt oder jede Zelle. Schreiben Sie sie mit einem.</translation>
-    </message>
-    <message>
         <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
         <translation>Sie hat kein Feld „%1“. Wählen Sie eines von diesen: %2.</translation>
     </message>
@@ -7513,10 +7493,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>it holds several time steps. Save each as a file of its own, for instance with ParaView.</source>
         <translation>Sie enthält mehrere Zeitschritte. Speichern Sie jeden als eigene Datei, etwa mit ParaView.</translation>
-    </message>
-    <message>
-        <source>it is not a PLOT3D file: it does not begin with the sizes of its grids.</source>
-        <translation>Sie ist keine PLOT3D-Datei: Sie beginnt nicht mit den Größen ihrer Gitter.</translation>
     </message>
     <message>
         <source>it begins like a grid of %1 points, which takes %2 numbers or more, and has %3</source>
@@ -12161,6 +12137,46 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Chalk</source>
         <translation>Kreide</translation>
+    </message>
+    <message>
+        <source>1 point belongs to no cell with a volume and was left out.</source>
+        <translation>1 Punkt gehört zu keiner Zelle mit einem Volumen und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 points belong to no cell with a volume and were left out.</source>
+        <translation>%1 Punkte gehören zu keiner Zelle mit einem Volumen und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Cells have a corner whose position is not finite, or too large to compute with (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
+        <translation>Zellen haben eine Ecke, deren Ort nicht endlich oder zu groß zum Rechnen ist (%1 insgesamt, die erste ist Zelle %2). Korrigieren Sie die Punkte, oder blenden Sie die Zellen aus.</translation>
+    </message>
+    <message>
+        <source>The mesh does not have a finite value for each point, and a finite position that is not too large to compute with.</source>
+        <translation>Das Netz hat nicht für jeden Punkt einen endlichen Wert und eine endliche Position, die nicht zu groß zum Rechnen ist.</translation>
+    </message>
+    <message>
+        <source>more than %1 pairs of tetrahedra that overlap, one at %2</source>
+        <translation>mehr als %1 Paare sich überlappender Tetraeder, eines bei %2</translation>
+    </message>
+    <message>
+        <source>all its points lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
+        <translation>Alle Punkte liegen in einer Ebene, oder es sind weniger als vier. TAn braucht Punkte, zwischen denen ein Volumen liegt.</translation>
+    </message>
+    <message>
+        <source>the first axis, of %1 points; if it holds colours, the header has to say so (&apos;kinds: RGB-color domain domain&apos;)</source>
+        <translation>die erste Achse mit %1 Punkten; wenn sie Farben enthält, muss der Kopf es sagen („kinds: RGB-color domain domain“)</translation>
+    </message>
+    <message>
+        <source>it is not a PLOT3D file: it does not begin with the sizes of its grids. If it is of another program, export VTK, or a table of points with values.</source>
+        <translation>Sie ist keine PLOT3D-Datei: Sie beginnt nicht mit den Größen ihrer Gitter. Ist sie von einem anderen Programm, exportieren Sie VTK oder eine Tabelle von Punkten mit Werten.</translation>
+    </message>
+    <message>
+        <source>it has no array with a number for each point or cell. Write it with one, of points or cells that fill a volume.</source>
+        <translation>Sie hat kein Feld mit einer Zahl für jeden Punkt oder jede Zelle. Schreiben Sie sie mit einem, von Punkten oder Zellen, die ein Volumen füllen.</translation>
+    </message>
+    <message>
+        <source>Its units are not known: it has too many nodes to be looked at, or not those that CGNS&apos;s library writes.</source>
+        <translation>Ihre Einheiten sind nicht bekannt: Sie hat zu viele Knoten zum Nachsehen, oder andere, als die Bibliothek von CGNS schreibt.</translation>
     </message>
 </context>
 <context>

@@ -3803,14 +3803,6 @@ deformazione %2</translation>
         <translation>%1 tetraedri c&apos;erano due volte.</translation>
     </message>
     <message>
-        <source>1 point belongs to no cell and was left out.</source>
-        <translation>1 punto non appartiene a nessuna cella ed è stato omesso.</translation>
-    </message>
-    <message>
-        <source>%1 points belong to no cell and were left out.</source>
-        <translation>%1 punti non appartengono a nessuna cella e sono stati omessi.</translation>
-    </message>
-    <message>
         <source>The mesh has no cells or no points.</source>
         <translation>La mesh non ha celle o non ha punti.</translation>
     </message>
@@ -3841,10 +3833,6 @@ deformazione %2</translation>
     <message>
         <source>Cells do not have the number of corners of their shape (%1 in all, the first is cell %2). The file is damaged.</source>
         <translation>Delle celle hanno un numero di vertici diverso dalla loro forma (%1 in tutto, la prima è la cella %2). Il file è danneggiato.</translation>
-    </message>
-    <message>
-        <source>Cells have a corner whose position is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
-        <translation>Delle celle hanno un vertice la cui posizione non è finita (%1 in tutto, la prima è la cella %2). Correggere i punti, o escludere le celle.</translation>
     </message>
     <message>
         <source>No cell of the mesh has a volume and finite values: nothing is left.</source>
@@ -3893,10 +3881,6 @@ deformazione %2</translation>
     <message>
         <source>The dataset is not an irregular mesh: it has no positions or no tetrahedra.</source>
         <translation>L&apos;insieme di dati non è una mesh irregolare: non ha posizioni o non ha tetraedri.</translation>
-    </message>
-    <message>
-        <source>The mesh does not have a finite position and a finite value for each point.</source>
-        <translation>La mesh non ha una posizione finita e un valore finito per ogni punto.</translation>
     </message>
     <message>
         <source>A tetrahedron of the mesh refers to point %1 of %2.</source>
@@ -6875,10 +6859,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I suoi interi a 64 bit sono diventati numeri in virgola mobile a 53 bit.</translation>
     </message>
     <message>
-        <source>it has no array with a number for each point or cell. Write it with one.</source>
-        <translation>non ha vettori con un numero per ogni punto o cella. Scriverlo con uno.</translation>
-    </message>
-    <message>
         <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
         <translation>non ha un vettore «%1». Sceglierne uno fra questi: %2.</translation>
     </message>
@@ -7513,10 +7493,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>it holds several time steps. Save each as a file of its own, for instance with ParaView.</source>
         <translation>contiene più passi temporali. Salvare ciascuno in un file proprio, per esempio con ParaView.</translation>
-    </message>
-    <message>
-        <source>it is not a PLOT3D file: it does not begin with the sizes of its grids.</source>
-        <translation>non è un file PLOT3D: non comincia con le dimensioni delle griglie.</translation>
     </message>
     <message>
         <source>it begins like a grid of %1 points, which takes %2 numbers or more, and has %3</source>
@@ -12161,6 +12137,46 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Chalk</source>
         <translation>Gesso</translation>
+    </message>
+    <message>
+        <source>1 point belongs to no cell with a volume and was left out.</source>
+        <translation>1 punto non appartiene a nessuna cella con un volume ed è stato omesso.</translation>
+    </message>
+    <message>
+        <source>%1 points belong to no cell with a volume and were left out.</source>
+        <translation>%1 punti non appartengono a nessuna cella con un volume e sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>Cells have a corner whose position is not finite, or too large to compute with (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
+        <translation>Delle celle hanno un vertice la cui posizione non è finita, o è troppo grande per i calcoli (%1 in tutto, la prima è la cella %2). Correggere i punti, o escludere le celle.</translation>
+    </message>
+    <message>
+        <source>The mesh does not have a finite value for each point, and a finite position that is not too large to compute with.</source>
+        <translation>La mesh non ha per ogni punto un valore finito e una posizione finita che non sia troppo grande per i calcoli.</translation>
+    </message>
+    <message>
+        <source>more than %1 pairs of tetrahedra that overlap, one at %2</source>
+        <translation>più di %1 coppie di tetraedri sovrapposti, uno in %2</translation>
+    </message>
+    <message>
+        <source>all its points lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
+        <translation>tutti i suoi punti giacciono in un piano, o sono meno di quattro. TAn ha bisogno di punti che racchiudano un volume.</translation>
+    </message>
+    <message>
+        <source>the first axis, of %1 points; if it holds colours, the header has to say so (&apos;kinds: RGB-color domain domain&apos;)</source>
+        <translation>il primo asse, di %1 punti; se contiene dei colori, l'intestazione deve dirlo («kinds: RGB-color domain domain»)</translation>
+    </message>
+    <message>
+        <source>it is not a PLOT3D file: it does not begin with the sizes of its grids. If it is of another program, export VTK, or a table of points with values.</source>
+        <translation>non è un file PLOT3D: non comincia con le dimensioni delle griglie. Se è di un altro programma, esportare VTK o una tabella di punti con valori.</translation>
+    </message>
+    <message>
+        <source>it has no array with a number for each point or cell. Write it with one, of points or cells that fill a volume.</source>
+        <translation>non ha vettori con un numero per ogni punto o cella. Scriverlo con uno, di punti o celle che riempiano un volume.</translation>
+    </message>
+    <message>
+        <source>Its units are not known: it has too many nodes to be looked at, or not those that CGNS&apos;s library writes.</source>
+        <translation>Le sue unità non sono note: ha troppi nodi per esaminarli, o non quelli che scrive la libreria di CGNS.</translation>
     </message>
 </context>
 <context>

@@ -77,8 +77,8 @@ VtkSource cgnsSource(const std::string& path)
         if (*headers)
             tellCgnsUnit(**headers, provenance);
         else
-            provenance.leftOut.push_back(Message::say(
-                "Units, should it have any: its headers are too many, or not as CGNS's library writes them."));
+            provenance.leftOut.push_back(Message::say("Its units are not known: it has too many nodes to be looked at, "
+                                                      "or not those that CGNS's library writes."));
         tellFamilies(*reader, provenance);
     };
     source.finishContents = [headers](FileContents& contents) {

@@ -122,7 +122,7 @@ private slots:
     {
         const auto dataset = builtVtkReader().read(folder_.path() / "odd.cgns", {}, {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
-        QVERIFY2(leftOutOf(dataset->source.leftOut).contains("Units, should it have any"),
+        QVERIFY2(leftOutOf(dataset->source.leftOut).contains("Its units are not known"),
                  qPrintable(leftOutOf(dataset->source.leftOut)));
     }
 

@@ -62,6 +62,17 @@ private slots:
         QCOMPARE(told("helping.vti", image("", helping)).taken, QString("array: a"));
     }
 
+    /// Of points and of cells there may be arrays of one name.
+    void arraysOfOneNameAreBothListed()
+    {
+        const QByteArray ofCells = "CELL_DATA 2\nSCALARS a float 1\nLOOKUP_TABLE default\n7 9\n";
+        const auto contents = builtVtkReader().probe(folder_.write("both.vtk", legacyMesh("a", 0) + ofCells), {}, {});
+        QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
+        QCOMPARE(contents->arrays.size(), 2u);
+        QVERIFY(!contents->arrays[0].perCell && contents->arrays[1].perCell);
+        QCOMPARE(contents->arrays[1].range->minimum, 7);
+    }
+
     void componentsAreGuessedUnlessNamed()
     {
         const QByteArray file = image("", dataArray("wind", 3, vectors));

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What arrays have to be like to be data: points that have a volume between them.
+#include <tan/data.h>
+
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace tetra;
+
+namespace {
+
+/// 5 x 5 points of an oblique plane.
+std::vector<Eigen::Vector3d> planePoints()
+{
+    std::vector<Eigen::Vector3d> points;
+    for (int j = 0; j < 5; ++j)
+        for (int i = 0; i < 5; ++i)
+            points.emplace_back(i, j, 0.5 * i - 0.25 * j + 3);
+    return points;
+}
+
+Result<Dataset> datasetOf(const std::vector<Eigen::Vector3d>& points)
+{
+    return scatteredDataset(points, std::vector<double>(points.size(), 1), "points");
+}
+
+} // namespace
+
+class DatasetMakingTest : public QObject {
+    Q_OBJECT
+private slots:
+    void pointsInAPlaneAreRefused_data()
+    {
+        QTest::addColumn<std::vector<Eigen::Vector3d>>("points");
+        QTest::newRow("a plane") << planePoints();
+        QTest::newRow("a line") << std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {3, 6, 9}, {4, 8, 12}};
+        QTest::newRow("three") << std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        QTest::newRow("one place") << std::vector<Eigen::Vector3d>(6, Eigen::Vector3d(1, 2, 3));
+    }
+    void pointsInAPlaneAreRefused()
+    {
+        QFETCH(const std::vector<Eigen::Vector3d>, points);
+        const auto dataset = datasetOf(points);
+        QVERIFY(!dataset.ok());
+        QCOMPARE(dataset.error().kind, ErrorKind::BadInput);
+        QVERIFY2(dataset.error().text().find("all its points lie in a plane") != std::string::npos,
+                 dataset.error().text().c_str());
+    }
+
+    /// As exactly as the tetrahedra between them are made.
+    void onePointBesideThePlaneIsEnough()
+    {
+        std::vector<Eigen::Vector3d> points = planePoints();
+        points[7].z() = std::nextafter(points[7].z(), std::numeric_limits<double>::infinity());
+        const auto dataset = datasetOf(points);
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
+        QVERIFY(tetrahedrized(*dataset).ok());
+    }
+};
+
+QTEST_GUILESS_MAIN(DatasetMakingTest)
+#include "dataset_making_test.moc"
