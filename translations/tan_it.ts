@@ -12164,7 +12164,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>the first axis, of %1 points; if it holds colours, the header has to say so (&apos;kinds: RGB-color domain domain&apos;)</source>
-        <translation>il primo asse, di %1 punti; se contiene dei colori, l'intestazione deve dirlo («kinds: RGB-color domain domain»)</translation>
+        <translation>il primo asse, di %1 punti; se contiene dei colori, l&apos;intestazione deve dirlo («kinds: RGB-color domain domain»)</translation>
     </message>
     <message>
         <source>it is not a PLOT3D file: it does not begin with the sizes of its grids. If it is of another program, export VTK, or a table of points with values.</source>
