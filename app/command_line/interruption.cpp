@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/interruption.h"
 
+#include <tan/base.h>
+
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
+#include <optional>
 
 #include <pthread.h>
 #include <unistd.h>
@@ -21,12 +25,22 @@ sigset_t watchedSignals()
     return watched;
 }
 
+/// The process for which this one works, if it is the one that started it.
+std::optional<pid_t> masterOf()
+{
+    const char* const named = std::getenv("TAN_STOP_WITH");
+    return named != nullptr ? parseNumber<pid_t>(named) : std::nullopt;
+}
+
 /// Waits in a thread of its own, because almost nothing may be done in a signal handler.
 void wait(const std::stop_token& end, std::stop_source stop)
 {
+    const std::optional<pid_t> master = masterOf();
     const sigset_t watched = watchedSignals();
     constexpr timespec lookUpEvery{.tv_sec = 0, .tv_nsec = 50'000'000};
     while (!end.stop_requested()) {
+        if (master && getppid() != *master)
+            stop.request_stop();
         if (sigtimedwait(&watched, nullptr, &lookUpEvery) < 0)
             continue;
         if (stop.stop_requested())

@@ -7,7 +7,8 @@
 namespace tetra {
 
 /// Turns the first SIGINT, SIGTERM or SIGHUP of this process into a stop request; a second one ends the process at
-/// once. Make it before any other thread, which then leaves the signals to it.
+/// once. So does the end of the process whose number is in TAN_STOP_WITH, for which this one works: whoever is killed
+/// cannot stop it. Make it before any other thread, which then leaves the signals to it.
 class Interruption {
 public:
     Interruption();

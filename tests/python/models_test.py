@@ -5,6 +5,7 @@ import gc
 import pathlib
 import pickle
 import unittest
+import warnings
 
 from module import ModuleTest, np, tan, volumes
 
@@ -28,6 +29,24 @@ class Models(ModuleTest):
         secret = tan.open(self.ball.path, token="secret")
         with self.assertRaisesRegex(TypeError, "would give the token away"):
             pickle.dumps(secret)
+
+    def test_what_has_nothing_of_the_data_is_told(self):
+        beside = "The (window|focus) has nothing of the data, which lie between"
+        for query in ({"window": tan.box((3, 3, 3), (4, 4, 4))}, {"focus": tan.sphere((2, 2, 0), 1.3, error=0.1)},
+                      {"focus": [tan.sphere((0, 0, 0), 0.5, error=0.1), tan.box((2, 0, 0), (3, 1, 1), error=0.1)]}):
+            with self.assertWarnsRegex(UserWarning, beside):
+                self.ball.mesh(error=5, **query)
+        with self.assertWarnsRegex(UserWarning, "The surface of 99 is empty: the values of the mesh lie between 0 and 1.7"):
+            self.assertEqual(len(self.ball.mesh(error=5).isosurface(99).triangles), 0)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.ball.mesh(error=5, focus=tan.sphere((2, 0, 0), 1.1, error=0.1), window=tan.box((1, 1, 1), (2, 2, 2))).isosurface(1.6)
+
+    def test_names_of_other_formats_are_refused(self):
+        for write in (self.ball.save, self.ball.pack, lambda path: tan.build(np.zeros((3, 3, 3)) + np.arange(3), path)):
+            with self.assertRaisesRegex(tan.WrongUsage, "has the ending of another format. Take .tan"):
+                write(self.folder / "ball.VTU")
+        self.assertFalse((self.folder / "ball.VTU").exists())
 
     def test_levels_are_the_curve(self):
         levels = self.ball.levels

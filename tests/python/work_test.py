@@ -192,11 +192,47 @@ class Files(ModuleTest):
         self.refused(tan.WrongUsage, "spacing", tan.build, self.file, self.folder / "x.tan", spacing=(1, 1, 1))
         self.refused(OSError, "nowhere", tan.build, self.file, self.folder / "nowhere" / "x.tan")
 
-    def test_ctrl_c(self):
+    def large_file(self):
         size = 100
         large = self.folder / "large.nrrd"
         large.write_bytes(f"NRRD0004\ntype: float\ndimension: 3\nsizes: {size} {size} {size}\nencoding: raw\nendian: little\n\n".encode()
                           + bumpy(size).tobytes())
+        return large
+
+    def test_killed(self):
+        """The program does not go on for nobody."""
+        code = "import sys; sys.path.insert(0, sys.argv[1]); import tan; tan.build(sys.argv[2], sys.argv[3], method='refinement')"
+        target = self.folder / "killed.tan"
+        running = subprocess.Popen([sys.executable, "-c", code, str(FOLDER), str(self.large_file()), str(target)], stderr=subprocess.DEVNULL)
+        try:
+            self.until(lambda: self.builds(target))
+        finally:
+            running.kill()
+            running.wait()
+        self.until(lambda: not self.builds(target))
+        self.assertEqual([name for name in os.listdir(self.folder) if "killed" in name], [])
+
+    @staticmethod
+    def builds(target):
+        """Processes that build this model."""
+        found = []
+        for command in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+            try:
+                words = command.read_bytes().split(b"\0")
+            except OSError:  # it has ended
+                continue
+            if b"build" in words and str(target).encode() in words:
+                found.append(command)
+        return found
+
+    def until(self, holds, seconds=60):
+        end = time.monotonic() + seconds
+        while not holds():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+
+    def test_ctrl_c(self):
+        large = self.large_file()
         timer = threading.Timer(1, _thread.interrupt_main)
         timer.start()
         with self.assertRaises(KeyboardInterrupt):

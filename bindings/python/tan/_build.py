@@ -12,7 +12,7 @@ from . import _program, _tan
 from ._data import Data, Lattice
 from ._errors import WrongUsage
 from ._model import Model
-from ._numbers import listed, number, path_text, shown, text, whole
+from ._numbers import listed, model_path, number, path_text, shown, text, whole
 from ._progress import Progress, reporting
 
 
@@ -74,7 +74,7 @@ def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warpi
     True
     >>> folder.cleanup()
     """
-    target = path_text(output, "output")
+    target = model_path(path_text(output, "output"), "build()")
     said: Dict[str, Any] = {"error": number(error, "error", least=0), "warping": number(warping, "warping", least=0),
                             "builder": _word(method, "method"), "finest": None if finest is None else number(finest, "finest", least=0),
                             "order": _word(order, "order"), "by": _word(ordered_by, "ordered_by"), "block": _block(block)}
@@ -84,7 +84,8 @@ def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warpi
     with reporting(progress) as report:
         if isinstance(source, str) or hasattr(source, "__fspath__"):
             if lattice:
-                raise WrongUsage(f"{', '.join(lattice)}: of arrays. What a reader takes is said by options={{'spacing': '1x1x2'}}.")
+                first, value = next(iter(lattice.items()))
+                raise WrongUsage(f"{', '.join(lattice)}: of arrays. Of a file, options says what its reader takes: options={{{first!r}: {shown_option(value)}}}.")
             told = _told(_program.run(_words(path_text(source, "source"), target, said, terms, options or {}), report))
         else:
             if options:
@@ -95,6 +96,14 @@ def build(source: Union[Data, str, Any], output: Any, *, error: float = 0, warpi
     model = open(target)
     model._remarks = tuple(told)
     return model
+
+
+def shown_option(value: Any) -> str:
+    """As an option of a file is written."""
+    if isinstance(value, (str, int, float)):
+        return repr(value)
+    parts = list(value) if hasattr(value, "__iter__") else []
+    return repr("x".join(str(part) for part in parts)) if 0 < len(parts) <= 3 else "..."
 
 
 def _told(answer: Dict[str, Any]) -> List[str]:
@@ -140,7 +149,7 @@ def _words(source: str, target: str, said: Dict[str, Any], terms: List[str], opt
         if not text(name, "the name of an option").replace("-", "").replace("_", "").isalnum():
             raise WrongUsage(f"'{name}' is no option.")
         if value is not True and not isinstance(value, (str, int, float, np.integer, np.floating, os.PathLike)):
-            raise TypeError(f"the option '{name}' is a text, a number or True, not {shown(value)}")
+            raise TypeError(f"the option '{name}' is a text, a number or True, not {shown(value)}; three numbers are a text, '64x64x32'")
         words += [f"--{name.replace('_', '-')}"] + ([] if value is True else [f"{value:.17g}" if isinstance(value, float) else str(value)])
     for term in terms:
         words += ["--weight", term]

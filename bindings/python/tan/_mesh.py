@@ -2,6 +2,7 @@
 """Meshes and surfaces: arrays of NumPy over memory of the library."""
 from __future__ import annotations
 
+import warnings
 from typing import Any, Optional, cast
 
 import numpy as np
@@ -104,8 +105,9 @@ class Mesh:
 
     @property
     def error(self) -> Optional[float]:
-        """The largest error that the mesh has anywhere, in % of the range of values, as the model guarantees it; None where points were
-        inserted for a focus."""
+        """The largest error that the mesh has at the samples, in % of the range of values, as the model guarantees it; None where points were
+        inserted for a focus. Where a simplified boundary leaves samples outside (irregular data), it is that of a tetrahedron near by;
+        Model.verify() also measures the error at the nearest place."""
         reached = self._facts["reached"]
         return None if reached is None else float(reached[0])
 
@@ -138,7 +140,11 @@ class Mesh:
     def isosurface(self, value: float, *, progress: Progress = None) -> Surface:
         """Where the field has this value, in units of the values: closed but for the boundary of the domain."""
         with reporting(progress) as report:
-            return self._surface(self._held.isosurface(number(value, "value"), report))
+            surface = self._surface(self._held.isosurface(number(value, "value"), report))
+        if not len(surface.triangles) and len(self.values):
+            warnings.warn(f"The surface of {float(value):g} is empty: the values of the mesh lie between {self.values.min():g} and {self.values.max():g}.",
+                          stacklevel=2)
+        return surface
 
     def slice(self, normal: Vector, at: Any, *, progress: Progress = None) -> Surface:
         """The cut of a plane through the mesh. `normal` (x, y, z) is of any length but 0; `at` is a point (x, y, z) of the plane, or its

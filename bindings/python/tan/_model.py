@@ -14,9 +14,9 @@ from . import _program, _tan
 from ._data import Data
 from ._errors import WrongUsage
 from ._mesh import Mesh, Surface
-from ._numbers import Vector, choice, listed, number, path_text, shown, text, truth, whole
+from ._numbers import Vector, choice, listed, model_path, number, path_text, shown, text, truth, whole
 from ._progress import Progress, reporting
-from ._regions import Box, Focus, Ranges, error_field, ranges
+from ._regions import Box, Focus, Ranges, Region, error_field, ranges, regions_of
 from ._verdict import Verdict
 from ._view import View, view_of
 
@@ -186,6 +186,7 @@ class Model:
 
         Errors: WrongUsage (a ValueError) for what makes no sense, BadInput (an OSError) for a damaged file.
         """
+        self._warn_of_nothing(regions_of(focus), window)
         query = self._query(error, budget, warping, absolute, focus, field)
         query.values = ranges(values)
         query.method = text(method, "method")
@@ -195,6 +196,14 @@ class Model:
             query.window, query.border = [list(window.least), list(window.largest)], window.border
         with reporting(progress) as report:
             return Mesh(self._held.extract(query, report), self.value_name, self.length_unit)
+
+    def _warn_of_nothing(self, focus: Sequence[Region], window: Optional[Box]) -> None:
+        """Of regions that have nothing of the data, which is no error and seldom meant."""
+        least, largest = self.bounds.tolist()
+        beside = [("window", window)] if isinstance(window, Box) else []
+        for name, region in [*(("focus", region) for region in focus), *beside]:
+            if region.is_beside(least, largest):
+                warnings.warn(f"The {name} has nothing of the data, which lie between {tuple(least)} and {tuple(largest)}.", stacklevel=3)
 
     def _query(self, error: Optional[float], budget: Optional[int], warping: Optional[float], absolute: Optional[float], focus: Focus,
                field: Optional[str]) -> _tan.Query:
@@ -275,11 +284,11 @@ class Model:
     def pack(self, path: Any, *, progress: Progress = None) -> Dict[str, Any]:
         """Writes the model packed, for archives and networks: a hundredth to a third of its size, and exact. Gives `bytes` and `method`."""
         with reporting(progress) as report:
-            return self._held.pack(self._target(path), report)
+            return self._held.pack(model_path(self._target(path), "pack()"), report)
 
     def save(self, path: Any, *, error: Optional[float] = None, progress: Progress = None) -> None:
         """Writes it as a model file of this disk, wherever it lies: all of it, or only as much as this error needs."""
-        target = self._target(path)
+        target = model_path(self._target(path), "save()")
         with reporting(progress) as report:
             _tan.copy(self.path, None if error is None else number(error, "error", least=0), target, self._token, report)
 

@@ -157,6 +157,17 @@ def _check_exact(least: int, largest: int, name: str) -> None:
                          "Scale them, or convert them to float64 yourself.")
 
 
+_OTHER_FORMATS = (".vtu", ".vtk", ".vtp", ".vti", ".vts", ".stl", ".obj", ".ply", ".glb", ".csv", ".nrrd", ".npy", ".png", ".msh", ".xdmf")
+
+
+def model_path(path: str, what: str) -> str:
+    """A path where a model is written, which no other program would take for something else."""
+    if path.lower().endswith(_OTHER_FORMATS):
+        raise WrongUsage(f"{what} writes a model of TAn, but '{path}' has the ending of another format. Take .tan; a mesh is written by "
+                         "m.mesh(error=1).to_meshio().write(...), or by vtk with to_vtk().")
+    return path
+
+
 def path_text(path: Any, name: str, *, in_utf8: bool = True) -> str:
     """A path as a text; no array, no number. What models are called, `in_utf8`, is a text; the program `tan` takes any name."""
     try:

@@ -37,9 +37,9 @@ def program() -> str:
 
 
 def _start(words: Sequence[str]) -> subprocess.Popen[bytes]:
-    # A session of its own: Ctrl-C of the terminal reaches this process alone, which passes it on once.
+    # A session of its own: Ctrl-C of the terminal reaches this process alone, which passes it on once. It ends with this process.
     return subprocess.Popen([program(), *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            start_new_session=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
+                            start_new_session=True, env={**os.environ, "LC_ALL": "C.UTF-8", "TAN_STOP_WITH": str(os.getpid())})
 
 
 def stop(running: subprocess.Popen[bytes]) -> None:

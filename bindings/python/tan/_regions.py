@@ -29,6 +29,10 @@ class Region:
         """A member, checked; the only time that it is set."""
         object.__setattr__(self, name, value)
 
+    def is_beside(self, least: Vector, largest: Vector) -> bool:
+        """Whether it has nothing in common with a box."""
+        return False
+
     def shape(self) -> str:
         """Its beginning in the text of a field."""
         raise TypeError("tan.Region is what regions have in common. Take tan.sphere(), tan.box() or tan.half_space().")
@@ -52,6 +56,10 @@ class Sphere(Region):
         self._keep("centre", vector(self.centre, "centre"))
         self._keep("radius", number(self.radius, "radius", least=0))
 
+    def is_beside(self, least: Vector, largest: Vector) -> bool:
+        away = [max(low - place, 0, place - high) for low, place, high in zip(least, self.centre, largest)]
+        return sum(length**2 for length in away) > self.radius**2
+
     def shape(self) -> str:
         return f"sphere({_written(*self.centre, self.radius)}"
 
@@ -69,6 +77,9 @@ class Box(Region):
         self._keep("least", vector(self.least, "least"))
         self._keep("largest", vector(self.largest, "largest"))
         choice(self.border, "border", ("intersecting", "contained", "clipped"))
+
+    def is_beside(self, least: Vector, largest: Vector) -> bool:
+        return any(low > end or high < begin for low, high, begin, end in zip(self.least, self.largest, least, largest))
 
     def shape(self) -> str:
         return f"box({_written(*self.least, *self.largest)}"
@@ -117,15 +128,18 @@ Focus = Union[None, Region, Iterable[Region]]
 Ranges = Union[None, Tuple[float, float], Iterable[Tuple[float, float]]]
 
 
-def error_field(error: float, focus: Focus) -> str:
-    """The error field as a text of TAn's: `error` everywhere, less in the focus."""
-    if focus is None:
-        return repr(error)
+def regions_of(focus: Focus) -> List[Region]:
+    """One region or several."""
     kinds = "focus is tan.sphere(...), tan.box(...) or tan.half_space(...), or a list of these"
-    regions: List[Region] = [focus] if isinstance(focus, Region) else listed(focus, kinds)
+    regions: List[Region] = [] if focus is None else [focus] if isinstance(focus, Region) else listed(focus, kinds)
     if not all(isinstance(region, Region) for region in regions):
         raise TypeError(kinds)
-    fields = [region.field(error) for region in regions]
+    return regions
+
+
+def error_field(error: float, focus: Focus) -> str:
+    """The error field as a text of TAn's: `error` everywhere, less in the focus."""
+    fields = [region.field(error) for region in regions_of(focus)]
     if not fields:
         return repr(error)
     return fields[0] if len(fields) == 1 else f"min({', '.join(fields)})"

@@ -9,7 +9,7 @@ class Verdict:
     """What the checker found. `ok` says whether the model is proved; `text` says it in sentences; `failures` are those of the file as a
     whole; `levels` has a dictionary for each level: error, warping (as asked, in %), sites, tetrahedra, conforming, covers, inverted,
     degenerate, error_statistics, warping_statistics and error_in_space (each with largest, mean, percentile_99 and root_mean_square, in %),
-    and failures. True if it is ok."""
+    error_at_nearest (of irregular data: of points outside of the mesh at the nearest place of it), and failures. True if it is ok."""
 
     def __init__(self, facts: Dict[str, Any]) -> None:
         if not isinstance(facts, dict) or not {"ok", "failures", "levels"} <= set(facts):
