@@ -56,7 +56,7 @@ Status claimWork(const std::filesystem::path& folder, std::uint64_t fingerprint)
     const Result<std::string> there = wholeText(path, mostBytes);
     if (there && *there == ours)
         return {};
-    if (holdsWork(folder))
+    if (there && holdsWork(folder)) // without a note the folder was about to be removed
         return SavedState::ofOtherWork(folder);
     auto file = FileWriter::create(path, 1, folder);
     if (!file)
