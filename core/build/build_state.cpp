@@ -50,7 +50,7 @@ bool holdsWork(const std::filesystem::path& folder)
 
 Status claimWork(const std::filesystem::path& folder, std::uint64_t fingerprint)
 {
-    const std::filesystem::path path = folder / "build";
+    const std::filesystem::path path = folder / "fingerprint";
     const std::string ours = std::to_string(fingerprint);
     constexpr std::size_t mostBytes = 64;
     const Result<std::string> there = wholeText(path, mostBytes);
