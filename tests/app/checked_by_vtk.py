@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """checked_by_vtk.py BUILD SOURCE: the script of docs/user/accuracy.md by which readers check a mesh with VTK finds what TAn says, of a boundary layer
-over a wavy wall (R1, C12). Exit code 77: something is missing."""
+over a wavy wall (R1, C12), also of a mesh with flat tetrahedra. Exit code 77: something is missing."""
 import json
 import pathlib
 import re
@@ -51,14 +51,24 @@ def write_boundary_layer(path, size):
     assert writer.Write() == 1
 
 
+def documented_script(folder):
+    script = re.search(r"## Check it with VTK.*?```python\n(.*?)```", (SOURCE / "docs/user/accuracy.md").read_text(), re.DOTALL).group(1)
+    (folder / "check_error.py").write_text(script)
+    return folder / "check_error.py"
+
+
+def printed_by(script, *words):
+    """The largest error, how many points are outside, and the largest error there."""
+    printed = subprocess.run(["/usr/bin/python3", script, *words], capture_output=True, text=True, check=True)
+    return map(float, re.search(r"error ([\d.e-]+) %\nof (\d+) .* place ([\d.e-]+) %", printed.stdout).groups())
+
+
 class CheckedByVtk(unittest.TestCase):
     def test_the_documented_script_finds_what_is_told(self):
-        script = re.search(r"## Check it with VTK.*?```python\n(.*?)```", (SOURCE / "docs/user/accuracy.md").read_text(), re.DOTALL).group(1)
         with tempfile.TemporaryDirectory() as kept:
             folder = pathlib.Path(kept)
             data, model, mesh = folder / "layer.vts", folder / "layer.tan", folder / "mesh.vtu"
             write_boundary_layer(data, (24, 20, 8))
-            (folder / "check_error.py").write_text(script)
             tan("build", data, "-o", model)
             asked = 2.0
             found = tan("extract", model, "--error", asked, "-o", mesh)
@@ -66,12 +76,22 @@ class CheckedByVtk(unittest.TestCase):
             self.assertTrue(any("outside the mesh" in text for text in found["remarks"]), found["remarks"])
             measured = tan("extract", model, "--error", asked, "--against", data, "-o", mesh)
             self.assertFalse(any("outside the mesh" in text for text in measured.get("remarks", [])), measured)
-            printed = subprocess.run(["/usr/bin/python3", folder / "check_error.py", data, mesh, "u"], capture_output=True, text=True, check=True)
-            inside, number, nearest = map(float, re.search(r"error ([\d.e-]+) %\nof (\d+) .* place ([\d.e-]+) %", printed.stdout).groups())
+            inside, number, nearest = printed_by(documented_script(folder), data, mesh, "u")
             self.assertLessEqual(inside, asked)
             self.assertGreater(inside, asked / 4)
             self.assertGreater(number, 0)
             self.assertAlmostEqual(max(inside, nearest), measured["error_at_nearest"]["largest"], delta=2e-3)
+
+    def test_it_finds_the_right_ones_among_flat_tetrahedra(self):
+        with tempfile.TemporaryDirectory() as kept:
+            folder = pathlib.Path(kept)
+            grid, model, mesh = folder / "body.xyz", folder / "body.tan", folder / "mesh.vtu"
+            tan("sample", "blunt-body", "--size", 20, "-o", grid)
+            tan("build", grid, "--array", "density", "--builder", "refinement", "--error-in", "grid", "-o", model)
+            measured = tan("extract", model, "--error", 1, "--against", grid, "-o", mesh)
+            inside, number, nearest = printed_by(documented_script(folder), grid, folder / "body.q", mesh, "density")
+            self.assertGreater(inside, 2)
+            self.assertAlmostEqual(max(inside, nearest), measured["error_in_space"]["largest"], delta=2e-3)
 
     def test_a_model_that_has_nothing_finer_says_so(self):
         with tempfile.TemporaryDirectory() as kept:
