@@ -7751,10 +7751,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Punkte werden zu Tetraedern verbunden</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; does not have four points that are not all in one plane, or has two points at one place.</source>
-        <translation>„%1“ hat keine vier Punkte, die nicht in einer Ebene liegen, oder zwei an einem Ort.</translation>
-    </message>
-    <message>
         <source>Testing the boundary</source>
         <translation>Berandung wird geprüft</translation>
     </message>
@@ -12159,10 +12155,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>mehr als %1 Paare sich überlappender Tetraeder, eines bei %2</translation>
     </message>
     <message>
-        <source>all its points lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
-        <translation>Alle Punkte liegen in einer Ebene, oder es sind weniger als vier. TAn braucht Punkte, zwischen denen ein Volumen liegt.</translation>
-    </message>
-    <message>
         <source>the first axis, of %1 points; if it holds colours, the header has to say so (&apos;kinds: RGB-color domain domain&apos;)</source>
         <translation>die erste Achse mit %1 Punkten; wenn sie Farben enthält, muss der Kopf es sagen („kinds: RGB-color domain domain“)</translation>
     </message>
@@ -12177,6 +12169,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Its units are not known: it has too many nodes to be looked at, or not those that CGNS&apos;s library writes.</source>
         <translation>Ihre Einheiten sind nicht bekannt: Sie hat zu viele Knoten zum Nachsehen, oder andere, als die Bibliothek von CGNS schreibt.</translation>
+    </message>
+    <message>
+        <source>All its points lie in a plane, or there are fewer than four: there is no volume between them, so that no model can be built of them.</source>
+        <translation>Alle Punkte liegen in einer Ebene, oder es sind weniger als vier: Zwischen ihnen ist kein Volumen, sodass kein Modell aus ihnen gebaut werden kann.</translation>
+    </message>
+    <message>
+        <source>All points of &apos;%1&apos; lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
+        <translation>Alle Punkte von „%1“ liegen in einer Ebene, oder es sind weniger als vier. TAn braucht Punkte, zwischen denen ein Volumen liegt.</translation>
     </message>
 </context>
 <context>

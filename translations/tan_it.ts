@@ -7751,10 +7751,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Tetraedrizzazione dei punti</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; does not have four points that are not all in one plane, or has two points at one place.</source>
-        <translation>«%1» non ha quattro punti che non giacciono in un piano, oppure due in un solo posto.</translation>
-    </message>
-    <message>
         <source>Testing the boundary</source>
         <translation>Controllo del contorno</translation>
     </message>
@@ -12159,10 +12155,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>più di %1 coppie di tetraedri sovrapposti, uno in %2</translation>
     </message>
     <message>
-        <source>all its points lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
-        <translation>tutti i suoi punti giacciono in un piano, o sono meno di quattro. TAn ha bisogno di punti che racchiudano un volume.</translation>
-    </message>
-    <message>
         <source>the first axis, of %1 points; if it holds colours, the header has to say so (&apos;kinds: RGB-color domain domain&apos;)</source>
         <translation>il primo asse, di %1 punti; se contiene dei colori, l&apos;intestazione deve dirlo («kinds: RGB-color domain domain»)</translation>
     </message>
@@ -12177,6 +12169,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Its units are not known: it has too many nodes to be looked at, or not those that CGNS&apos;s library writes.</source>
         <translation>Le sue unità non sono note: ha troppi nodi per esaminarli, o non quelli che scrive la libreria di CGNS.</translation>
+    </message>
+    <message>
+        <source>All its points lie in a plane, or there are fewer than four: there is no volume between them, so that no model can be built of them.</source>
+        <translation>Tutti i punti giacciono in un piano, o sono meno di quattro: non racchiudono un volume, e non se ne può costruire un modello.</translation>
+    </message>
+    <message>
+        <source>All points of &apos;%1&apos; lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
+        <translation>Tutti i punti di «%1» giacciono in un piano, o sono meno di quattro. TAn ha bisogno di punti che racchiudano un volume.</translation>
     </message>
 </context>
 <context>

@@ -73,7 +73,8 @@ Result<Dataset> tetrahedrized(const Dataset& points, const Progress& progress)
         return Error{
             ErrorKind::BadInput,
             Message::say(
-                "'%1' does not have four points that are not all in one plane, or has two points at one place.",
+                "All points of '%1' lie in a plane, or there are fewer than four. TAn needs points that have a "
+                "volume between them.",
                 points.source.name)};
     std::vector<std::array<std::uint32_t, 4>> tetrahedra;
     tetrahedra.reserve(delaunay.number_of_finite_cells());

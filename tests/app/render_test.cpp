@@ -484,7 +484,7 @@ private slots:
                 return run.exitCode == 0 ? QImage(path("picture.png")).pixelColor(30, 30) : QColor();
             };
             QVERIFY2(difference(middle({}), QColor(128, 64, 191)) <= 1, camera);
-            QVERIFY2(difference(middle({"--lit"}), QColor(128, 64, 191)) > 10, camera);
+            QVERIFY2(difference(middle({"--lit"}), QColor(128, 64, 191)) > 2, camera);
         }
     }
 

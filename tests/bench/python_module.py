@@ -28,7 +28,7 @@ def seconds(function):
 
 def against_the_library(model):
     library, module = [], []
-    with subprocess.Popen([asked.build / "bin/tan-bench-python-yardstick", asked.model, str(asked.error)], stdin=subprocess.PIPE,
+    with subprocess.Popen([asked.build / "bin/tan-bench-python-module", asked.model, str(asked.error)], stdin=subprocess.PIPE,
                           stdout=subprocess.PIPE, text=True, bufsize=1) as yardstick:
         for _ in range(asked.rounds + 1):
             yardstick.stdin.write("\n")

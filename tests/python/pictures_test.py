@@ -107,7 +107,8 @@ class Pictures(ModuleTest):
         with self.assertRaisesRegex(tan.WrongUsage, "The mode 'isosurface' has no setting 'shaded'"):
             self.ball.render(mode="isosurface", size=(40, 30), settings={"shaded": True})
         # A whole number is a number, too, and as wrong as another where it is too large.
-        numbers = [(mode, name) for mode, _ in self.ball.modes() for name, value in self.ball.settings(mode).items() if type(value) is float]
+        numbers = [(mode, name) for mode, _ in self.ball.modes() for name, value in self.ball.settings(mode).items()
+                   if type(value) is float and value == int(value)]
         self.assertTrue(numbers)
         mode, name = numbers[0]
         self.ball.render(mode=mode, size=(20, 15), settings={name: int(self.ball.settings(mode)[name])})

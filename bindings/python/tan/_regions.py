@@ -58,7 +58,7 @@ class Sphere(Region):
 
     def is_beside(self, least: Vector, largest: Vector) -> bool:
         away = [max(low - place, 0, place - high) for low, place, high in zip(least, self.centre, largest)]
-        return sum(length**2 for length in away) > self.radius**2
+        return bool(sum(length**2 for length in away) > self.radius**2)
 
     def shape(self) -> str:
         return f"sphere({_written(*self.centre, self.radius)}"
@@ -79,7 +79,7 @@ class Box(Region):
         choice(self.border, "border", ("intersecting", "contained", "clipped"))
 
     def is_beside(self, least: Vector, largest: Vector) -> bool:
-        return any(low > end or high < begin for low, high, begin, end in zip(self.least, self.largest, least, largest))
+        return any(bool(low > end or high < begin) for low, high, begin, end in zip(self.least, self.largest, least, largest))
 
     def shape(self) -> str:
         return f"box({_written(*self.least, *self.largest)}"

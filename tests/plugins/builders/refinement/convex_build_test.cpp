@@ -323,7 +323,8 @@ private slots:
         }
         QVERIFY(std::abs(volume - 2.1 * 1.5 * 1.0) < 1e-9);
         auto flat = placesOf([](int i, int j, int) { return Eigen::Vector3d(i, j, 0.5 * i); });
-        QVERIFY(!scatteredDataset(std::move(flat), fieldAt<double>(places), "flat"));
+        const auto none = scatteredDataset(std::move(flat), fieldAt<double>(places), "flat");
+        QVERIFY(!tetrahedrized(*none) && !buildModel(*none, path(), Decimation()));
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// python_yardstick MODEL ERROR: for each line of its input extracts the mesh of that error (%) and prints the seconds
-// that it took. What the Python module is measured against (python_module.py).
+// tan-bench-python-module MODEL ERROR: for each line of its input extracts the mesh of that error (%) and prints the
+// seconds that it took. What the Python module is measured against (python_module.py).
 #include <tan/model.h>
 #include <tan/query.h>
 
@@ -13,7 +13,7 @@
 int main(int argumentCount, char** arguments)
 {
     if (argumentCount != 3) {
-        std::fputs("python_yardstick MODEL ERROR\n", stderr);
+        std::fputs("tan-bench-python-module MODEL ERROR\n", stderr);
         return 2;
     }
     const auto model = tetra::Model::open(arguments[1]);
