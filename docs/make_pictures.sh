@@ -25,7 +25,7 @@ build()
 draw() { "$tan" render "$@" --samples 3; }
 
 # Figure 14: BluntFin as isosurface and as volume, exact, at 1 % and at 4 % of error and warping.
-build bluntfin bluntfin/bluntfinxyz.bin 0
+[ -f "$models/bluntfin.tan" ] || "$tan" build "$data/bluntfin/bluntfinxyz.bin" --builder refinement --error-in grid -o "$models/bluntfin.tan"
 for error in 0 1 4; do
     view=("$models/bluntfin.tan" --error "$error" --camera "$pictures/bluntfin-camera.json" --size 400x200)
     draw "${view[@]}" --isovalue 1.244:silver -o "$pictures/bluntfin-surface-$error.png"
