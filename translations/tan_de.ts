@@ -2241,7 +2241,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>To &amp;numbers…</source>
-        <translation>Über einen &amp;Zahlenbereich…</translation>
+        <translation>Über einen &amp;Zahlenbereich …</translation>
     </message>
 </context>
 <context>
@@ -12841,7 +12841,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Search: bone, lung, metal, plasma…</source>
-        <translation>Suchen: Knochen, Lunge, Metall, Plasma…</translation>
+        <translation>Suchen: Knochen, Lunge, Metall, Plasma …</translation>
     </message>
     <message>
         <source>Values in Hounsfield units (HU)</source>
