@@ -943,6 +943,145 @@
         <source>Diverging: opaque at both ends</source>
         <translation>Divergierend: deckend an beiden Enden</translation>
     </message>
+    <message>
+        <source>CT: bone</source>
+        <translation>CT: Knochen</translation>
+    </message>
+    <message>
+        <source>CT: skin and bone</source>
+        <translation>CT: Haut und Knochen</translation>
+    </message>
+    <message>
+        <source>CT: skin</source>
+        <translation>CT: Haut</translation>
+    </message>
+    <message>
+        <source>CT: muscle and soft tissue</source>
+        <translation>CT: Muskeln und Weichteile</translation>
+    </message>
+    <message>
+        <source>CT: fat</source>
+        <translation>CT: Fett</translation>
+    </message>
+    <message>
+        <source>CT: lung</source>
+        <translation>CT: Lunge</translation>
+    </message>
+    <message>
+        <source>CT: vessels with contrast medium</source>
+        <translation>CT: Gefäße mit Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>CT: heart with contrast medium</source>
+        <translation>CT: Herz mit Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>CT: organs of the abdomen</source>
+        <translation>CT: Organe des Bauchs</translation>
+    </message>
+    <message>
+        <source>CT: teeth</source>
+        <translation>CT: Zähne</translation>
+    </message>
+    <message>
+        <source>CT: metal and implants</source>
+        <translation>CT: Metall und Implantate</translation>
+    </message>
+    <message>
+        <source>CT: like an X-ray picture</source>
+        <translation>CT: wie ein Röntgenbild</translation>
+    </message>
+    <message>
+        <source>MR: head</source>
+        <translation>MRT: Kopf</translation>
+    </message>
+    <message>
+        <source>MR: brain</source>
+        <translation>MRT: Gehirn</translation>
+    </message>
+    <message>
+        <source>MR: vessels (angiography)</source>
+        <translation>MRT: Gefäße (Angiographie)</translation>
+    </message>
+    <message>
+        <source>MR: bright tissue</source>
+        <translation>MRT: helles Gewebe</translation>
+    </message>
+    <message>
+        <source>Metal part</source>
+        <translation>Metallteil</translation>
+    </message>
+    <message>
+        <source>Metal and pores</source>
+        <translation>Metall und Poren</translation>
+    </message>
+    <message>
+        <source>Stone and pores</source>
+        <translation>Stein und Poren</translation>
+    </message>
+    <message>
+        <source>Fire: glowing where values are large</source>
+        <translation>Feuer: glühend, wo die Werte groß sind</translation>
+    </message>
+    <message>
+        <source>Smoke and clouds</source>
+        <translation>Rauch und Wolken</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>Layers: five shells</source>
+        <translation>Schichten: fünf Schalen</translation>
+    </message>
+    <message>
+        <source>Sequential: opaque where values are small</source>
+        <translation>Sequentiell: deckend, wo die Werte klein sind</translation>
+    </message>
+    <message>
+        <source>Blue to orange</source>
+        <translation>Blau bis Orange</translation>
+    </message>
+    <message>
+        <source>Categories</source>
+        <translation>Kategorien</translation>
+    </message>
+    <message>
+        <source>Plasma: opaque where values are large</source>
+        <translation>Plasma: deckend, wo die Werte groß sind</translation>
+    </message>
+    <message>
+        <source>Turbo: opaque where values are large</source>
+        <translation>Turbo: deckend, wo die Werte groß sind</translation>
+    </message>
+    <message>
+        <source>Categories: seven colours, evenly opaque</source>
+        <translation>Kategorien: sieben Farben, gleichmäßig deckend</translation>
+    </message>
+</context>
+<context>
+    <name>RescaleDialog</name>
+    <message>
+        <source>Rescale Transfer Function</source>
+        <translation>Transferfunktion strecken</translation>
+    </message>
+    <message>
+        <source>Value of the first point, in data units</source>
+        <translation>Wert des ersten Punkts, in Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>Value of the last point, in data units</source>
+        <translation>Wert des letzten Punkts, in Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;Bis</translation>
+    </message>
 </context>
 <context>
     <name>Samples</name>
@@ -1949,10 +2088,6 @@ Verwerfung %2</translation>
         <translation>&amp;Enden vertauschen</translation>
     </message>
     <message>
-        <source>Spread over all &amp;values</source>
-        <translation>Über alle &amp;Werte spreizen</translation>
-    </message>
-    <message>
         <source>Select &amp;all points</source>
         <translation>&amp;Alle Punkte auswählen</translation>
     </message>
@@ -2091,6 +2226,22 @@ Verwerfung %2</translation>
     <message>
         <source>Colour…</source>
         <translation>Farbe …</translation>
+    </message>
+    <message>
+        <source>Rescale</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>To the values of the &amp;data</source>
+        <translation>Über die Werte der &amp;Daten</translation>
+    </message>
+    <message>
+        <source>To the values &amp;shown in the plot</source>
+        <translation>Über die im Diagramm &amp;gezeigten Werte</translation>
+    </message>
+    <message>
+        <source>To &amp;numbers…</source>
+        <translation>Über einen &amp;Zahlenbereich …</translation>
     </message>
 </context>
 <context>
@@ -12178,6 +12329,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>All points of &apos;%1&apos; lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
         <translation>Alle Punkte von „%1“ liegen in einer Ebene, oder es sind weniger als vier. TAn braucht Punkte, zwischen denen ein Volumen liegt.</translation>
     </message>
+    <message>
+        <source>The preset is for Hounsfield units, and the values are assumed to be these: they are whole numbers from %1 to %2.</source>
+        <translation>Die Vorlage ist für Hounsfield-Einheiten, und es wird angenommen, dass die Werte solche sind: Sie sind ganze Zahlen von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>The preset is for Hounsfield units, which the data do not seem to have: it is stretched over their values, %1 to %2, as if these were -1024 to 3071.</source>
+        <translation>Die Vorlage ist für Hounsfield-Einheiten, die die Daten nicht zu haben scheinen: Sie wird über deren Werte, %1 bis %2, gestreckt, als wären diese -1024 bis 3071.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -12653,10 +12812,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>Search</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
         <source>Search for a preset</source>
         <translation>Nach einer Vorlage suchen</translation>
     </message>
@@ -12699,6 +12854,22 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Name of the preset:</source>
         <translation>Name der Vorlage:</translation>
+    </message>
+    <message>
+        <source>Search: bone, lung, metal, plasma…</source>
+        <translation>Suchen: Knochen, Lunge, Metall, Plasma …</translation>
+    </message>
+    <message>
+        <source>Values in Hounsfield units (HU)</source>
+        <translation>Werte in Hounsfield-Einheiten (HU)</translation>
+    </message>
+    <message>
+        <source>No preset with opacities matches “%1”.</source>
+        <translation>Keine Vorlage mit Deckkraft passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>No preset matches “%1”.</source>
+        <translation>Keine Vorlage passt zu „%1“.</translation>
     </message>
 </context>
 <context>

@@ -943,6 +943,145 @@
         <source>Diverging: opaque at both ends</source>
         <translation>Divergente: opaca ai due estremi</translation>
     </message>
+    <message>
+        <source>CT: bone</source>
+        <translation>TC: ossa</translation>
+    </message>
+    <message>
+        <source>CT: skin and bone</source>
+        <translation>TC: pelle e ossa</translation>
+    </message>
+    <message>
+        <source>CT: skin</source>
+        <translation>TC: pelle</translation>
+    </message>
+    <message>
+        <source>CT: muscle and soft tissue</source>
+        <translation>TC: muscoli e tessuti molli</translation>
+    </message>
+    <message>
+        <source>CT: fat</source>
+        <translation>TC: grasso</translation>
+    </message>
+    <message>
+        <source>CT: lung</source>
+        <translation>TC: polmoni</translation>
+    </message>
+    <message>
+        <source>CT: vessels with contrast medium</source>
+        <translation>TC: vasi con mezzo di contrasto</translation>
+    </message>
+    <message>
+        <source>CT: heart with contrast medium</source>
+        <translation>TC: cuore con mezzo di contrasto</translation>
+    </message>
+    <message>
+        <source>CT: organs of the abdomen</source>
+        <translation>TC: organi dell&apos;addome</translation>
+    </message>
+    <message>
+        <source>CT: teeth</source>
+        <translation>TC: denti</translation>
+    </message>
+    <message>
+        <source>CT: metal and implants</source>
+        <translation>TC: metallo e impianti</translation>
+    </message>
+    <message>
+        <source>CT: like an X-ray picture</source>
+        <translation>TC: come una radiografia</translation>
+    </message>
+    <message>
+        <source>MR: head</source>
+        <translation>RM: testa</translation>
+    </message>
+    <message>
+        <source>MR: brain</source>
+        <translation>RM: cervello</translation>
+    </message>
+    <message>
+        <source>MR: vessels (angiography)</source>
+        <translation>RM: vasi (angiografia)</translation>
+    </message>
+    <message>
+        <source>MR: bright tissue</source>
+        <translation>RM: tessuto chiaro</translation>
+    </message>
+    <message>
+        <source>Metal part</source>
+        <translation>Pezzo di metallo</translation>
+    </message>
+    <message>
+        <source>Metal and pores</source>
+        <translation>Metallo e pori</translation>
+    </message>
+    <message>
+        <source>Stone and pores</source>
+        <translation>Pietra e pori</translation>
+    </message>
+    <message>
+        <source>Fire: glowing where values are large</source>
+        <translation>Fuoco: ardente dove i valori sono grandi</translation>
+    </message>
+    <message>
+        <source>Smoke and clouds</source>
+        <translation>Fumo e nuvole</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Acqua</translation>
+    </message>
+    <message>
+        <source>Layers: five shells</source>
+        <translation>Strati: cinque gusci</translation>
+    </message>
+    <message>
+        <source>Sequential: opaque where values are small</source>
+        <translation>Sequenziale: opaca dove i valori sono piccoli</translation>
+    </message>
+    <message>
+        <source>Blue to orange</source>
+        <translation>Da blu ad arancione</translation>
+    </message>
+    <message>
+        <source>Categories</source>
+        <translation>Categorie</translation>
+    </message>
+    <message>
+        <source>Plasma: opaque where values are large</source>
+        <translation>Plasma: opaca dove i valori sono grandi</translation>
+    </message>
+    <message>
+        <source>Turbo: opaque where values are large</source>
+        <translation>Turbo: opaca dove i valori sono grandi</translation>
+    </message>
+    <message>
+        <source>Categories: seven colours, evenly opaque</source>
+        <translation>Categorie: sette colori, opacità uniforme</translation>
+    </message>
+</context>
+<context>
+    <name>RescaleDialog</name>
+    <message>
+        <source>Rescale Transfer Function</source>
+        <translation>Riscala funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>Value of the first point, in data units</source>
+        <translation>Valore del primo punto, nelle unità dei dati</translation>
+    </message>
+    <message>
+        <source>Value of the last point, in data units</source>
+        <translation>Valore dell&apos;ultimo punto, nelle unità dei dati</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Da</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;A</translation>
+    </message>
 </context>
 <context>
     <name>Samples</name>
@@ -1957,10 +2096,6 @@ deformazione %2</translation>
         <translation>Più st&amp;retta</translation>
     </message>
     <message>
-        <source>Spread over all &amp;values</source>
-        <translation>Estendi a tutti i &amp;valori</translation>
-    </message>
-    <message>
         <source>Select &amp;all points</source>
         <translation>Seleziona &amp;tutti i punti</translation>
     </message>
@@ -2091,6 +2226,22 @@ deformazione %2</translation>
     <message>
         <source>Colour…</source>
         <translation>Colore…</translation>
+    </message>
+    <message>
+        <source>Rescale</source>
+        <translation>Riscala</translation>
+    </message>
+    <message>
+        <source>To the values of the &amp;data</source>
+        <translation>Sui valori dei &amp;dati</translation>
+    </message>
+    <message>
+        <source>To the values &amp;shown in the plot</source>
+        <translation>Sui valori &amp;mostrati nel grafico</translation>
+    </message>
+    <message>
+        <source>To &amp;numbers…</source>
+        <translation>Su &amp;numeri dati…</translation>
     </message>
 </context>
 <context>
@@ -12178,6 +12329,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>All points of &apos;%1&apos; lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
         <translation>Tutti i punti di «%1» giacciono in un piano, o sono meno di quattro. TAn ha bisogno di punti che racchiudano un volume.</translation>
     </message>
+    <message>
+        <source>The preset is for Hounsfield units, and the values are assumed to be these: they are whole numbers from %1 to %2.</source>
+        <translation>La preimpostazione è per unità Hounsfield, e si assume che i valori lo siano: sono numeri interi da %1 a %2.</translation>
+    </message>
+    <message>
+        <source>The preset is for Hounsfield units, which the data do not seem to have: it is stretched over their values, %1 to %2, as if these were -1024 to 3071.</source>
+        <translation>La preimpostazione è per unità Hounsfield, che i dati non sembrano avere: viene distesa sui loro valori, da %1 a %2, come se fossero da -1024 a 3071.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -12653,10 +12812,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>&amp;Elimina</translation>
     </message>
     <message>
-        <source>Search</source>
-        <translation>Cerca</translation>
-    </message>
-    <message>
         <source>Search for a preset</source>
         <translation>Cerca una preimpostazione</translation>
     </message>
@@ -12699,6 +12854,22 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Name of the preset:</source>
         <translation>Nome della preimpostazione:</translation>
+    </message>
+    <message>
+        <source>Search: bone, lung, metal, plasma…</source>
+        <translation>Cerca: ossa, polmoni, metallo, plasma…</translation>
+    </message>
+    <message>
+        <source>Values in Hounsfield units (HU)</source>
+        <translation>Valori in unità Hounsfield (HU)</translation>
+    </message>
+    <message>
+        <source>No preset with opacities matches “%1”.</source>
+        <translation>Nessuna preimpostazione con opacità corrisponde a «%1».</translation>
+    </message>
+    <message>
+        <source>No preset matches “%1”.</source>
+        <translation>Nessuna preimpostazione corrisponde a «%1».</translation>
     </message>
 </context>
 <context>

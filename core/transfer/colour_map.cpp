@@ -171,7 +171,8 @@ SrgbColour between(const SrgbColour& from, const SrgbColour& to, double s, Colou
 
 namespace {
 
-/// Every sixteenth of the 256 colours that the authors published, by its number, and the last one.
+/// Every sixteenth of the 256 colours that the authors published, by its number, and the last one; of turbo, which
+/// turns more often, every eighth.
 struct PublishedColour {
     int number;
     std::array<float, 3> colour;
@@ -202,6 +203,27 @@ constexpr PublishedColour inferno[] = {
     {192, {0.978f, 0.558f, 0.035f}}, {208, {0.988f, 0.675f, 0.065f}}, {224, {0.975f, 0.798f, 0.206f}},
     {240, {0.948f, 0.917f, 0.411f}}, {255, {0.988f, 0.998f, 0.645f}}};
 
+constexpr PublishedColour plasma[] = {
+    {0, {0.050f, 0.030f, 0.528f}},   {16, {0.193f, 0.018f, 0.590f}},  {32, {0.300f, 0.010f, 0.632f}},
+    {48, {0.399f, 0.001f, 0.656f}},  {64, {0.495f, 0.012f, 0.658f}},  {80, {0.584f, 0.069f, 0.633f}},
+    {96, {0.665f, 0.139f, 0.586f}},  {112, {0.736f, 0.209f, 0.528f}}, {128, {0.798f, 0.280f, 0.470f}},
+    {144, {0.853f, 0.352f, 0.414f}}, {160, {0.902f, 0.425f, 0.360f}}, {176, {0.943f, 0.503f, 0.306f}},
+    {192, {0.973f, 0.586f, 0.252f}}, {208, {0.991f, 0.675f, 0.198f}}, {224, {0.993f, 0.772f, 0.155f}},
+    {240, {0.974f, 0.875f, 0.144f}}, {255, {0.940f, 0.975f, 0.131f}}};
+
+constexpr PublishedColour turbo[] = {
+    {0, {0.190f, 0.072f, 0.232f}},   {8, {0.225f, 0.164f, 0.451f}},   {16, {0.251f, 0.252f, 0.634f}},
+    {24, {0.268f, 0.338f, 0.780f}},  {32, {0.276f, 0.421f, 0.891f}},  {40, {0.275f, 0.501f, 0.966f}},
+    {48, {0.259f, 0.580f, 0.999f}},  {56, {0.214f, 0.659f, 0.980f}},  {64, {0.158f, 0.736f, 0.923f}},
+    {72, {0.112f, 0.806f, 0.845f}},  {80, {0.093f, 0.866f, 0.762f}},  {88, {0.120f, 0.912f, 0.687f}},
+    {96, {0.197f, 0.949f, 0.595f}},  {104, {0.305f, 0.977f, 0.490f}}, {112, {0.428f, 0.994f, 0.386f}},
+    {120, {0.547f, 0.999f, 0.296f}}, {128, {0.644f, 0.990f, 0.234f}}, {136, {0.726f, 0.965f, 0.206f}},
+    {144, {0.805f, 0.925f, 0.205f}}, {152, {0.875f, 0.873f, 0.216f}}, {160, {0.933f, 0.812f, 0.227f}},
+    {168, {0.973f, 0.747f, 0.225f}}, {176, {0.993f, 0.674f, 0.203f}}, {184, {0.996f, 0.587f, 0.169f}},
+    {192, {0.984f, 0.493f, 0.128f}}, {200, {0.958f, 0.400f, 0.088f}}, {208, {0.921f, 0.315f, 0.055f}},
+    {216, {0.874f, 0.245f, 0.033f}}, {224, {0.816f, 0.185f, 0.018f}}, {232, {0.746f, 0.131f, 0.009f}},
+    {240, {0.664f, 0.084f, 0.004f}}, {248, {0.571f, 0.045f, 0.005f}}, {255, {0.480f, 0.016f, 0.011f}}};
+
 ColourMap published(std::string id, std::string source, std::span<const PublishedColour> colours)
 {
     ColourMap map{std::move(id), std::move(source), {}};
@@ -210,20 +232,39 @@ ColourMap published(std::string id, std::string source, std::span<const Publishe
     return map;
 }
 
-/// From blue over white to red through a space in which it looks even.
-ColourMap coolWarm()
+/// From one hue over white to another through a space in which it looks even.
+ColourMap diverging(std::string id, std::string source, const SrgbColour& from, const SrgbColour& to)
 {
-    constexpr SrgbColour blue = {0.230, 0.299, 0.754}, red = {0.706, 0.016, 0.150};
     constexpr int steps = 32;
-    ColourMap map{"cool-warm", "K. Moreland, 2009, formula", {}};
+    ColourMap map{std::move(id), std::move(source), {}};
     for (int step = 0; step <= steps; ++step) {
         const double share = static_cast<double>(step) / steps;
-        const SrgbColour colour = between(blue, red, share, ColourSpace::Diverging);
+        const SrgbColour colour = between(from, to, share, ColourSpace::Diverging);
         map.nodes.push_back(
             {share, {static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2])}});
     }
     return map;
 }
+
+/// Equal parts, each of one colour.
+ColourMap inParts(std::string id, std::string source, std::span<const std::array<float, 3>> colours)
+{
+    ColourMap map{std::move(id), std::move(source), {}};
+    const auto count = static_cast<double>(colours.size());
+    for (std::size_t part = 0; part < colours.size(); ++part) {
+        map.nodes.push_back({static_cast<double>(part) / count, colours[part]});
+        map.nodes.push_back({static_cast<double>(part + 1) / count, colours[part]});
+    }
+    return map;
+}
+
+constexpr SrgbColour coolBlue = {0.230, 0.299, 0.754}, warmRed = {0.706, 0.016, 0.150};
+constexpr SrgbColour okabeBlue = {0.000, 0.447, 0.698}, okabeVermilion = {0.835, 0.369, 0.000};
+
+/// In their order, but for black, in which nothing is seen before a dark ground.
+constexpr std::array<float, 3> okabeIto[] = {
+    {0.902f, 0.624f, 0.000f}, {0.337f, 0.706f, 0.914f}, {0.000f, 0.620f, 0.451f}, {0.941f, 0.894f, 0.259f},
+    {0.000f, 0.447f, 0.698f}, {0.835f, 0.369f, 0.000f}, {0.800f, 0.475f, 0.655f}};
 
 } // namespace
 
@@ -233,8 +274,13 @@ std::span<const ColourMap> colourMaps()
         published("viridis", "N. Smith, S. van der Walt, CC0", viridis),
         published("cividis", "J. Nunez, C. Anderton, R. Renslow, 2018, CC0", cividis),
         published("inferno", "N. Smith, S. van der Walt, CC0", inferno),
-        coolWarm(),
+        diverging("cool-warm", "K. Moreland, 2009, formula", coolBlue, warmRed),
         {"grey", "", {{0, {0, 0, 0}}, {1, {1, 1, 1}}}},
+        published("plasma", "N. Smith, S. van der Walt, CC0", plasma),
+        published("turbo", "A. Mikhailov, 2019, Apache-2.0", turbo),
+        diverging("blue-orange", "K. Moreland, 2009, formula; colours of M. Okabe, K. Ito, 2008", okabeBlue,
+                  okabeVermilion),
+        inParts("categories", "M. Okabe, K. Ito, 2008", okabeIto),
     };
     return maps;
 }

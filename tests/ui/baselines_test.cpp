@@ -80,7 +80,7 @@ QImage plotOf(const EditorFixture& editor, bool dark, const std::optional<QRectF
     QImage image(200, 140, QImage::Format_RGB32);
     image.fill(palette.color(QPalette::Window));
     QPainter painter(&image);
-    paintCanvas(painter, {editor.state(), plot, palette, true, false, band}, image.rect());
+    paintCanvas(painter, {editor.state(), plot, palette, true, false, true, band}, image.rect());
     painter.end();
     return image.copy(withoutNumbers);
 }

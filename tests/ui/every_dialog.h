@@ -89,6 +89,8 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
              openPresets(window);
              window.find<QAbstractButton>("transfer.presetPopup.save").click();
          }},
+        {"transfer.rescale",
+         [](WindowFixture& window) { window.find<QAction>("transfer.change.spread.numbers").trigger(); }},
     };
 }
 

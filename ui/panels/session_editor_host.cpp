@@ -205,6 +205,22 @@ bool SessionEditorHost::holdsLogarithms() const
     return session_.model() && tetra::holdsLogarithms(session_.model()->description().parameters);
 }
 
+ValueFacts SessionEditorHost::valueFacts() const
+{
+    if (!session_.model())
+        return {};
+    const ModelDescription& model = session_.model()->description();
+    const auto unit = std::ranges::find(model.taken, TakenPart::Unit, &Taken::part);
+    return {unit != model.taken.end() ? unit->what.text() : std::string(), model.sampleType};
+}
+
+bool SessionEditorHost::showsIsovalues() const
+{
+    return std::ranges::any_of(workbench_.scenes().matteringParameters(), [](const Parameter& parameter) {
+        return parameterTypeName(parameter.defaultValue) == parameterTypeName(std::vector<Isovalue>());
+    });
+}
+
 void SessionEditorHost::forgetPicked()
 {
     if (pick_)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/editor.h"
+#include "plugins/api/value_facts_host.h"
 #include "plugins/api/value_scale_host.h"
 #include "ui/workbench/workbench.h"
 
@@ -13,7 +14,7 @@ class ValuePick;
 
 /// The window as an editor of parameters of the type `type` sees it: the workbench's session, whose undo stack takes
 /// the edits, and the window's file dialogs, and what is picked in the picture. Outlived by the workbench.
-class SessionEditorHost : public QObject, public EditorHost, public ValueScaleHost {
+class SessionEditorHost : public QObject, public EditorHost, public ValueScaleHost, public ValueFactsHost {
     Q_OBJECT
 public:
     SessionEditorHost(Workbench& workbench, ValuePick& pick, std::string type, QObject* parent = nullptr);
@@ -43,6 +44,8 @@ public:
     std::optional<PickedValue> picked() const override;
     void forgetPicked() override;
     bool holdsLogarithms() const override;
+    ValueFacts valueFacts() const override;
+    bool showsIsovalues() const override;
 
 private:
     const ParameterValues& defaults() const;

@@ -100,7 +100,8 @@ class View:
         lists those of your installation.
     error: of the mesh, in % of the range of values; or budget: its number of tetrahedra.
     isovalues: of surfaces, in units of the values: numbers, or (value, (red, green, blue)), or (value, colour, opacity).
-    transfer: the name of a colour map ("viridis", "cividis", "inferno", "cool-warm", "grey"), or a transfer function as a dictionary in
+    transfer: the name of a colour map ("viridis", "cividis", "inferno", "cool-warm", "grey", "plasma", "turbo",
+        "blue-orange", "categories"), or a transfer function as a dictionary in
         TAn's form (docs of the window: Transfer functions).
     azimuth, elevation, roll: of the camera, in degrees; up: "x", "-x", "y", "-y", "z", "-z"; perspective: False for a parallel view;
         zoom: 2 shows everything twice as large as if it filled the picture; target: (x, y, z) in the middle of the picture.

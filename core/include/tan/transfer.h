@@ -278,15 +278,16 @@ struct ColourMapNode {
     std::array<float, 3> colour{};
 };
 
-/// Colours for a range of values without opacities, linear between nodes. All can be told apart by people who do not
-/// see red or green as others do, and all but "cool-warm" by their lightness alone.
+/// Colours for a range of values without opacities, linear between nodes; two nodes of one share are a step. All but
+/// "turbo" can be told apart by people who do not see red or green as others do; "viridis", "cividis", "inferno",
+/// "plasma" and "grey" by their lightness alone.
 struct ColourMap {
     std::string id;                   ///< stable: "viridis"
     std::string source;               ///< whose it is, and the licence
     std::vector<ColourMapNode> nodes; ///< ascending, from 0 to 1
 };
 
-/// viridis, cividis, inferno, cool-warm, grey: in this order.
+/// viridis, cividis, inferno, cool-warm, grey, plasma, turbo, blue-orange, categories: in this order.
 TAN_API std::span<const ColourMap> colourMaps();
 
 /// The map's colour, linear between its nodes, at a share of the range that is brought into [0, 1].

@@ -86,6 +86,19 @@ void paintOutside(QPainter& painter, const CanvasScene& scene, int count, int si
     painter.drawText(box.adjusted(side < 0 ? 12 : 4, 0, side < 0 ? -4 : -12, 0), Qt::AlignCenter, text);
 }
 
+void paintMarkerLine(QPainter& painter, const CanvasScene& scene, double x, const QPen& pen)
+{
+    const QRectF& area = scene.plot.area;
+    QColor edge = scene.palette.color(QPalette::WindowText); // the colour may be that of the ground
+    edge.setAlphaF(0.4F);
+    const QPen ground(scene.palette.color(QPalette::Base), 3.5);
+    for (const QPen& next : {ground, QPen(edge, pen.widthF() + 1.2, pen.style()), pen}) {
+        painter.setPen(next);
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    }
+}
+
+/// Of isovalues in a mode without their surfaces only the handle.
 void paintMarker(QPainter& painter, const CanvasScene& scene, const EditorItem& item, const QColor& colour)
 {
     const QRectF& area = scene.plot.area;
@@ -94,21 +107,15 @@ void paintMarker(QPainter& painter, const CanvasScene& scene, const EditorItem& 
         return;
     const bool isCurrent = scene.state.current() == item;
     const QColor rim = scene.palette.color(isCurrent ? QPalette::Highlight : QPalette::WindowText);
-    const bool isHidden =
-        item.kind == EditorItem::Kind::Isovalue && !scene.state.host().isovalues()[item.index].visible;
-    painter.setPen(QPen(scene.palette.color(QPalette::Base), 3.5));
-    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    const double width = isCurrent ? 2.5 : 1.5;
-    QColor edge = scene.palette.color(QPalette::WindowText); // the colour may be that of the ground
-    edge.setAlphaF(0.4F);
-    painter.setPen(QPen(edge, width + 1.2, isHidden ? Qt::DotLine : Qt::SolidLine));
-    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    painter.setPen(QPen(colour, width, isHidden ? Qt::DotLine : Qt::SolidLine));
-    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    const bool isIsovalue = item.kind == EditorItem::Kind::Isovalue;
+    const bool isOfMode = !isIsovalue || scene.showsIsovalues;
+    const bool isHidden = isIsovalue && !(isOfMode && scene.state.host().isovalues()[item.index].visible);
+    if (isOfMode || isCurrent)
+        paintMarkerLine(painter, scene, x, QPen(colour, isCurrent ? 2.5 : 1.5, isHidden ? Qt::DotLine : Qt::SolidLine));
     painter.setPen(QPen(rim, isCurrent ? 2 : 1));
     painter.setBrush(isHidden ? scene.palette.color(QPalette::Base) : colour);
     const double top = area.top() - handleHeight;
-    if (item.kind == EditorItem::Kind::Isovalue)
+    if (isIsovalue)
         painter.drawPolygon(QPolygonF({{x - halfHandle, top}, {x + halfHandle, top}, {x, area.top()}}));
     else // the straight side of the handle lies at the value
         painter.drawRect(

@@ -176,7 +176,7 @@ void TransferCanvas::mouseReleaseEvent(QMouseEvent* event)
 }
 
 /// A new point where it was clicked, which can be dragged on; a point that is there is asked about its colour. Lines
-/// across the plot do not hinder that: they are dragged, and have handles above it.
+/// across the plot do not hinder that: they have handles above it.
 void TransferCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 {
     const TransferPlot there = plot();
@@ -188,7 +188,7 @@ void TransferCanvas::mouseDoubleClickEvent(QMouseEvent* event)
         return emit colourWanted();
     if (item.kind != EditorItem::Kind::None && !there.area.contains(place))
         return;
-    const auto added = withPoint(function(), there.valueAt(place.x()));
+    const auto added = withSeenPoint(function(), there.valueAt(place.x()));
     if (!added)
         return;
     state_.host().beginGesture();

@@ -39,8 +39,8 @@ bool isCanvasKey(const QKeyEvent& event)
     const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
     if (modifiers != Qt::NoModifier && modifiers != Qt::ControlModifier)
         return false;
-    constexpr std::array keys{Qt::Key_Insert, Qt::Key_D,    Qt::Key_Escape, Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus,
-                              Qt::Key_Home,   Qt::Key_Left, Qt::Key_Right,  Qt::Key_Up,   Qt::Key_Down};
+    constexpr std::array keys{Qt::Key_Insert, Qt::Key_C,    Qt::Key_D,    Qt::Key_Escape, Qt::Key_Plus, Qt::Key_Equal,
+                              Qt::Key_Minus,  Qt::Key_Home, Qt::Key_Left, Qt::Key_Right,  Qt::Key_Up,   Qt::Key_Down};
     return digitOf(event) || std::ranges::find(keys, event.key()) != keys.end();
 }
 
@@ -63,6 +63,8 @@ bool TransferCanvas::editByKey(const QKeyEvent& event)
         duplicatePoints(state_);
     else if (event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace)
         state_.removeCurrent();
+    else if (event.key() == Qt::Key_C && event.modifiers() == Qt::NoModifier)
+        emit colourWanted();
     else if (event.key() == Qt::Key_Insert)
         addPoint(state_, pointed_ ? pointed_ : pickedValue(state_));
     else if (event.key() == Qt::Key_Escape && state_.current().kind != EditorItem::Kind::None)

@@ -23,6 +23,7 @@ struct CanvasScene {
     QPalette palette;
     bool isEnabled = true;
     bool hasFocus = false;
+    bool showsIsovalues = true;   ///< what is drawn has their surfaces
     std::optional<QRectF> band{}; ///< the frame that is being drawn around points
 
     const JoinedFunction& function() const { return state.joinedFunction(); }

@@ -2,6 +2,7 @@
 #include "plugins/editors/transferfunction/edit_menu.h"
 
 #include "plugins/editors/transferfunction/point_clipboard.h"
+#include "plugins/editors/transferfunction/rescale_dialog.h"
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/reshaping.h"
 #include "plugins/widgets/curves/whole_function.h"
@@ -27,6 +28,7 @@ EditMenu::EditMenu(EditorState& state, QWidget* parent) : QMenu(parent), state_(
     setObjectName("transfer.editMenu");
     setToolTipsVisible(true);
     addWhole();
+    addRescaling();
     addSeparator();
     addSelecting();
     addSeparator();
@@ -72,8 +74,20 @@ void EditMenu::addWhole()
     };
     whole("widen", tr("&Wider"), [wider](const TransferFunction& old) { return wider(old, widening); });
     whole("narrow", tr("Na&rrower"), [wider](const TransferFunction& old) { return wider(old, 1 / widening); });
-    whole("spread", tr("Spread over all &values"),
-          [this](const TransferFunction& old) { return spreadOver(old, state_.range()); });
+}
+
+void EditMenu::addRescaling()
+{
+    rescaling_ = addMenu(tr("Rescale"));
+    rescaling_->setObjectName("transfer.rescaleMenu");
+    const auto spread = [this](const char* name, const QString& text, const std::function<void()>& run) {
+        add(*rescaling_, name, text, run);
+    };
+    spread("spread", tr("To the values of the &data"),
+           [this] { state_.setFunction(spreadOver(state_.function(), state_.range())); });
+    spread("spread.shown", tr("To the values &shown in the plot"),
+           [this] { state_.setFunction(spreadOver(state_.function(), state_.shown())); });
+    spread("spread.numbers", tr("To &numbers…"), [this] { askForRange(state_, parentWidget()); });
 }
 
 /// The canvas has these keys while it is in use; here they are only shown.
@@ -99,7 +113,7 @@ void EditMenu::addSelecting()
                   [this] { state_.apply(withoutSelected(state_.joinedFunction(), state_.selection())); }),
               QKeySequence::Delete),
          1});
-    colour_ = add(*this, "colour", tr("Colour…"), [this] { emit colourWanted(); });
+    colour_ = keys(add(*this, "colour", tr("Colour…"), [this] { emit colourWanted(); }), Qt::Key_C);
 }
 
 void EditMenu::addArranging()
@@ -212,6 +226,8 @@ void EditMenu::enableWhatIsPossible()
     for (QAction* action : needingPicked_)
         action->setEnabled(pickedValue(state_).has_value());
     colour_->setEnabled(!state_.selection().empty() || state_.current().kind == EditorItem::Kind::Isovalue);
+    const auto extent = extentOf(state_.function());
+    rescaling_->setEnabled(extent && extent->least < extent->largest);
     mask_->setChecked(state_.joinedFunction().mask.has_value());
 }
 

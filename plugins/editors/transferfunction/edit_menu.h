@@ -32,6 +32,7 @@ private:
     /// Greyed out with fewer selected points than `points`.
     void addEdit(QMenu& menu, const char* name, const QString& text, std::size_t points, const Change& change);
     void addWhole();
+    void addRescaling();
     void addSelecting();
     void addArranging();
     void addAligning();
@@ -50,6 +51,7 @@ private:
     std::vector<Needing> needing_;
     std::vector<QAction*> needingPicked_;
     QAction* colour_ = nullptr;
+    QMenu* rescaling_ = nullptr;
     QAction* mask_ = nullptr;
 };
 

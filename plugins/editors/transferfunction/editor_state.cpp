@@ -95,6 +95,18 @@ bool EditorState::ofLogarithms() const
     return host != nullptr && host->holdsLogarithms();
 }
 
+ValueFacts EditorState::valueFacts() const
+{
+    const auto* host = dynamic_cast<const ValueFactsHost*>(&host_);
+    return host != nullptr ? host->valueFacts() : ValueFacts();
+}
+
+bool EditorState::showsIsovalues() const
+{
+    const auto* host = dynamic_cast<const ValueFactsHost*>(&host_);
+    return host == nullptr || host->showsIsovalues();
+}
+
 ValueAxis EditorState::valueAxis() const
 {
     return hasPlaces(limits(), view_.valueAxis) && !ofLogarithms() ? view_.valueAxis : ValueAxis::Linear;
@@ -237,6 +249,18 @@ std::optional<double> pickedValue(const EditorState& state)
     return picked ? std::optional(picked->value) : std::nullopt;
 }
 
+std::optional<EditedPoint> withSeenPoint(const JoinedFunction& function, double value)
+{
+    constexpr float opacity = 0.4F;
+    auto added = withPoint(function, value);
+    if (!added || !function.points.empty())
+        return added;
+    const Colour colour = distinctColour(2); // stands out from light grounds and from dark ones
+    added->function.points.front().colour = {colour.red, colour.green, colour.blue};
+    added->function.points.front().opacity = opacity;
+    return added;
+}
+
 void addPoint(EditorState& state, std::optional<double> value)
 {
     const auto [least, largest] = state.shown();
@@ -247,7 +271,7 @@ void addPoint(EditorState& state, std::optional<double> value)
         value = middleOf(from, next != points.end() ? next->value : largest, state.valueAxis());
     }
     if (const auto added =
-            withPoint(state.joinedFunction(), value.value_or(middleOf(least, largest, state.valueAxis()))))
+            withSeenPoint(state.joinedFunction(), value.value_or(middleOf(least, largest, state.valueAxis()))))
         state.apply({added->function, {added->point}});
 }
 

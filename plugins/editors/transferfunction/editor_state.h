@@ -3,6 +3,7 @@
 
 #include "plugins/api/editor.h"
 #include "plugins/api/scene_parameters.h"
+#include "plugins/api/value_facts_host.h"
 #include "plugins/widgets/curves/axes.h"
 #include "plugins/widgets/curves/joined_function.h"
 #include "plugins/widgets/curves/moving.h"
@@ -58,6 +59,10 @@ public:
     TransferLimits shown() const { return view_.values.value_or(limits()); }
     /// Whether the values are logarithms, which people read and type as what they are of.
     bool ofLogarithms() const;
+    /// What the data say of them; nothing in a window that does not know.
+    ValueFacts valueFacts() const;
+    /// Whether what is drawn has the isovalues' surfaces.
+    bool showsIsovalues() const;
     /// Linear as long as some value has no place on the one that is wanted, and of logarithms.
     ValueAxis valueAxis() const;
 
@@ -111,6 +116,9 @@ private:
 
 /// What is picked in the picture, if anything is.
 std::optional<double> pickedValue(const EditorState& state);
+
+/// A point more on the curve; where there is no curve yet, in a colour and of an opacity that can be seen.
+std::optional<EditedPoint> withSeenPoint(const JoinedFunction& function, double value);
 
 /// A point more on the curve, selected: at `value`, or halfway from the current point to the next, or in the middle of
 /// what is seen.

@@ -2,10 +2,10 @@
 #include "plugins/editors/transferfunction/preset.h"
 
 #include "plugins/editors/transferfunction/canvas_painting.h"
+#include "plugins/widgets/curves/whole_function.h"
 
 #include <tan/transfer.h>
 
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPixmap>
 
@@ -16,30 +16,17 @@
 namespace tetra {
 namespace {
 
-class PresetNames {
-    Q_DECLARE_TR_FUNCTIONS(PresetNames)
-};
+/// What scanners have for air, or for what lies outside of their circle.
+constexpr std::array paddings{-3024.0, -2048.0, -2000.0};
+constexpr double leastAir = -1100, largestAir = -900;
 
-/// What the map is called in the user's language: names that are known everywhere stay.
-QString colourMapName(const std::string& id)
+/// The values that a preview goes over: a function in Hounsfield units is narrow in them.
+TransferLimits previewedValues(const Preset& preset, const TransferFunction& function)
 {
-    if (id == "cool-warm")
-        return PresetNames::tr("Cool to warm");
-    if (id == "grey")
-        return PresetNames::tr("Grey");
-    return QString::fromStdString(id);
+    return preset.isHounsfield ? extentOf(function).value_or(TransferLimits{}) : TransferLimits{};
 }
 
-/// Opaque everywhere.
-TransferFunction functionOf(const ColourMap& map, const TransferLimits& range, double unitDistance)
-{
-    TransferFunction function;
-    function.opacities = {{range.least, 1}};
-    function.unitDistance = unitDistance;
-    return withColourMap(function, map, range);
-}
-
-QPixmap previewOf(const TransferFunction& function, QSize size, qreal scale)
+QPixmap previewOf(const TransferFunction& function, const TransferLimits& values, QSize size, qreal scale)
 {
     QPixmap pixmap(size * scale);
     pixmap.setDevicePixelRatio(scale);
@@ -48,35 +35,54 @@ QPixmap previewOf(const TransferFunction& function, QSize size, qreal scale)
     const double height = size.height();
     const double width = size.width();
     for (double x = 0; x < width; x += 1 / scale) {
-        const double value = (x + 0.5 / scale) / width;
+        const double value = std::lerp(values.least, values.largest, (x + 0.5 / scale) / width);
         const double opaque = std::sqrt(std::clamp(opacityOf(function, value), 0.0, 1.0)) * height;
-        painter.fillRect(QRectF(x, 0, 1 / scale, height), faded(colourAt(function, value), 0.35));
-        painter.fillRect(QRectF(x, height - opaque, 1 / scale, opaque), colourAt(function, value));
+        const QColor colour = colourAt(function, value);
+        painter.fillRect(QRectF(x, 0, 1 / scale, height), faded(colour, 0.35));
+        painter.fillRect(QRectF(x, height - opaque, 1 / scale, opaque), colour);
     }
     return pixmap;
 }
 
 } // namespace
 
-std::vector<Preset> suppliedPresets()
+bool isMeant(const Preset& preset, const QString& text)
 {
-    std::vector<Preset> presets{{"preset.sequential",
-                                 PresetNames::tr("Sequential: opaque where values are large"),
-                                 {},
-                                 [](const TransferLimits& range, double unit) {
-                                     return sequentialTransferFunction(range.least, range.largest, unit);
-                                 }},
-                                {"preset.diverging",
-                                 PresetNames::tr("Diverging: opaque at both ends"),
-                                 {},
-                                 [](const TransferLimits& range, double unit) {
-                                     return divergingTransferFunction(range.least, range.largest, unit);
-                                 }}};
-    for (const ColourMap& map : colourMaps())
-        presets.push_back(
-            {QString::fromStdString("colours." + map.id), colourMapName(map.id), QString::fromStdString(map.source),
-             [&map](const TransferLimits& range, double unit) { return functionOf(map, range, unit); }, false});
-    return presets;
+    const QString found = preset.name + ' ' + preset.words;
+    return std::ranges::all_of(text.split(' ', Qt::SkipEmptyParts), [&found](const QString& word) {
+        return found.contains(word, Qt::CaseInsensitive); //
+    });
+}
+
+HounsfieldUnits hounsfieldUnits(const ValueFacts& facts, const TransferLimits& range)
+{
+    const QString unit = QString::fromStdString(facts.unit).trimmed().toLower();
+    if (unit == "hu" || unit == "[hu]" || unit.startsWith("hounsfield"))
+        return HounsfieldUnits::Told;
+    const bool isSigned = facts.sampleType == SampleType::Int16 || facts.sampleType == SampleType::Int32;
+    const bool beginsWithAir = (range.least >= leastAir && range.least <= largestAir) ||
+                               std::ranges::find(paddings, range.least) != paddings.end();
+    return unit.isEmpty() && isSigned && beginsWithAir && range.largest > 0 ? HounsfieldUnits::Likely
+                                                                            : HounsfieldUnits::None;
+}
+
+TransferLimits rangeOf(const Preset& preset, HounsfieldUnits units, const TransferLimits& range)
+{
+    return preset.isHounsfield && units != HounsfieldUnits::None ? hounsfieldRange : range;
+}
+
+std::optional<Message> assumptionOf(const Preset& preset, HounsfieldUnits units, const TransferLimits& range)
+{
+    if (!preset.isHounsfield || units == HounsfieldUnits::Told)
+        return std::nullopt;
+    if (units == HounsfieldUnits::Likely)
+        return Message::say(
+            "The preset is for Hounsfield units, and the values are assumed to be these: they are whole "
+            "numbers from %1 to %2.",
+            formatNumber(range.least), formatNumber(range.largest));
+    return Message::say("The preset is for Hounsfield units, which the data do not seem to have: it is stretched over "
+                        "their values, %1 to %2, as if these were -1024 to 3071.",
+                        formatNumber(range.least), formatNumber(range.largest));
 }
 
 TransferFunction withPreset(const TransferFunction& function, const Preset& preset, PresetPart part,
@@ -100,9 +106,12 @@ TransferFunction withPreset(const TransferFunction& function, const Preset& pres
 QIcon presetIcon(const Preset& preset, QSize size)
 {
     QIcon icon;
-    for (const int scale : {1, 2, 3})
+    const TransferFunction function = preset.make({0, 1}, 1);
+    for (const int scale : {1, 2, 3}) {
+        const QPixmap preview = previewOf(function, previewedValues(preset, function), size, scale);
         for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) // a chosen one keeps its colours
-            icon.addPixmap(previewOf(preset.make({0, 1}, 1), size, scale), mode);
+            icon.addPixmap(preview, mode);
+    }
     return icon;
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/value_facts_host.h"
+
+#include <tan/base.h>
 #include <tan/transfer.h>
 
 #include <QIcon>
 #include <QString>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace tetra {
@@ -22,12 +26,33 @@ struct Preset {
     bool isOwn = false; ///< the user has saved it, and may delete it
     /// In diagonals of the domain; none: the unit distance stays.
     std::optional<double> unitDistance{};
+    QString words{};           ///< that it is found by besides its name, in every language of the program
+    bool isHounsfield = false; ///< made over `hounsfieldRange`, for values in Hounsfield units
 };
 
 enum class PresetPart { Both, Colours, Opacities };
 
-/// Those that come with the program: two functions, and the colour maps of core/transfer.
+/// Those that come with the program: for values between any two, for scans in Hounsfield units, and last the colour
+/// maps of core/transfer. In supplied_presets.cpp.
 std::vector<Preset> suppliedPresets();
+
+/// Whether a text that somebody types means the preset: each of its words is a part of the preset's name or words.
+bool isMeant(const Preset& preset, const QString& text);
+
+/// The values of scanners with twelve bits.
+inline constexpr TransferLimits hounsfieldRange{-1024, 3071};
+
+/// Whether values are Hounsfield units: the data say so, or they look like these, signed whole numbers that begin where
+/// scanners do, or neither.
+enum class HounsfieldUnits { Told, Likely, None };
+HounsfieldUnits hounsfieldUnits(const ValueFacts& facts, const TransferLimits& range);
+
+/// What a preset is made over, where the data have the values of `range`: that, or of a preset in Hounsfield units
+/// their own range if the data have these.
+TransferLimits rangeOf(const Preset& preset, HounsfieldUnits units, const TransferLimits& range);
+
+/// What is assumed then that nobody has said; empty if nothing is.
+std::optional<Message> assumptionOf(const Preset& preset, HounsfieldUnits units, const TransferLimits& range);
 
 /// The function with a preset's look, or with its colours or opacities alone, spread over `range`. `diagonal` is the
 /// domain's. Of a preset without opacities only the colours can be had: asked for its opacities it changes nothing.

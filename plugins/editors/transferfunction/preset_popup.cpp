@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 #include <QInputDialog>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -29,12 +30,12 @@ constexpr int widestList = 600; ///< names of the user's own may be long
 
 PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     : QFrame(parent, Qt::Popup), state_(state), search_(new QLineEdit), part_(new QComboBox), list_(new QListWidget),
-      save_(new QPushButton(tr("&Save as preset…"))), delete_(new QPushButton(tr("&Delete")))
+      nothing_(new QLabel), save_(new QPushButton(tr("&Save as preset…"))), delete_(new QPushButton(tr("&Delete")))
 {
     setObjectName("transfer.presetPopup");
     setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
     search_->setObjectName("transfer.presetPopup.search");
-    search_->setPlaceholderText(tr("Search"));
+    search_->setPlaceholderText(tr("Search: bone, lung, metal, plasma…"));
     search_->setAccessibleName(tr("Search for a preset"));
     search_->setToolTip(search_->accessibleName());
     search_->setClearButtonEnabled(true);
@@ -47,6 +48,12 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     list_->setAccessibleName(tr("Presets"));
     list_->setIconSize(previewSize);
     list_->setUniformItemSizes(true);
+    nothing_->setObjectName("transfer.presetPopup.nothing");
+    nothing_->setTextFormat(Qt::PlainText);
+    nothing_->setWordWrap(true);
+    nothing_->setAlignment(Qt::AlignCenter);
+    nothing_->setForegroundRole(QPalette::PlaceholderText);
+    (new QVBoxLayout(list_->viewport()))->addWidget(nothing_);
     save_->setObjectName("transfer.presetPopup.save");
     save_->setToolTip(tr("Keep the current transfer function for this and other models"));
     delete_->setObjectName("transfer.presetPopup.delete");
@@ -101,11 +108,22 @@ void PresetPopup::readOwn(const std::function<Status()>& change)
     }
 }
 
+/// Of the supplied ones made once: they stay what they are.
+QIcon PresetPopup::iconOf(const Preset& preset)
+{
+    if (preset.isOwn)
+        return presetIcon(preset, previewSize);
+    const auto [known, isNew] = icons_.try_emplace(preset.id);
+    if (isNew)
+        known->second = presetIcon(preset, previewSize);
+    return known->second;
+}
+
 /// The supplied presets as commands.
 void PresetPopup::addActions()
 {
     for (const Preset& preset : suppliedPresets()) {
-        auto* action = new QAction(presetIcon(preset, previewSize), preset.name, this);
+        auto* action = new QAction(iconOf(preset), preset.name, this);
         action->setObjectName("transfer." + preset.id);
         connect(action, &QAction::triggered, this, [this, preset] { apply(preset, PresetPart::Both); });
     }
@@ -119,9 +137,11 @@ void PresetPopup::fill()
     std::ranges::move(suppliedPresets(), std::back_inserter(presets_));
     list_->clear();
     for (const Preset& preset : presets_) {
-        auto* item = new QListWidgetItem(presetIcon(preset, previewSize), preset.name, list_);
+        auto* item = new QListWidgetItem(iconOf(preset), preset.name, list_);
         item->setData(Qt::UserRole, preset.id);
-        item->setToolTip(preset.isOwn ? tr("Your own preset") : preset.source);
+        item->setToolTip(preset.isOwn          ? tr("Your own preset")
+                         : preset.isHounsfield ? tr("Values in Hounsfield units (HU)")
+                                               : preset.source);
     }
     const int widest = list_->sizeHintForColumn(0) + list_->verticalScrollBar()->sizeHint().width();
     list_->setMinimumWidth(std::min(widest, widestList));
@@ -131,20 +151,30 @@ void PresetPopup::fill()
             list_->setCurrentRow(row);
 }
 
-/// Shows what has the text in its name, and has what is to be taken.
+/// Shows what is meant by the text, and has what is to be taken.
 void PresetPopup::narrow()
 {
     QListWidgetItem* first = nullptr;
     for (int row = 0; row < list_->count(); ++row) {
         QListWidgetItem* item = list_->item(row);
-        const bool fits = item->text().contains(search_->text(), Qt::CaseInsensitive) &&
-                          (part() != PresetPart::Opacities || presetOf(item)->hasOpacities);
+        const Preset& preset = *presetOf(item);
+        const bool fits = isMeant(preset, search_->text()) && (part() != PresetPart::Opacities || preset.hasOpacities);
         item->setHidden(!fits);
         if (fits && first == nullptr)
             first = item;
     }
     list_->setCurrentItem(first);
+    tellWhatIsFound(first != nullptr);
     enableWhatIsPossible();
+}
+
+void PresetPopup::tellWhatIsFound(bool any)
+{
+    const QString text =
+        part() == PresetPart::Opacities ? tr("No preset with opacities matches “%1”.") : tr("No preset matches “%1”.");
+    nothing_->setText(any ? QString() : text.arg(search_->text()));
+    nothing_->setVisible(!any);
+    list_->setAccessibleDescription(nothing_->text());
 }
 
 void PresetPopup::showAt(const QWidget& button)
@@ -199,7 +229,13 @@ void PresetPopup::take(const QListWidgetItem* item)
 
 void PresetPopup::apply(const Preset& preset, PresetPart part)
 {
-    state_.setFunction(withPreset(state_.function(), preset, part, state_.range(), state_.host().diagonal()));
+    const TransferLimits range = state_.range();
+    const HounsfieldUnits units = hounsfieldUnits(state_.valueFacts(), range);
+    const TransferFunction made = withPreset(state_.function(), preset, part, rangeOf(preset, units, range), //
+                                             state_.host().diagonal());
+    state_.setFunction(made);
+    if (const auto assumed = assumptionOf(preset, units, range))
+        state_.host().tell(*assumed);
 }
 
 void PresetPopup::askForName()

@@ -9,9 +9,11 @@
 #include <QFrame>
 
 #include <functional>
+#include <map>
 #include <thread>
 
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
@@ -34,10 +36,12 @@ protected:
 
 private:
     void addActions();
+    QIcon iconOf(const Preset& preset);
     /// Reads the user's own presets, once `change` has changed them.
     void readOwn(const std::function<Status()>& change);
     void fill();
     void narrow();
+    void tellWhatIsFound(bool any);
     void take(const QListWidgetItem* item);
     void apply(const Preset& preset, PresetPart part);
     void askForName();
@@ -48,12 +52,14 @@ private:
     void enableWhatIsPossible();
 
     EditorState& state_;
-    std::vector<Preset> own_;     ///< as they were read last
-    quint64 newest_ = 0;          ///< of the numbers of what is read
-    std::vector<Preset> presets_; ///< those and the supplied ones
+    std::vector<Preset> own_;        ///< as they were read last
+    quint64 newest_ = 0;             ///< of the numbers of what is read
+    std::vector<Preset> presets_;    ///< those and the supplied ones
+    std::map<QString, QIcon> icons_; ///< of the supplied ones, by their ids
     QLineEdit* search_;
     QComboBox* part_;
     QListWidget* list_;
+    QLabel* nothing_; ///< in the list, where it is empty
     QPushButton* save_;
     QPushButton* delete_;
     std::jthread files_; ///< waits for the one before: who reads the folder sees what was saved before

@@ -62,6 +62,7 @@ CanvasScene TransferCanvas::scene() const
     CanvasScene scene{state_, plot(), palette()};
     scene.isEnabled = isEnabled();
     scene.hasFocus = hasFocus();
+    scene.showsIsovalues = state_.showsIsovalues();
     if (grab_.what == Grab::What::Band && grab_.moved)
         scene.band = QRectF(grab_.from, grab_.to).normalized();
     return scene;
@@ -76,11 +77,14 @@ EditorItem TransferCanvas::itemAt(QPointF place) const
     if (!there.area.adjusted(-handleGrab, -there.area.top(), handleGrab, 0).contains(place) ||
         (!onHandle && there.isOnCurve(state_.function(), place)))
         return {};
+    const auto isThere = [onHandle](EditorItem::Kind kind) { // an isovalue's line is only looked at
+        return kind != EditorItem::Kind::Point && (onHandle || kind != EditorItem::Kind::Isovalue);
+    };
     EditorItem nearest;
     double least = onHandle ? handleGrab : lineGrab;
     for (const EditorItem& item : state_.items()) {
         const double distance = std::abs(there.x(*state_.valueOf(item)) - place.x());
-        if (item.kind != EditorItem::Kind::Point && distance <= least) {
+        if (isThere(item.kind) && distance <= least) {
             nearest = item;
             least = distance;
         }

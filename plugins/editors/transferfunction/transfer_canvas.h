@@ -22,7 +22,7 @@ public:
     std::optional<std::size_t> selected() const { return state_.currentPoint(); }
     void select(std::optional<std::size_t> point);
     TransferPlot plot() const;
-    /// What is under the pointer: a point, the handle or the line of an isovalue, an end of the mask.
+    /// What is under the pointer: a point, the handle of an isovalue, the handle or the line of an end of the mask.
     EditorItem itemAt(QPointF place) const;
     /// The value under the pointer; none if it is elsewhere.
     std::optional<double> pointed() const { return pointed_; }
@@ -33,7 +33,7 @@ public:
 signals:
     /// The pointer is over another value, or has left.
     void pointedChanged();
-    /// A point was double clicked.
+    /// A point was double clicked, or the key for it pressed.
     void colourWanted();
 
 protected:

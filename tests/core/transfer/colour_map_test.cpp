@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -18,6 +20,11 @@ double lightness(const std::array<float, 3>& colour)
         return channel > 0.04045 ? std::pow((channel + 0.055) / 1.055, 2.4) : channel / 12.92;
     };
     return 116 * std::cbrt(0.2126 * linear(colour[0]) + 0.7152 * linear(colour[1]) + 0.0722 * linear(colour[2])) - 16;
+}
+
+const ColourMap& mapNamed(const std::string& id)
+{
+    return *std::ranges::find(colourMaps(), id, &ColourMap::id);
 }
 
 TransferFunction randomFunction(std::mt19937& random)
@@ -43,6 +50,9 @@ class ColourMapTest : public QObject {
 
 private slots:
     void mapsAreWhole();
+    void coloursAreThePublishedOnes_data();
+    void coloursAreThePublishedOnes();
+    void categoriesAreSteps();
     void lightnessRises_data();
     void lightnessRises();
     void opacitiesStay();
@@ -51,29 +61,73 @@ private slots:
 
 void ColourMapTest::mapsAreWhole()
 {
-    QCOMPARE(colourMaps().size(), std::size_t(5));
+    QCOMPARE(colourMaps().size(), std::size_t(9));
     for (const ColourMap& map : colourMaps()) {
         QCOMPARE(map.nodes.front().share, 0.0);
         QCOMPARE(map.nodes.back().share, 1.0);
         for (std::size_t node = 1; node < map.nodes.size(); ++node)
-            QVERIFY(map.nodes[node - 1].share < map.nodes[node].share);
-        for (const ColourMapNode& node : map.nodes)
-            QCOMPARE(colourAt(map, node.share), node.colour);
+            QVERIFY(map.nodes[node - 1].share <= map.nodes[node].share);
+        for (std::size_t node = 0; node < map.nodes.size(); ++node) // of two of one share the second one counts
+            if (node + 1 == map.nodes.size() || map.nodes[node].share < map.nodes[node + 1].share)
+                QCOMPARE(colourAt(map, map.nodes[node].share), map.nodes[node].colour);
     }
+}
+
+void ColourMapTest::coloursAreThePublishedOnes_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<int>("number");
+    QTest::addColumn<std::array<float, 3>>("colour");
+    const auto row = [](const char* id, int number, std::array<float, 3> colour) {
+        QTest::addRow("%s %d", id, number) << id << number << colour;
+    };
+    // Of the 256 that the authors published, some that lie between the nodes.
+    row("plasma", 8, {0.132381F, 0.022258F, 0.563250F});
+    row("plasma", 120, {0.768090F, 0.244817F, 0.498465F});
+    row("plasma", 201, {0.985301F, 0.635330F, 0.221265F});
+    row("turbo", 20, {0.26074F, 0.29568F, 0.71162F});
+    row("turbo", 100, {0.24797F, 0.96423F, 0.54303F});
+    row("turbo", 221, {0.83926F, 0.20654F, 0.02305F});
+}
+
+void ColourMapTest::coloursAreThePublishedOnes()
+{
+    QFETCH(QString, id);
+    QFETCH(int, number);
+    using Colour = std::array<float, 3>;
+    QFETCH(Colour, colour);
+    const Colour is = colourAt(mapNamed(id.toStdString()), number / 255.0);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        QVERIFY2(std::abs(is[channel] - colour[channel]) < 0.012F, qPrintable(QString::number(double(is[channel]))));
+}
+
+/// Each of seven equal parts has one colour, up to its edge.
+void ColourMapTest::categoriesAreSteps()
+{
+    const ColourMap& map = mapNamed("categories");
+    for (int part = 0; part < 7; ++part) {
+        const auto colour = colourAt(map, (part + 0.5) / 7);
+        for (const double within : {0.001, 0.25, 0.999})
+            QCOMPARE(colourAt(map, (part + within) / 7), colour);
+        if (part > 0)
+            QVERIFY(colourAt(map, (part - 0.5) / 7) != colour);
+    }
+    const TransferFunction function = withColourMap({}, map, {0, 7});
+    QVERIFY(checkTransferFunction(function));
+    QCOMPARE(function.colours.size(), std::size_t(14));
 }
 
 void ColourMapTest::lightnessRises_data()
 {
     QTest::addColumn<QString>("id");
-    for (const char* id : {"viridis", "cividis", "inferno", "grey"})
+    for (const char* id : {"viridis", "cividis", "inferno", "plasma", "grey"})
         QTest::newRow(id) << id;
 }
 
 void ColourMapTest::lightnessRises()
 {
     QFETCH(QString, id);
-    const auto map = std::ranges::find(colourMaps(), id.toStdString(), &ColourMap::id);
-    QVERIFY(map != colourMaps().end());
+    const ColourMap* map = &mapNamed(id.toStdString());
     double before = -20;
     for (int step = 0; step <= 100; ++step) {
         const double now = lightness(colourAt(*map, step / 100.0));

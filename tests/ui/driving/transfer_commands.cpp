@@ -3,6 +3,7 @@
 // (R18). What an edit makes of a function is the matter of tests/plugins/widgets/curves; here it is which edit, of
 // which points, by how much.
 #include "core/view/appearance.h"
+#include "plugins/editors/transferfunction/preset.h"
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/copying.h"
 #include "plugins/widgets/curves/moving.h"
@@ -124,6 +125,17 @@ Drivers wholeChanges()
             [](DrivenWindow& window) {
                 beginUneven(window);
                 window.trigger("transfer.change.narrow");
+            }),
+        whole(
+            "spread.shown",
+            [](const TransferFunction& old, const DrivenWindow& window) {
+                const TransferLimits range = rangeOf(window);
+                const double inset = 0.1 * lengthOf(range); // a step of zoom leaves 0.8 of it
+                return spreadOver(old, {range.least + inset, range.largest - inset});
+            },
+            [](DrivenWindow& window) {
+                beginUneven(window);
+                window.press("transfer.canvas", Qt::Key_Plus);
             }),
         whole("mask",
               [](const TransferFunction& old, const DrivenWindow& window) {
@@ -304,6 +316,15 @@ void reachBeyond(DrivenWindow& window)
     window.session().setTransfer(widened(transferOf(window), middleOf(rangeOf(window)), 1.5));
 }
 
+/// What presets in Hounsfield units tell takes some of the picture's height: it is there before.
+void beginWithTheMessage(DrivenWindow& window)
+{
+    beginUneven(window);
+    window.trigger("transfer.preset.ct-bone");
+    QCoreApplication::processEvents();
+    beginUneven(window);
+}
+
 /// Presets of colours leave the opacities.
 Drivers presetCommands()
 {
@@ -319,6 +340,15 @@ Drivers presetCommands()
         const auto [least, largest] = rangeOf(window);
         return divergingTransferFunction(least, largest, old.unitDistance);
     });
+    for (const Preset& supplied : suppliedPresets())
+        if (supplied.hasOpacities && supplied.id != "preset.sequential" && supplied.id != "preset.diverging")
+            drivers.push_back(edit("transfer." + supplied.id,
+                                   transfer([supplied](const TransferFunction& old, const DrivenWindow& window) {
+                                       return withPreset(old, supplied, PresetPart::Both,
+                                                         rangeOf(window), // no Hounsfield units here
+                                                         window.session().model()->diagonal());
+                                   }),
+                                   supplied.isHounsfield ? &beginWithTheMessage : &beginUneven));
     for (const ColourMap& map : colourMaps())
         preset("colours." + QString::fromStdString(map.id),
                [&map](const TransferFunction& old, const DrivenWindow& window) {
@@ -372,6 +402,7 @@ Drivers transferCommands()
         looking("transfer.zoom.data", &reachBeyond, &zoomIn, false),
         looking("transfer.zoom.all", &reachBeyond, &zoomIn, true),
         opening("transfer.change.colour", "colourDialog", &selectTwo),
+        opening("transfer.change.spread.numbers", "transfer.rescale", &beginUneven),
         opening("transfer.save.paraview", "transferParaviewDialog", &beginUneven),
     };
     return allOf({wholeChanges(), pointChanges(), groups(), presetCommands(), others});

@@ -55,19 +55,20 @@ int presetsSeen(const DrivenWindow& window)
     return seen;
 }
 
-/// Those that are seen are those with the text in their names, and are not all.
+/// Those that are seen are those with the text in their names or words, and are not all.
 bool presetsAreFiltered(const DrivenWindow& window)
 {
     const auto& list = window.find<QListWidget>("transfer.presetPopup.list");
     const auto wanted = list.findItems("vi", Qt::MatchContains);
-    return presetsSeen(window) == wanted.size() && wanted.size() < list.count() &&
+    return presetsSeen(window) >= wanted.size() && presetsSeen(window) < list.count() &&
            std::ranges::none_of(wanted, &QListWidgetItem::isHidden);
 }
 
 /// Presets that are colours alone have no opacities to be taken.
 bool hasPresetsWithOpacities(const DrivenWindow& window)
 {
-    return presetsSeen(window) == 2;
+    const auto& list = window.find<QListWidget>("transfer.presetPopup.list");
+    return presetsSeen(window) == list.count() - static_cast<int>(colourMaps().size());
 }
 
 bool hasNoOwnPreset(const DrivenWindow& window)

@@ -7,6 +7,9 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace tetra;
 
 /// The editor of the transfer function as a plugin of the window (R18): single points, all of them, and what is seen
@@ -20,6 +23,9 @@ private slots:
     void pointsAreEditedByKeys();
     void doubleClickAddsAPoint();
     void doubleClickOnALineAddsAPoint();
+    void isovaluesLinesTakeNoClicks();
+    void linesAreOfModesWithIsovalues();
+    void theFirstPointIsSeen();
     void doubleClickOnAPointAsksForItsColour();
     void pointsAreEditedInNumbers();
     void aPointIsMadeAStep();
@@ -104,6 +110,71 @@ void TransferEditorTest::doubleClickOnALineAddsAPoint()
     const QPoint handle(place.x(), static_cast<int>(plot.area.top()) - 3);
     QTest::mouseDClick(&editor_->canvas(), Qt::LeftButton, {}, handle);
     QCOMPARE(editor_->function().points.size(), count + 1);
+}
+
+/// Only their handles do, above the plot.
+void TransferEditorTest::isovaluesLinesTakeNoClicks()
+{
+    const TransferPlot plot = editor_->canvas().plot();
+    const auto isovalues = editor_->session().view().isovalues;
+    const int x = static_cast<int>(std::lround(plot.x(isovalues.front().value)));
+    const QPoint onLine(x, plot.area.center().toPoint().y() - 40);
+    QVERIFY(editor_->canvas().itemAt(onLine).kind == EditorItem::Kind::None);
+    QVERIFY(editor_->canvas().itemAt(QPoint(x, static_cast<int>(plot.area.top()) - 4)).kind ==
+            EditorItem::Kind::Isovalue);
+    QTest::mouseClick(&editor_->canvas(), Qt::LeftButton, {}, onLine);
+    QVERIFY(editor_->state().current().kind == EditorItem::Kind::None);
+    editor_->drag(onLine, {static_cast<int>(plot.area.right()), static_cast<int>(plot.area.bottom())}); // a frame
+    QVERIFY(!editor_->state().selection().empty());
+    QCOMPARE(editor_->session().view().isovalues, isovalues);
+    QCOMPARE(editor_->undoSteps(), 0);
+}
+
+void TransferEditorTest::linesAreOfModesWithIsovalues()
+{
+    Isovalue isovalue = editor_->session().view().isovalues.front();
+    isovalue.red = 1;
+    isovalue.green = 0;
+    isovalue.blue = 1;
+    editor_->session().setIsovalue(0, isovalue);
+    const auto isLine = [&] {
+        const TransferPlot plot = editor_->canvas().plot(); // the mode may take some of its place
+        const QPoint place(static_cast<int>(std::lround(plot.x(isovalue.value))),
+                           static_cast<int>(plot.area.top() + plot.area.height() / 8));
+        const QImage image = editor_->canvas().grab().toImage();
+        bool found = false;
+        for (int x = place.x() - 2; x <= place.x() + 2; ++x) {
+            const QColor colour = image.pixelColor(QPoint(x, place.y()) * image.devicePixelRatio());
+            found = found || (colour.red() > colour.green() + 60 && colour.blue() > colour.green() + 60);
+        }
+        return found;
+    };
+    QVERIFY(!editor_->state().showsIsovalues());
+    QVERIFY(!isLine());
+    editor_->find<QAction>("action.mode.hybrid").trigger(); // a volume with surfaces in it
+    QTRY_VERIFY(editor_->settled());
+    QVERIFY(editor_->state().showsIsovalues());
+    QTRY_VERIFY(isLine());
+}
+
+/// In an empty function nothing would be seen of a white, transparent one.
+void TransferEditorTest::theFirstPointIsSeen()
+{
+    const auto isSeen = [](const TransferPoint& point) {
+        const auto [least, largest] = std::minmax_element(point.colour.begin(), point.colour.end());
+        return *largest - *least > 0.3F && *largest < 0.9F; // neither white nor black
+    };
+    editor_->session().setTransfer({});
+    QTest::mouseClick(&editor_->find<QPushButton>("transfer.add"), Qt::LeftButton);
+    QCOMPARE(editor_->function().points.size(), std::size_t{1});
+    QVERIFY(isSeen(editor_->function().points.front()));
+    QVERIFY(editor_->function().points.front().opacity >= 0.25F);
+    editor_->session().setTransfer({});
+    const QPoint place = editor_->canvas().plot().area.center().toPoint();
+    QTest::mouseDClick(&editor_->canvas(), Qt::LeftButton, {}, place);
+    QCOMPARE(editor_->function().points.size(), std::size_t{1});
+    QVERIFY(isSeen(editor_->function().points.front()));
+    QVERIFY((editor_->placeOf(0) - place).manhattanLength() <= 2); // as opaque as was clicked
 }
 
 void TransferEditorTest::doubleClickOnAPointAsksForItsColour()

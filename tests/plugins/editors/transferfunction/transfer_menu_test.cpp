@@ -2,11 +2,17 @@
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/copying.h"
 #include "plugins/widgets/curves/reshaping.h"
+#include "plugins/widgets/curves/whole_function.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 
 #include <QClipboard>
+#include <QColorDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QMenu>
+#include <QPushButton>
 
+#include <cmath>
 #include <functional>
 
 using namespace tetra;
@@ -28,6 +34,9 @@ private slots:
     void groupsAreWrittenBesideTheirPoints();
     void theMenuOpensInThePlot();
     void aRightClickSelectsWhatItIsOn();
+    void aKeyAsksForTheColour();
+    void theFunctionIsRescaled();
+    void theFunctionIsRescaledToNumbers();
 
 private:
     using Change = std::function<EditedSelection(const JoinedFunction&, const TransferSelection&, TransferLimits)>;
@@ -250,6 +259,67 @@ void TransferMenuTest::aRightClickSelectsWhatItIsOn()
     QCOMPARE(editor_->state().selection(), TransferSelection{6});
     click(canvas.plot().area.center().toPoint() + QPoint(13, -40)); // on nothing: what is selected is still meant
     QCOMPARE(editor_->state().selection(), TransferSelection{6});
+}
+
+void TransferMenuTest::aKeyAsksForTheColour()
+{
+    press(Qt::Key_C); // of nothing
+    QVERIFY(editor_->window.findChildren<QColorDialog*>().isEmpty());
+    QCOMPARE(action("colour").shortcut(), QKeySequence(Qt::Key_C));
+    editor_->state().select({2, 3});
+    press(Qt::Key_C);
+    auto& dialog = editor_->find<QColorDialog>("colourDialog");
+    QVERIFY(dialog.isVisible());
+    dialog.setCurrentColor(QColor(10, 200, 30));
+    dialog.accept();
+    QCOMPARE(function().points[2].colour, function().points[3].colour);
+    QVERIFY(std::abs(function().points[2].colour[1] - 200 / 255.0F) < 1e-3F);
+}
+
+void TransferMenuTest::theFunctionIsRescaled()
+{
+    const TransferFunction before = editor_->transfer();
+    const TransferLimits range = editor_->state().range();
+    const auto at = [&](double share) { return std::lerp(range.least, range.largest, share); };
+    EditorView view = editor_->state().view();
+    view.values = TransferLimits{at(0.25), at(0.5)};
+    editor_->state().setView(view);
+    const int steps = editor_->undoSteps();
+    const TransferLimits shown = editor_->state().shown();
+    action("spread.shown").trigger();
+    QCOMPARE(editor_->transfer(), spreadOver(before, shown));
+    QVERIFY(std::abs(function().points.back().value - at(0.5)) < 1e-6 * (range.largest - range.least));
+    QCOMPARE(editor_->undoSteps(), steps + 1);
+    action("spread").trigger();
+    QVERIFY(std::abs(function().points.back().value - range.largest) < 1e-9 * (range.largest - range.least));
+    editor_->session().setTransfer({});
+    QVERIFY(!editor_->find<QMenu>("transfer.rescaleMenu").isEnabled()); // there is nothing to be spread
+}
+
+void TransferMenuTest::theFunctionIsRescaledToNumbers()
+{
+    const TransferFunction before = editor_->transfer();
+    const int steps = editor_->undoSteps();
+    const auto ask = [this] {
+        action("spread.numbers").trigger();
+        return &editor_->find<QDialog>("transfer.rescale");
+    };
+    QDialog* dialog = ask();
+    QVERIFY(dialog->isVisible());
+    auto* least = dialog->findChild<QDoubleSpinBox*>("transfer.rescale.least");
+    auto* largest = dialog->findChild<QDoubleSpinBox*>("transfer.rescale.largest");
+    auto* buttons = dialog->findChild<QDialogButtonBox*>();
+    least->setValue(-1024);
+    QVERIFY(buttons->button(QDialogButtonBox::Ok)->isEnabled());
+    largest->setValue(-2000);
+    QVERIFY(!buttons->button(QDialogButtonBox::Ok)->isEnabled()); // no range
+    largest->setValue(3071);
+    dialog->accept();
+    QCOMPARE(editor_->transfer(), spreadOver(before, {-1024, 3071}));
+    QCOMPARE(editor_->undoSteps(), steps + 1);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    ask()->reject();
+    QCOMPARE(editor_->undoSteps(), steps + 1);
 }
 
 QTEST_MAIN(TransferMenuTest)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/own_presets.h"
+#include "plugins/widgets/curves/whole_function.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 
 #include <tan/transfer.h>
@@ -9,12 +10,15 @@
 #include <QFile>
 #include <QFrame>
 #include <QInputDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSet>
 #include <QStandardPaths>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -35,7 +39,13 @@ private slots:
         editor_.reset();
         QDir(presetFolder()).removeRecursively();
     }
+    void thereAreManyAndAllAreValid();
     void theListIsSearched();
+    void wordsOfEveryLanguageFindPresets();
+    void thatNothingIsFoundIsTold();
+    void hounsfieldUnitsAreTheDatasOrAreAssumed();
+    void presetsInHounsfieldUnitsKeepTheirValues();
+    void aStretchedPresetIsTold();
     void coloursAreTakenAlone();
     void opacitiesAreTakenAlone();
     void anOwnPresetIsSavedTakenAndDeleted();
@@ -90,18 +100,139 @@ private:
     std::unique_ptr<EditorFixture> editor_;
 };
 
+void TransferPresetsTest::thereAreManyAndAllAreValid()
+{
+    const std::vector<Preset> presets = suppliedPresets();
+    QVERIFY(presets.size() >= 30);
+    QSet<QString> ids, names;
+    for (const Preset& preset : presets) {
+        ids.insert(preset.id);
+        names.insert(preset.name);
+        for (const TransferLimits& range : {TransferLimits{0, 1}, hounsfieldRange, TransferLimits{-3e5, 7e5}}) {
+            const TransferFunction function = preset.make(range, 0.5);
+            QVERIFY2(checkTransferFunction(function), qPrintable(preset.id));
+            QCOMPARE(function.unitDistance, 0.5);
+            const auto [least, largest] = *extentOf(function);
+            const double room = 1e-9 * (range.largest - range.least);
+            QVERIFY2(least >= range.least - room && largest <= range.largest + room, qPrintable(preset.id));
+        }
+    }
+    QCOMPARE(ids.size(), static_cast<qsizetype>(presets.size()));
+    QCOMPARE(names.size(), static_cast<qsizetype>(presets.size()));
+}
+
 void TransferPresetsTest::theListIsSearched()
 {
     open();
-    QCOMPARE(shownNames().size(), 2 + static_cast<qsizetype>(colourMaps().size()));
+    const auto all = static_cast<qsizetype>(suppliedPresets().size());
+    QCOMPARE(shownNames().size(), all);
     auto& search = editor_->find<QLineEdit>("transfer.presetPopup.search");
     QTest::keyClicks(&search, "VID");
     QCOMPARE(shownNames(), QStringList{"cividis"});
-    QVERIFY(list().item(3)->toolTip().contains("CC0") && !list().item(3)->icon().isNull());
+    const QListWidgetItem& found = *list().currentItem();
+    QVERIFY(found.toolTip().contains("CC0") && !found.icon().isNull());
     search.clear();
     editor_->find<QComboBox>("transfer.presetPopup.part").setCurrentIndex(2);
-    QCOMPARE(shownNames().size(), 2); // maps have no opacities
+    QCOMPARE(shownNames().size(), all - static_cast<qsizetype>(colourMaps().size())); // maps have no opacities
     QVERIFY(!editor_->find<QPushButton>("transfer.presetPopup.delete").isEnabled());
+}
+
+/// One window for all of them: it takes longer to come up than they do.
+void TransferPresetsTest::wordsOfEveryLanguageFindPresets()
+{
+    const std::pair<const char*, QStringList> cases[] = {
+        {"CT: bone", {"bone", "Knochen", "osso", "CT bone", "Skelett ct"}},
+        {"CT: skin and bone", {"skin bone", "bone skin", "Haut", "pelle"}},
+        {"CT: lung", {"lung", "Lunge", "polmone"}},
+        {"CT: teeth", {"teeth", "Zähne", "denti"}},
+        {"Metal and pores", {"pores", "poren metall", "porosità"}},
+        {"turbo", {"rainbow"}},
+        {"MR: brain", {"mri"}},
+    };
+    open();
+    for (const auto& [name, texts] : cases)
+        for (const QString& words : texts) {
+            editor_->find<QLineEdit>("transfer.presetPopup.search").setText(words);
+            QVERIFY2(shownNames().contains(name), qPrintable(words));
+            QVERIFY2(shownNames().size() < list().count() / 2, qPrintable(words));
+            QVERIFY(!editor_->find<QLabel>("transfer.presetPopup.nothing").isVisible());
+        }
+}
+
+void TransferPresetsTest::thatNothingIsFoundIsTold()
+{
+    open();
+    auto& search = editor_->find<QLineEdit>("transfer.presetPopup.search");
+    auto& nothing = editor_->find<QLabel>("transfer.presetPopup.nothing");
+    const int steps = editor_->undoSteps();
+    search.setText("zebra");
+    QVERIFY(shownNames().isEmpty());
+    QVERIFY(nothing.isVisible());
+    QVERIFY(nothing.text().contains("zebra"));
+    QCOMPARE(list().accessibleDescription(), nothing.text());
+    QTest::keyClick(&search, Qt::Key_Return);
+    QCOMPARE(editor_->undoSteps(), steps);
+    search.setText("viridis");
+    QVERIFY(!nothing.isVisible());
+}
+
+void TransferPresetsTest::hounsfieldUnitsAreTheDatasOrAreAssumed()
+{
+    const auto unitsOf = [](const char* unit, SampleType type, double least) {
+        return hounsfieldUnits({unit, type}, {least, 2000});
+    };
+    QVERIFY(unitsOf("HU", SampleType::Float32, -20) == HounsfieldUnits::Told);
+    QVERIFY(unitsOf("Hounsfield units", SampleType::UInt16, 0) == HounsfieldUnits::Told);
+    for (const double least : {-1024.0, -1031.0, -1000.0, -2048.0, -3024.0})
+        QVERIFY(unitsOf("", SampleType::Int16, least) == HounsfieldUnits::Likely);
+    QVERIFY(unitsOf("", SampleType::Int32, -1024) == HounsfieldUnits::Likely);
+    QVERIFY(unitsOf("", SampleType::Int16, -5) == HounsfieldUnits::None);
+    QVERIFY(unitsOf("", SampleType::UInt16, 0) == HounsfieldUnits::None);
+    QVERIFY(unitsOf("", SampleType::Float32, -1024) == HounsfieldUnits::None); // not whole
+    QVERIFY(unitsOf("Pa", SampleType::Int16, -1024) == HounsfieldUnits::None);
+}
+
+void TransferPresetsTest::presetsInHounsfieldUnitsKeepTheirValues()
+{
+    const std::vector<Preset> presets = suppliedPresets();
+    const auto bone = std::ranges::find(presets, "preset.ct-bone", &Preset::id);
+    QVERIFY(bone->isHounsfield);
+    const TransferLimits data{-1024, 1900};
+    const auto firstPoint = [&](HounsfieldUnits units, const TransferLimits& range) {
+        const TransferFunction made = withPreset({}, *bone, PresetPart::Both, rangeOf(*bone, units, range), 400);
+        return made.opacities.front().value;
+    };
+    QVERIFY(std::abs(firstPoint(HounsfieldUnits::Told, data) - 150) < 1e-9);
+    QVERIFY(std::abs(firstPoint(HounsfieldUnits::Likely, data) - 150) < 1e-9);
+    QVERIFY(std::abs(firstPoint(HounsfieldUnits::None, {0, 4095}) - 1174) < 1e-9); // as if it began at -1024
+    QVERIFY(!assumptionOf(*bone, HounsfieldUnits::Told, data));
+    QVERIFY(assumptionOf(*bone, HounsfieldUnits::Likely, data)->text().find("-1024 to 1900") != std::string::npos);
+    QVERIFY(assumptionOf(*bone, HounsfieldUnits::None, {0, 255})->text().find("0 to 255") != std::string::npos);
+    const auto brain = std::ranges::find(presets, "preset.mr-brain", &Preset::id);
+    QVERIFY(!assumptionOf(*brain, HounsfieldUnits::None, data));
+    QCOMPARE(rangeOf(*brain, HounsfieldUnits::Told, data).largest, data.largest);
+}
+
+/// The sample has no Hounsfield units.
+void TransferPresetsTest::aStretchedPresetIsTold()
+{
+    const JoinedFunction before = function();
+    const int steps = editor_->undoSteps();
+    take("Knochen Skelett", 0);
+    const ValueRange range = editor_->session().range();
+    const double share = (150.0 + 1024) / 4095;
+    QVERIFY(std::abs(function().points.front().value - std::lerp(range.minimum, range.maximum, share)) <
+            1e-6 * range.extent());
+    QCOMPARE(editor_->messages().size(), 1);
+    QVERIFY(editor_->messages().front().contains("Hounsfield"));
+    QCOMPARE(editor_->undoSteps(), steps + 1);
+    editor_->undo();
+    QCOMPARE(function(), before);
+    take("Knochen Skelett", 1); // colours alone
+    for (std::size_t i = 0; i < before.points.size(); ++i)
+        QVERIFY(std::abs(opacityOf(editor_->transfer(), before.points[i].value) - double(before.points[i].opacity)) <
+                1e-5);
+    QVERIFY(editor_->transfer().colours != separated(before).colours);
 }
 
 void TransferPresetsTest::coloursAreTakenAlone()
@@ -145,7 +276,7 @@ void TransferPresetsTest::anOwnPresetIsSavedTakenAndDeleted()
     save("My & clouds/1");
     editor_->find<QAction>("transfer.preset.diverging").trigger();
     QVERIFY(function() != kept);
-    take("clouds", 0);
+    take("My & clouds", 0); // another preset is of clouds, too
     QCOMPARE(function().points.size(), kept.points.size());
     for (std::size_t i = 0; i < kept.points.size(); ++i) {
         QVERIFY(std::abs(function().points[i].value - kept.points[i].value) <
@@ -225,7 +356,7 @@ void TransferPresetsTest::filesThatAreNoPresetsArePassedOver()
     file.close();
     QVERIFY(ownPresets().empty());
     open();
-    QCOMPARE(shownNames().size(), 2 + static_cast<qsizetype>(colourMaps().size()));
+    QCOMPARE(shownNames().size(), static_cast<qsizetype>(suppliedPresets().size()));
 }
 
 /// Presets are read by a worker: what it finds comes when the popup is there already.
