@@ -12337,6 +12337,38 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>The preset is for Hounsfield units, which the data do not seem to have: it is stretched over their values, %1 to %2, as if these were -1024 to 3071.</source>
         <translation>Die Vorlage ist für Hounsfield-Einheiten, die die Daten nicht zu haben scheinen: Sie wird über deren Werte, %1 bis %2, gestreckt, als wären diese -1024 bis 3071.</translation>
     </message>
+    <message>
+        <source>This TAn was built without cairo, which writes PDF files. Save the picture as PNG.</source>
+        <translation>Dieses TAn wurde ohne cairo gebaut, das PDF-Dateien schreibt. Speichern Sie das Bild als PNG.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written as a PDF file: %1.</source>
+        <translation>Das Bild kann nicht als PDF-Datei geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>JPEG pictures have no transparency. Save it as PNG, TIFF or PDF, or with a background.</source>
+        <translation>JPEG-Bilder können nicht durchsichtig sein. Speichern Sie es als PNG, TIFF oder PDF oder mit einem Hintergrund.</translation>
+    </message>
+    <message>
+        <source>This TAn was built without libjpeg, which writes JPEG files. Save the picture as PNG.</source>
+        <translation>Dieses TAn wurde ohne libjpeg gebaut, das JPEG-Dateien schreibt. Speichern Sie das Bild als PNG.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not end in .png, .tif, .tiff, .jpg, .jpeg or .pdf, the formats in which pictures are written.</source>
+        <translation>„%1“ endet nicht auf .png, .tif, .tiff, .jpg, .jpeg oder .pdf, die Formate, in denen Bilder geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: this TAn was built without the library for its format. Save the picture as PNG.</source>
+        <translation>„%1“ kann nicht geschrieben werden: Dieses TAn wurde ohne die Bibliothek für das Format gebaut. Speichern Sie das Bild als PNG.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be transparent, as JPEG pictures have no transparency. Save it as PNG, TIFF or PDF, or with a background.</source>
+        <translation>„%1“ kann nicht durchsichtig sein, da JPEG-Bilder keine Durchsichtigkeit haben. Speichern Sie es als PNG, TIFF oder PDF oder mit einem Hintergrund.</translation>
+    </message>
+    <message>
+        <source>This TAn was built without libtiff, which writes TIFF files. Save the picture as PNG.</source>
+        <translation>Dieses TAn wurde ohne libtiff gebaut, das TIFF-Dateien schreibt. Speichern Sie das Bild als PNG.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -12337,6 +12337,38 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>The preset is for Hounsfield units, which the data do not seem to have: it is stretched over their values, %1 to %2, as if these were -1024 to 3071.</source>
         <translation>La preimpostazione è per unità Hounsfield, che i dati non sembrano avere: viene distesa sui loro valori, da %1 a %2, come se fossero da -1024 a 3071.</translation>
     </message>
+    <message>
+        <source>This TAn was built without cairo, which writes PDF files. Save the picture as PNG.</source>
+        <translation>Questo TAn è stato compilato senza cairo, che scrive i file PDF. Salvare l&apos;immagine come PNG.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written as a PDF file: %1.</source>
+        <translation>L&apos;immagine non può essere scritta come file PDF: %1.</translation>
+    </message>
+    <message>
+        <source>JPEG pictures have no transparency. Save it as PNG, TIFF or PDF, or with a background.</source>
+        <translation>Le immagini JPEG non hanno trasparenza. Salvarla come PNG, TIFF o PDF, o con uno sfondo.</translation>
+    </message>
+    <message>
+        <source>This TAn was built without libjpeg, which writes JPEG files. Save the picture as PNG.</source>
+        <translation>Questo TAn è stato compilato senza libjpeg, che scrive i file JPEG. Salvare l&apos;immagine come PNG.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not end in .png, .tif, .tiff, .jpg, .jpeg or .pdf, the formats in which pictures are written.</source>
+        <translation>«%1» non termina in .png, .tif, .tiff, .jpg, .jpeg o .pdf, i formati in cui si scrivono le immagini.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: this TAn was built without the library for its format. Save the picture as PNG.</source>
+        <translation>«%1» non può essere scritto: questo TAn è stato compilato senza la libreria per il suo formato. Salvare l&apos;immagine come PNG.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be transparent, as JPEG pictures have no transparency. Save it as PNG, TIFF or PDF, or with a background.</source>
+        <translation>«%1» non può essere trasparente, perché le immagini JPEG non hanno trasparenza. Salvarla come PNG, TIFF o PDF, o con uno sfondo.</translation>
+    </message>
+    <message>
+        <source>This TAn was built without libtiff, which writes TIFF files. Save the picture as PNG.</source>
+        <translation>Questo TAn è stato compilato senza libtiff, che scrive i file TIFF. Salvare l&apos;immagine come PNG.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -2,16 +2,17 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
-#include "core/picture/annotations/annotation_content.h"
+
+#include <tan/view.h>
 
 namespace tetra {
 
 /// What is written over a picture, as the window writes it: --colour-bar, --axes, --scale-bar, --title; and the ends of
-/// the colour bar, --bar-range.
+/// the colour bar and its texts, --bar-range, --bar-quantity, --bar-unit, --bar-numbers.
 std::vector<Option> annotationOptions();
 
-/// Which of them, each in its usual corner; the content says nothing more than the title yet. Errors (WrongUsage): ends
-/// that are no range, or of a bar that is not asked for.
-Result<AnnotationContent> annotationsOf(const Arguments& arguments);
+/// Which of them, each in its usual corner, and what the options say of their texts. Errors (WrongUsage): ends that are
+/// no range, numbers that nobody can write so, or something of a bar that is not asked for.
+Result<AnnotationState> annotationsOf(const Arguments& arguments);
 
 } // namespace tetra

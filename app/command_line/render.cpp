@@ -285,7 +285,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto annotations = annotationsOf(invocation.arguments);
     if (!annotations)
         return annotations.error();
-    view.picture.annotations = *annotations;
+    view.picture.annotations.state = *annotations;
     view.picture.annotations.camera = *camera;
     const bool isDark = !invocation.arguments.has("background") && drawsLitVolume(*renderer.plugin, view.scene.values);
     view.picture.annotations.background = isDark ? usualBackground(true) : request.picture.background;
@@ -295,9 +295,9 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
 /// All else is what a session says.
 Status checkBesideSession(const Arguments& arguments, const std::filesystem::path& session)
 {
-    constexpr std::array<std::string_view, 13> ofPictures{"camera",  "size",   "samples",   "background", "backend",
-                                                          "threads", "depth",  "surfaces",  "output",     "json",
-                                                          "model",   "strict", "token-file"};
+    constexpr std::array<std::string_view, 14> ofPictures{"camera",  "size",    "dpi",    "samples",   "background",
+                                                          "backend", "threads", "depth",  "surfaces",  "output",
+                                                          "json",    "model",   "strict", "token-file"};
     for (const auto& [name, value] : arguments.options)
         if (std::ranges::find(ofPictures, name) == ofPictures.end())
             return Error{ErrorKind::WrongUsage, "'--" + name + "' cannot be combined with '" + session.string() +
@@ -458,8 +458,6 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     content.state = asked.state;
     content.camera = asked.camera;
     content.background = asked.background;
-    if (!view.isOfSession)
-        content.title = asked.title;
     asked = content;
     view.picture.scene = built->scene;
     return PreparedScene{view.found, view.picture, figures,   built->mesh.tetrahedra,
@@ -500,7 +498,7 @@ Status writeFiles(const RenderRequest& request, const PictureOrder& order, Pictu
         figures["farthest"] = scale->farthest;
     }
     const auto finished = finishedPicture(order, std::move(picture), lens);
-    return finished ? writePicture(*finished, request.output, pngFacts(order)) : Status(finished.error());
+    return finished ? writeOrdered(order, *finished) : Status(finished.error());
 }
 
 /// Before the picture is drawn, which may take long.
@@ -533,7 +531,9 @@ PictureOrder orderOf(const RenderRequest& request, const PreparedScene& prepared
     ViewPicture picture = prepared.picture;
     picture.size = {request.picture.width, request.picture.height};
     picture.transparent = request.picture.transparentBackground;
+    picture.dotsPerInch = request.dotsPerInch;
     PictureOrder order = pictureOrder(picture);
+    order.target = request.output;
     order.threads = request.picture.threads;
     if (prepared.lens.isOn())
         order.lens = std::make_shared<const LensOrder>(LensOrder{prepared.lens, prepared.request});
@@ -547,7 +547,7 @@ PictureOrder orderOf(const RenderRequest& request, const PreparedScene& prepared
 Syntax renderSyntax(PluginHost& host)
 {
     Syntax syntax{
-        .purpose = "draw a model into a PNG picture",
+        .purpose = "draw a model into a picture",
         .explanation =
             "Works without a display, with the CPU alone or with OpenGL. What is drawn is a mesh extracted as by 'tan "
             "extract': of one accuracy, with a focus, within a budget of tetrahedra, or a part of it.",
@@ -597,9 +597,11 @@ Result<Outcome> runRender(const Invocation& invocation)
 {
     const auto start = Clock::now();
     const Arguments& arguments = invocation.arguments;
-    const auto request = renderRequestOf(arguments);
+    auto request = renderRequestOf(arguments);
     if (!request)
         return request.error();
+    if (const Status followed = followWidth(*request); !followed)
+        return followed.error();
     const bool isOfSession = isSessionFile(request->input) || isPictureFile(request->input);
     const auto renderer = invocation.host.renderer(modeOf(arguments));
     if (!renderer)

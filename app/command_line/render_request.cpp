@@ -6,6 +6,8 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/query_options.h"
 #include "core/base/text.h"
+#include "core/picture/picture_file.h"
+#include "core/picture/session_document.h"
 #include "core/render/scene_checks.h"
 #include "plugins/host/colour_text.h"
 #include "plugins/host/output_check.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace tetra {
@@ -21,27 +24,79 @@ namespace {
 
 constexpr std::string_view defaultBackend = "cpu";
 constexpr std::string_view defaultSize = "1024x768";
+constexpr double centimetresPerInch = 2.54;
+constexpr double usualRatio = 4.0 / 3; ///< of width and height
 constexpr int mostSamples = 4;
 const int defaultSamples = PictureOptions().samplesPerAxis;
 
-Status parseSize(const std::string& text, PictureOptions& picture)
+/// "1024x768", or "1024" if the height is to follow; with "cm" behind it in centimetres.
+struct SizeText {
+    double width = 0;
+    std::optional<double> height{};
+    bool inCentimetres = false;
+};
+
+std::optional<SizeText> readSize(std::string_view text)
 {
+    SizeText size;
+    constexpr std::string_view unit = "cm";
+    size.inCentimetres = text.ends_with(unit);
+    if (size.inCentimetres)
+        text.remove_suffix(unit.size());
     const auto cross = text.find('x');
-    if (cross != std::string::npos) {
-        const auto width = parseNumber<int>(std::string_view(text).substr(0, cross));
-        const auto height = parseNumber<int>(std::string_view(text).substr(cross + 1));
-        if (width && height && *width > 0 && *height > 0 && *width <= largestPictureSide &&
-            *height <= largestPictureSide) {
-            picture.width = *width;
-            picture.height = *height;
-            return {};
-        }
+    const auto numberIn = [&](std::string_view part) -> std::optional<double> {
+        if (size.inCentimetres)
+            return parseNumber<double>(part);
+        const auto pixels = parseNumber<int>(part);
+        return pixels ? std::optional<double>(*pixels) : std::nullopt;
+    };
+    const auto width = numberIn(text.substr(0, cross));
+    if (cross != std::string_view::npos)
+        size.height = numberIn(text.substr(cross + 1));
+    if (!width || (cross != std::string_view::npos && !size.height))
+        return std::nullopt;
+    size.width = *width;
+    return size;
+}
+
+bool isPictureSide(double pixels)
+{
+    return pixels >= 1 && pixels <= largestPictureSide;
+}
+
+Status parseSize(const std::string& text, RenderRequest& request)
+{
+    const auto size = readSize(text);
+    const auto pixelsOf = [&](double side) {
+        return size->inCentimetres ? std::round(side / centimetresPerInch * request.dotsPerInch) : side;
+    };
+    request.heightFollows = size && !size->height;
+    if (!size || !isPictureSide(pixelsOf(size->width)) || (size->height && !isPictureSide(pixelsOf(*size->height))))
+        return Error{ErrorKind::WrongUsage,
+                     "'" + text + "' does not fit '--size': it takes WIDTHxHEIGHT in pixels, each from 1 to " +
+                         std::to_string(largestPictureSide) + ", like " + std::string(defaultSize) +
+                         ", or in centimetres, like 16x12cm with '--dpi', or WIDTH alone, like 16cm."};
+    request.picture.width = static_cast<int>(pixelsOf(size->width));
+    if (size->height)
+        request.picture.height = static_cast<int>(pixelsOf(*size->height));
+    return {};
+}
+
+/// For printing: as asked for, or as good as prints are where the size is that of a print.
+Status parseResolution(const Arguments& arguments, RenderRequest& request)
+{
+    constexpr int usualDotsPerInch = 300;
+    constexpr int mostDotsPerInch = 2400;
+    const bool inCentimetres = arguments.value("size").value_or("").ends_with("cm");
+    if (!arguments.has("dpi")) {
+        request.dotsPerInch = inCentimetres ? usualDotsPerInch : 0;
+        return {};
     }
-    return Error{ErrorKind::WrongUsage, "'" + text +
-                                            "' does not fit '--size': it takes WIDTHxHEIGHT in pixels, each from "
-                                            "1 to " +
-                                            std::to_string(largestPictureSide) + ", like " + std::string(defaultSize) +
-                                            "."};
+    const auto given = wholeNumberOption(arguments, "dpi", usualDotsPerInch, 1, mostDotsPerInch);
+    if (!given)
+        return given.error();
+    request.dotsPerInch = static_cast<int>(*given);
+    return {};
 }
 
 Status parseBackground(const std::string& text, PictureOptions& picture)
@@ -70,24 +125,32 @@ Status parseNumberOptions(const Arguments& arguments, PictureOptions& picture)
     return {};
 }
 
-Result<PictureOptions> pictureOf(const Arguments& arguments)
+Status parsePicture(const Arguments& arguments, RenderRequest& request)
 {
-    PictureOptions picture;
-    if (const Status size = parseSize(arguments.value("size").value_or(std::string(defaultSize)), picture); !size)
-        return size.error();
+    if (const Status resolution = parseResolution(arguments, request); !resolution)
+        return resolution;
+    if (const Status size = parseSize(arguments.value("size").value_or(std::string(defaultSize)), request); !size)
+        return size;
+    PictureOptions& picture = request.picture;
     if (const Status colour = parseBackground(arguments.value("background").value_or("white"), picture); !colour)
-        return colour.error();
-    if (const Status numbers = parseNumberOptions(arguments, picture); !numbers)
-        return numbers.error();
+        return colour;
     picture.depth = arguments.has("depth");
-    return picture;
+    return parseNumberOptions(arguments, picture);
 }
 
+Status checkPicture(const RenderRequest& request)
+{
+    if (const Status good = checkPictureFormat(request.output, request.picture.transparentBackground); !good)
+        return good;
+    return checkOutput(request.output, std::array{request.input});
+}
+
+/// Of depths, which need 16 bits.
 Status checkPng(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs)
 {
     if (output.extension() != ".png")
         return Error{ErrorKind::WrongUsage,
-                     "'" + output.string() + "' does not end in .png, the one format in which pictures are written."};
+                     "'" + output.string() + "' does not end in .png, the one format in which depths are written."};
     return checkOutput(output, inputs);
 }
 
@@ -133,7 +196,7 @@ bool isSamePlace(const std::filesystem::path& one, const std::filesystem::path& 
 
 Status checkFiles(const RenderRequest& request)
 {
-    if (const Status good = checkPng(request.output, std::array{request.input}); !good)
+    if (const Status good = checkPicture(request); !good)
         return good;
     if (request.surfaces) {
         if (const Status good = checkOutput(*request.surfaces, std::array{request.input}); !good)
@@ -163,8 +226,13 @@ std::vector<Option> pictureOptions(PluginHost& host)
          .byDefault = "from the front, right and above"},
         {.name = "size",
          .placeholder = "WxH",
-         .explanation = "Size of the picture, in pixels.",
+         .explanation = "Size of the picture, in pixels, or in centimetres: 16x12cm. Of a width alone (16cm, or 2400) "
+                        "the height follows: that of a session's view, or three quarters of the width.",
          .byDefault = std::string(defaultSize)},
+        {.name = "dpi",
+         .placeholder = "N",
+         .explanation = "Resolution for printing, in pixels per inch (2.54 cm), 1 to 2400; the file says it.",
+         .byDefault = "300 if the size is in centimetres"},
         {.name = "samples",
          .placeholder = "N",
          .explanation = "A pixel is the mean of N x N samples, N from 1 (coarse, quick) to 4 (smooth).",
@@ -206,7 +274,9 @@ std::vector<Option> pictureOptions(PluginHost& host)
          .explanation =
              "Also writes the surfaces that are drawn, as the window's Save Surfaces does: those of isovalues, and "
              "others that a mode provides, with their values and colours where the format supports them."},
-        outputOption("FILE.png", "The picture to write.")};
+        outputOption("FILE.png",
+                     "The picture to write: PNG, TIFF (.tif), JPEG (.jpg) or PDF (.pdf), in which what is written over "
+                     "the picture is text and lines.")};
 }
 
 Result<RenderRequest> renderRequestOf(const Arguments& arguments)
@@ -228,16 +298,31 @@ Result<RenderRequest> renderRequestOf(const Arguments& arguments)
             return lens.error();
         request.lens = *lens;
     }
-    const auto picture = pictureOf(arguments);
-    if (!picture)
+    if (const Status picture = parsePicture(arguments, request); !picture)
         return picture.error();
-    request.picture = *picture;
     request.backend = arguments.value("backend").value_or(std::string(defaultBackend));
     if (request.backend != "cpu" && request.backend != "gl")
         return Error{ErrorKind::WrongUsage, "'" + request.backend + "' does not fit '--backend': it takes cpu or gl."};
     if (const Status files = checkFiles(request); !files)
         return files.error();
     return request;
+}
+
+Status followWidth(RenderRequest& request)
+{
+    if (!request.heightFollows)
+        return {};
+    double ratio = usualRatio;
+    if (isSessionFile(request.input) || isPictureFile(request.input)) {
+        const auto session = readSession(request.input);
+        if (!session)
+            return session.error();
+        if (session->viewSize[0] > 0 && session->viewSize[1] > 0)
+            ratio = static_cast<double>(session->viewSize[0]) / session->viewSize[1];
+    }
+    const double height = std::round(request.picture.width / ratio);
+    request.picture.height = static_cast<int>(std::clamp(height, 1.0, static_cast<double>(largestPictureSide)));
+    return {};
 }
 
 } // namespace tetra

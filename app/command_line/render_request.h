@@ -24,15 +24,21 @@ struct RenderRequest {
     MeshQuery query;
     LensState lens;
     PictureOptions picture;
-    std::string backend; ///< "cpu" or "gl"
+    bool heightFollows = false; ///< the size is a width alone
+    int dotsPerInch = 0;        ///< for printing; 0 says nothing
+    std::string backend;        ///< "cpu" or "gl"
 };
 
-/// --camera, --size, --samples, --background, --backend, --threads, --depth, --lens, --faulty-cells, --output;
+/// --camera, --size, --dpi, --samples, --background, --backend, --threads, --depth, --lens, --faulty-cells, --output;
 /// --surfaces has the endings of the writers.
 std::vector<Option> pictureOptions(PluginHost& host);
 
 /// What these and the options of query_options.h ask for. Errors (WrongUsage): values that do not fit, options that do
 /// not go together, files that would replace the model or each other.
 Result<RenderRequest> renderRequestOf(const Arguments& arguments);
+
+/// Gives a picture of which the width alone was asked for its height: by the view of the session that is drawn, or as
+/// usual. Errors: those of readSession().
+Status followWidth(RenderRequest& request);
 
 } // namespace tetra

@@ -20,8 +20,8 @@ Result<Picture> FilmFrames::draw(const Film& film, int number, const Progress& p
     PictureOrder order = film.picture;
     order.scene = built->scene;
     order.camera = view.camera;
-    if (film.finish)
-        order.finish = [&](Picture& picture) { return film.finish(picture, view, built->mesh); };
+    if (film.over)
+        order.over = [&](const PixelCanvas& canvas) { return film.over(canvas, view, built->mesh); };
     if (view.lens.isOn())
         order.lens = std::make_shared<const LensOrder>(LensOrder{view.lens, request});
     auto drawn = picture_.draw(order, false, progress);

@@ -21,7 +21,7 @@ struct Film {
     ViewValue view{};
     PictureOrder picture{}; ///< size and background of each frame; the rest is the frame's
     /// Paints over a frame; called in the worker.
-    std::function<Status(Picture& picture, const ViewValue& view, const ShownMesh& mesh)> finish{};
+    std::function<Status(const PixelCanvas& canvas, const ViewValue& view, const ShownMesh& mesh)> over{};
 };
 
 /// Draws the frames of one film, best in their order: what one leaves helps with the next, the scene as far as it fits,

@@ -4,8 +4,6 @@
 // exception may pass through them.
 #include "core/picture/png_file.h"
 
-#include "core/base/file_writer.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -197,12 +195,6 @@ Result<std::vector<std::byte>> pngOfGreys(std::span<const std::uint16_t> greys, 
                   .bitDepth = 16,
                   .colourType = PNG_COLOR_TYPE_GRAY},
                  facts);
-}
-
-Status writePicture(const Picture& picture, const std::filesystem::path& target, const PngFacts& facts)
-{
-    const auto bytes = pngOf(picture, facts);
-    return bytes ? writeWholeFile(target, *bytes) : Status(bytes.error());
 }
 
 std::string textInPng(std::span<const std::byte> file, std::string_view keyword)

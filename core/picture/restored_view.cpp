@@ -7,10 +7,12 @@
 
 #include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
+#include "core/view/view_value.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/api/slice_parameters.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 namespace tetra {
@@ -202,7 +204,7 @@ void dropPlacesAndValues(SessionDocument& kept, const ViewValue& start)
     std::erase_if(view.appearance.settings,
                   [](const auto& setting) { return std::holds_alternative<TransferFunction>(setting.second); });
     view.isovalues = start.isovalues;
-    view.annotations.barEnds.reset();
+    view.annotations = ofOtherData(std::move(view.annotations));
     view.animation = {};
     view.camera = {.trackball = view.camera.trackball};
     kept.hasCamera = false;

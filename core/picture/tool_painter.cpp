@@ -233,6 +233,11 @@ void paintTextBeside(const Brush& brush, const Fonts& fonts, const Eigen::Vector
 
 Status paintTools(const PixelView& picture, std::span<const ToolDrawing> drawings, const ToolInk& ink, double scale)
 {
+    return paintTools(PixelCanvas(picture, scale), drawings, ink);
+}
+
+Status paintTools(const PixelCanvas& canvas, std::span<const ToolDrawing> drawings, const ToolInk& ink)
+{
     std::shared_ptr<const Fonts> fonts = ink.fonts;
     if (!fonts && std::ranges::any_of(drawings, [](const ToolDrawing& drawing) { return !drawing.texts.empty(); })) {
         const auto opened = openFonts();
@@ -240,8 +245,7 @@ Status paintTools(const PixelView& picture, std::span<const ToolDrawing> drawing
             return opened.error();
         fonts = *opened;
     }
-    const PixelCanvas canvas(picture, scale);
-    const Brush brush{canvas, annotationInk(ink.background), {picture.width / scale, picture.height / scale}};
+    const Brush brush{canvas, annotationInk(ink.background), canvas.size()};
     const SeenPlaces seen(ink.camera, brush.picture);
     for (const ToolDrawing& drawing : drawings) {
         for (const ToolLine& line : drawing.lines)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/picture/annotations/annotation_language.h"
+#include "core/picture/drawing/canvas.h"
 #include "core/picture/drawing/fonts.h"
 #include "core/picture/drawing/pixels.h"
 #include "plugins/api/tool.h"
@@ -29,5 +30,7 @@ struct ToolInk {
 /// behind the eye. The numbers of the drawings are finite, widths and radii positive. Any thread. O(points and pixels
 /// painted). Errors: those of openFonts(), if the ink has none and there are texts; the picture is as it was then.
 Status paintTools(const PixelView& picture, std::span<const ToolDrawing> drawings, const ToolInk& ink, double scale);
+/// The same onto a canvas, which may be a drawing.
+Status paintTools(const PixelCanvas& canvas, std::span<const ToolDrawing> drawings, const ToolInk& ink);
 
 } // namespace tetra

@@ -142,12 +142,11 @@ Size sizeInUnits(const ViewPicture& picture)
     return {picture.size.x() / scale, picture.size.y() / scale};
 }
 
-Status paintOver(const PixelView& picture, const AnnotationContent& content, std::span<const ToolDrawing> tools,
-                 double scale)
+Status paintOver(const PixelCanvas& canvas, const AnnotationContent& content, std::span<const ToolDrawing> tools)
 {
-    if (const Status painted = paintAnnotations(picture, content, scale); !painted)
+    if (const Status painted = paintAnnotations(canvas, content); !painted)
         return painted;
-    return paintTools(picture, tools, {content.camera, content.background, content.language, content.fonts}, scale);
+    return paintTools(canvas, tools, {content.camera, content.background, content.language, content.fonts});
 }
 
 PictureOrder pictureOrder(const ViewPicture& picture)
@@ -162,10 +161,11 @@ PictureOrder pictureOrder(const ViewPicture& picture)
     order.transparent = picture.transparent;
     order.dotsPerInch = picture.dotsPerInch;
     order.lineScale = std::max(1.0, scale);
+    order.unit = scale;
     order.lensWriting = {picture.annotations.language.numbers, picture.annotations.fonts};
     if (std::ranges::any_of(picture.annotations.state.places, &AnnotationPlace::shown) || !picture.tools.empty())
-        order.finish = [content = picture.annotations, tools = picture.tools, scale](Picture& drawn) {
-            return paintOver(pixelsOf(drawn), content, tools, scale);
+        order.over = [content = picture.annotations, tools = picture.tools](const PixelCanvas& canvas) {
+            return paintOver(canvas, content, tools);
         };
     return order;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/picture/annotations/annotation_content.h"
+#include "core/picture/drawing/canvas.h"
 #include "core/picture/drawing/rectangle.h"
 #include "core/picture/picture_order.h"
 #include "core/picture/scene_pipeline.h"
@@ -77,9 +78,9 @@ struct ViewPicture {
 /// In the units of annotations (annotationScale()).
 Size sizeInUnits(const ViewPicture& picture);
 
-/// Annotations, and over them what tools show, seen by the same camera; sizes and errors as of paintAnnotations().
-Status paintOver(const PixelView& picture, const AnnotationContent& content, std::span<const ToolDrawing> tools,
-                 double scale);
+/// Annotations, and over them what tools show, seen by the same camera, onto a canvas, which may be a drawing. Errors
+/// as of paintAnnotations().
+Status paintOver(const PixelCanvas& canvas, const AnnotationContent& content, std::span<const ToolDrawing> tools);
 
 /// The picture, without a target.
 PictureOrder pictureOrder(const ViewPicture& picture);

@@ -9,12 +9,18 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <utility>
 
 namespace tetra {
 namespace {
 
 constexpr std::array filmNames = {"turntable", "keyFrames"};
 constexpr std::array turntableAxisNames = {"vertical", "horizontal"};
+
+constexpr std::array annotationTexts{std::pair("titleText", &AnnotationState::title),
+                                     std::pair("quantity", &AnnotationState::quantity),
+                                     std::pair("unit", &AnnotationState::unit)};
 
 JsonValue annotationsToJson(const AnnotationState& annotations)
 {
@@ -25,7 +31,28 @@ JsonValue annotationsToJson(const AnnotationState& annotations)
     if (annotations.barEnds)
         members.append("barEnds",
                        JsonObject{{"least", annotations.barEnds->least}, {"largest", annotations.barEnds->largest}});
+    for (const auto& [name, text] : annotationTexts)
+        if (!(annotations.*text).empty())
+            members.append(name, annotations.*text);
+    if (annotations.numbers.style != NumberFormat::Style::Automatic)
+        members.append("numbers", JsonObject{{"style", jsonName(numberStyleNames, annotations.numbers.style)},
+                                             {"decimals", annotations.numbers.decimals}});
     return members;
+}
+
+/// What is left out is that of the data.
+void readAnnotationTexts(const JsonFields& fields, AnnotationState& annotations)
+{
+    for (const auto& [name, text] : annotationTexts) {
+        (annotations.*text).clear();
+        fields.read(name, annotations.*text);
+    }
+    annotations.numbers = {};
+    const JsonFields written = fields.fields("numbers");
+    double decimals = annotations.numbers.decimals;
+    written.readName("style", numberStyleNames, annotations.numbers.style);
+    written.read("decimals", decimals);
+    annotations.numbers.decimals = static_cast<int>(std::clamp(decimals, 0.0, static_cast<double>(mostDecimals)));
 }
 
 void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
@@ -35,8 +62,10 @@ void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
         place.read("shown", annotations.places[i].shown);
         place.readName("corner", cornerNames, annotations.places[i].corner);
     }
-    if (fields.members() != nullptr)
+    if (fields.members() != nullptr) {
         annotations.barEnds.reset(); // where they are left out, they are those of the data
+        readAnnotationTexts(fields, annotations);
+    }
     if (!fields.has("barEnds"))
         return;
     BarEnds ends;

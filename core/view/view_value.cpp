@@ -44,6 +44,14 @@ bool isUsable(const BarEnds& ends)
            std::isfinite(ends.largest - ends.least);
 }
 
+AnnotationState ofOtherData(AnnotationState annotations)
+{
+    annotations.barEnds.reset();
+    for (const auto text : {&AnnotationState::title, &AnnotationState::quantity, &AnnotationState::unit})
+        (annotations.*text).clear();
+    return annotations;
+}
+
 ViewParts differingParts(const ViewValue& one, const ViewValue& other)
 {
     ViewParts differing;

@@ -11,6 +11,9 @@
 
 namespace tetra {
 
+/// Of other data: without what was said of these, such as their name.
+TAN_INTERNAL AnnotationState ofOtherData(AnnotationState annotations);
+
 /// Some parts of a view, and no more: what a long history of edits keeps of each.
 class TAN_INTERNAL PartialView {
 public:

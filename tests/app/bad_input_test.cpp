@@ -118,7 +118,7 @@ private slots:
         QTest::newRow("sample too large")
             << QStringList{"sample", "c60", "--size", "99999", "-o", "x.nrrd"} << 2 << "2048";
         QTest::newRow("sample in an unknown format") << QStringList{"sample", "c60", "-o", "x.bmp"} << 2 << ".nrrd";
-        QTest::newRow("picture in another format") << QStringList{"render", "good.tan", "-o", "x.jpg"} << 2 << ".png";
+        QTest::newRow("picture in another format") << QStringList{"render", "good.tan", "-o", "x.bmp"} << 2 << ".png";
         QTest::newRow("picture of no size")
             << QStringList{"render", "good.tan", "--size", "0x9", "-o", "x.png"} << 2 << "--size";
         QTest::newRow("unknown backend") << QStringList{"render", "good.tan", "--backend", "ray", "-o", "x.png"} << 2

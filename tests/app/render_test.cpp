@@ -503,6 +503,30 @@ private slots:
         QCOMPARE(pixelsThatDiffer(usual.copy(0, 0, 260, 320), fixed.copy(0, 0, 260, 320)), 0);
     }
 
+    /// Each of them changes the bar, or the corner of the title, and nothing else.
+    void textsOfTheBarCanBeChosen()
+    {
+        const auto picture = [this](const QStringList& options) {
+            const Run run = tan(QStringList{"render", "c60.tan", "--mode", "volume", "--size", "400x320", "-o",
+                                            "annotated.png", "--colour-bar"} +
+                                options);
+            return run.exitCode == 0 ? QImage(path("annotated.png")) : QImage();
+        };
+        const QImage usual = picture({});
+        QCOMPARE(picture({"--bar-numbers", "auto"}), usual);
+        QCOMPARE(picture({"--title", ""}), usual);
+        QList<QImage> others{picture({"--bar-quantity", "Density"}), picture({"--bar-unit", "HU"}),
+                             picture({"--bar-numbers", "plain:3"}), picture({"--bar-numbers", "powers:1"}),
+                             picture({"--title", "Own"})};
+        for (qsizetype i = 0; i < others.size(); ++i) {
+            const QImage& other = others[i];
+            QCOMPARE(other.size(), usual.size());
+            QVERIFY(pixelsThatDiffer(usual, other) > 20);
+            QCOMPARE(pixelsThatDiffer(usual.copy(100, 40, 140, 280), other.copy(100, 40, 140, 280)), 0);
+            QCOMPARE(others.count(other), 1);
+        }
+    }
+
     /// What is drawn, as 'tan isosurface' writes it.
     void surfacesAreWrittenToo()
     {
@@ -661,6 +685,12 @@ private slots:
         row("a bar from more to less", {"--colour-bar", "--bar-range", "2:1"}, 2, "does not fit '--bar-range'");
         row("a bar of one end", {"--colour-bar", "--bar-range", "2"}, 2, "does not fit '--bar-range'");
         row("a bar of words", {"--colour-bar", "--bar-range", "low:high"}, 2, "does not fit '--bar-range'");
+        row("a quantity without a bar", {"--bar-quantity", "Density"}, 2, "it needs '--colour-bar'");
+        row("a unit without a bar", {"--bar-unit", "HU"}, 2, "it needs '--colour-bar'");
+        row("numbers without a bar", {"--bar-numbers", "plain:1"}, 2, "it needs '--colour-bar'");
+        for (const char* numbers : {"plain", "plain:", "plain:13", "plain:-1", "powers:x", "short:1", ""})
+            QTest::addRow("numbers as '%s'", numbers) << QStringList{"--colour-bar", "--bar-numbers", numbers} << 2
+                                                      << QByteArray("does not fit '--bar-numbers'");
         row("missing function", {"--transfer", "gone.json"}, 3, "'gone.json'");
         row("no JSON", {"--transfer", "c60.nrrd"}, 3, "c60.nrrd': ");
         row("slip in a function", {"--transfer", "slip.json"}, 3, "slip.json': ");

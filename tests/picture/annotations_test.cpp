@@ -110,6 +110,9 @@ private slots:
     void theScaleBarIsAsLongAsItSays();
     void theBarTellsWhatThePictureFollows();
     void axesTurnWithTheCamera();
+    void textsCanBeTyped();
+    void aTypedNameHasRoomAndKeepsItsUnit();
+    void numbersAreWrittenAsAskedFor();
 };
 
 void AnnotationsTest::ticksAreRoundAndFew()
@@ -368,6 +371,76 @@ void AnnotationsTest::axesTurnWithTheCamera()
     QCOMPARE(axes[0].label.text + axes[1].label.text + axes[2].label.text, std::string("LPS"));
     content.lengthUnit = "mm";
     QVERIFY(layOutAnnotations(content, {800, 600}, measure).scaleBar->label.text.ends_with(" mm at the target"));
+}
+
+void AnnotationsTest::textsCanBeTyped()
+{
+    AnnotationContent content = fullContent();
+    const auto texts = [&] {
+        const AnnotationLayout layout = layOutAnnotations(content, {1000, 700}, measure);
+        return std::pair(layout.title->text, layout.colourBar->field.text);
+    };
+    QCOMPARE(texts(), std::pair(std::string("bluntfin"), std::string("density")));
+    content.state.unit = "kg/m³";
+    QCOMPARE(texts(), std::pair(std::string("bluntfin"), std::string("density (kg/m³)")));
+    content.state.title = "Blunt fin";
+    content.state.quantity = "Density of air";
+    QCOMPARE(texts(), std::pair(std::string("Blunt fin"), std::string("Density of air (kg/m³)")));
+    content.state.unit = {};
+    QCOMPARE(texts().second, std::string("Density of air"));
+    content.state.quantity = "two\nlines"; // of a session that somebody wrote
+    QCOMPARE(texts().second, std::string("two\\nlines"));
+}
+
+/// Where there is too little of it, the name is cut and not the unit; in no picture does the bar go because of them.
+void AnnotationsTest::aTypedNameHasRoomAndKeepsItsUnit()
+{
+    AnnotationContent content = fullContent();
+    content.state.quantity = "The density of the air around it";
+    const auto field = [&](const Size& picture) {
+        const AnnotationLayout layout = layOutAnnotations(content, picture, measure);
+        return layout.colourBar ? layout.colourBar->field.text : std::string("no bar");
+    };
+    QCOMPARE(field({1000, 700}), content.state.quantity);
+    content.state.unit = "kg/m³";
+    const std::string cut = field({400, 300});
+    QVERIFY2(cut.starts_with("The") && cut.ends_with(" (kg/m³)") && cut.find("…") != std::string::npos, cut.c_str());
+    content.state.quantity.clear();
+    for (double width = 250; width < 1500; width += 50) {
+        content.state = fullContent().state;
+        const bool hasBar = field({width, 300}) != "no bar";
+        content.state.quantity = std::string(200, 'w');
+        content.state.unit = std::string(30, 'u');
+        QCOMPARE(field({width, 300}) != "no bar", hasBar);
+    }
+}
+
+void AnnotationsTest::numbersAreWrittenAsAskedFor()
+{
+    using Style = NumberFormat::Style;
+    const auto text = [](double value, Style style, int decimals) {
+        return formattedNumber(value, {style, decimals}, {});
+    };
+    QCOMPARE(text(1234.5678, Style::Plain, 0), std::string("1235"));
+    QCOMPARE(text(1234.5678, Style::Plain, 2), std::string("1234.57"));
+    QCOMPARE(text(12345678, Style::Plain, 1), std::string("12345678.0"));
+    QCOMPARE(text(-0.004, Style::Plain, 2), std::string("0.00")); // no zero has a sign
+    QCOMPARE(text(-0.004, Style::Powers, 1), std::string("-4.0e-03"));
+    QCOMPARE(text(0, Style::Powers, 1), std::string("0.0e+00"));
+    QCOMPARE(text(1e300, Style::Plain, 1), std::string("1.0e+300"));
+    QCOMPARE(text(1234.5678, Style::Automatic, 2), ownText(1234.5678));
+    QCOMPARE(formattedNumber(-1.5, {Style::Plain, 1}, {.decimalPoint = ",", .minus = "−"}), std::string("−1,5"));
+    AnnotationContent content = fullContent();
+    content.transfer.reset();
+    content.state.numbers = {Style::Plain, 3};
+    const AnnotationLayout layout = layOutAnnotations(content, {1000, 700}, measure);
+    for (const auto* marks : {&layout.colourBar->ticks, &layout.colourBar->isovalues})
+        for (const AxisMark& mark : *marks)
+            QVERIFY(mark.label.text.empty() || mark.label.text.size() == 5);
+    content.logarithms = true; // then the numbers are those of the data
+    content.range = {1, 3};
+    const auto texts = barTickTexts(barAxisOf(content), {2}, {}, content.state.numbers);
+    QCOMPARE(texts, (std::vector<std::string>{"100.000"}));
 }
 
 QTEST_GUILESS_MAIN(AnnotationsTest)

@@ -215,6 +215,8 @@ void RandomEdits::editAnnotations()
     annotations.barEnds.reset();
     if (below(3) == 0)
         annotations.barEnds = BarEnds{number(-5, -1), number(1, 5)};
+    annotations.quantity = below(2) == 0 ? "Density" : "";
+    annotations.numbers.decimals = static_cast<int>(below(mostDecimals));
     session_.setAnnotations(annotations);
 }
 

@@ -110,6 +110,7 @@ class SessionDocumentTest : public QObject {
 private slots:
     void aSessionComesBackTheSame();
     void endsOfTheBarAreForgotten();
+    void textsOfAnnotationsAreForgotten();
     void modelsInTheFolderMoveWithIt();
     void aModelIsFoundWhereItIs_data();
     void aModelIsFoundWhereItIs();
@@ -155,6 +156,22 @@ void SessionDocumentTest::endsOfTheBarAreForgotten()
     turned.replace("\"largest\": 2", "\"largest\": 0");
     QVERIFY(turned.toStdString() != chosen);
     QVERIFY(!sessionFromText(turned.toStdString(), "/place")->view.annotations.barEnds);
+}
+
+/// Texts that are those of the data again do not come back from the file that is saved over.
+void SessionDocumentTest::textsOfAnnotationsAreForgotten()
+{
+    SessionDocument document;
+    document.model = "/place/one.tan";
+    AnnotationState& annotations = document.view.annotations;
+    annotations.title = "Skull";
+    annotations.quantity = "Density";
+    annotations.unit = "HU";
+    annotations.numbers = {NumberFormat::Style::Powers, 3};
+    SessionDocument read = sessionFromText(sessionToText(document, "/place"), "/place").value();
+    QVERIFY(read.view.annotations == annotations);
+    read.view.annotations = {};
+    QVERIFY(sessionFromText(sessionToText(read, "/place"), "/place")->view.annotations == AnnotationState());
 }
 
 void SessionDocumentTest::modelsInTheFolderMoveWithIt()

@@ -251,7 +251,13 @@ void SessionTest::aNewModelHasACameraOfItsOwn()
     session_->setCamera(camera);
     AnnotationState annotations;
     annotations[AnnotationKind::ScaleBar] = {true, Corner::TopLeft};
-    session_->setAnnotations(annotations);
+    annotations.numbers = {NumberFormat::Style::Plain, 1};
+    AnnotationState ofThisModel = annotations; // what is said of its data is not said of others
+    ofThisModel.barEnds = BarEnds{1, 2};
+    ofThisModel.title = "Skull";
+    ofThisModel.quantity = "Density";
+    ofThisModel.unit = "HU";
+    session_->setAnnotations(ofThisModel);
     const Camera usual = fitted({.trackball = true}, model_->description().bounds, session_->shape());
     for (const bool closes : {true, false}) {
         if (closes)

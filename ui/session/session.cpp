@@ -197,8 +197,7 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
     ViewValue view{.query = startingQuery(*model, startingError(*model)),
                    .appearance = std::move(appearance),
                    .isovalues = std::move(isovalues),
-                   .annotations = view_.annotations};
-    view.annotations.barEnds.reset(); // those of other values
+                   .annotations = ofOtherData(view_.annotations)};
     view.camera.trackball = view_.camera.trackball;
     followsModel_ = true;
     start(std::move(model), std::move(view), false);
@@ -258,8 +257,7 @@ void Session::close()
     undoStack_.clear();
     shown_.reset();
     fitted_.reset();
-    view_ = {.annotations = view_.annotations, .camera = {.trackball = view_.camera.trackball}};
-    view_.annotations.barEnds.reset();
+    view_ = {.annotations = ofOtherData(view_.annotations), .camera = {.trackball = view_.camera.trackball}};
     emit modelChanged();
 }
 

@@ -44,14 +44,13 @@ FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const Pictur
     const ViewPicture picture = pictureOf(workbench, viewport, settings);
     FilmOrder order = workbench.exporting().filmOrder();
     order.picture = pictureOrder(picture);
-    const double scale = annotationScale(picture.size, picture.viewSize);
-    order.finish = [content = picture.annotations, scale, size = sizeInUnits(picture), model = order.model,
-                    parameters = order.parameters, tools = keptTools(workbench.host(), order.view)](
-                       Picture& drawn, const ViewValue& view, const ShownMesh& mesh) {
+    order.over = [content = picture.annotations, size = sizeInUnits(picture), model = order.model,
+                  parameters = order.parameters, tools = keptTools(workbench.host(), order.view)](
+                     const PixelCanvas& canvas, const ViewValue& view, const ShownMesh& mesh) {
         const auto shown =
             keptDrawings(tools, model->description(), matteringParameters(parameters, view.appearance.settings), view,
                          view.camera, size, content.language);
-        return paintOver(pixelsOf(drawn), inView(content, view, accuracyText(mesh, content.language)), shown, scale);
+        return paintOver(canvas, inView(content, view, accuracyText(mesh, content.language)), shown);
     };
     return order;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/exporting.h"
 
+#include "core/picture/picture_file.h"
 #include "core/picture/text_file.h"
 #include "core/view/accuracy_scale.h"
 #include "plugins/host/output_check.h"
@@ -22,6 +23,8 @@ Exporting::Exporting(PluginHost& host, Session& session, SceneService& scenes)
 
 void Exporting::savePicture(const PictureOrder& order)
 {
+    if (!order.target.empty() && !tellSave(checkPictureFormat(order.target, order.transparent)))
+        return;
     const Renderer* renderer = scenes_.renderer();
     std::optional<SceneRequest> ofItsOwn; // a scene for this camera and size, if the mode depends on them
     if (session_.model() && renderer != nullptr && renderer->needs().view && order.scene) {
@@ -37,7 +40,7 @@ void Exporting::savePicture(const PictureOrder& order)
             const Status done = !picture               ? Status(picture.error())
                                 : !right               ? right
                                 : order.target.empty() ? Status()
-                                                       : writePicture(*picture, order.target, pngFacts(order));
+                                                       : writeOrdered(order, *picture);
             return [this, order, done, picture] {
                 if (!tellSave(done))
                     return;

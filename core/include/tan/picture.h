@@ -2,7 +2,7 @@
 #pragma once
 
 /// tan/picture.h: from a model and a view to a picture, as TAn's own programs make it: with its renderers, which are
-/// plugins, with what is written over it, and as a PNG file. These functions are in a library of their own,
+/// plugins, with what is written over it, and as a file. These functions are in a library of their own,
 /// TAn::picture, which needs TAn's programs to be installed, and no Qt.
 ///
 /// A PictureMaker draws one model. It keeps what it has made: the next picture of the same mesh takes no extraction, of
@@ -59,7 +59,7 @@
 
 namespace tetra {
 
-/// What a PNG file says besides its pixels.
+/// What the file of a picture says besides its pixels.
 struct PngFacts {
     bool transparent = false; ///< with how opaque each pixel is; else all of them are
     int dotsPerInch = 0;      ///< for printing; 0 says nothing
@@ -70,8 +70,10 @@ struct PngFacts {
 /// The picture as a PNG file in memory, 8 bits a channel. O(pixels). Errors (OutOfResource): not enough memory.
 TAN_API Result<std::vector<std::byte>> pngOf(const Picture& picture, const PngFacts& facts = {});
 
-/// Writes the picture as a PNG file, whole or not at all. Errors: those of pngOf(), and of a file that cannot be
-/// written.
+/// Writes the picture into a file, whole or not at all: by the ending of its name as TIFF (.tif, .tiff), JPEG (.jpg,
+/// .jpeg) or PDF (.pdf), else as PNG. All say what there is to say, as far as their formats have room. Errors: those of
+/// pngOf(), of a file that cannot be written, of a format that this build does not write (OutOfResource), and of a
+/// transparent picture as JPEG, which has none (WrongUsage).
 TAN_API Status writePicture(const Picture& picture, const std::filesystem::path& target, const PngFacts& facts = {});
 
 /// How a picture of a view is to be. `tan render` makes the same by default.

@@ -223,7 +223,18 @@ struct BarEnds {
 /// Whether a bar can go from one to the other: two finite numbers, in their order.
 TAN_API bool isUsable(const BarEnds& ends);
 
-/// Which annotations are shown, and in which corner of the picture: a value.
+/// How the numbers at a colour bar are written.
+struct NumberFormat {
+    enum class Style { Automatic, Plain, Powers };
+    Style style = Style::Automatic; ///< as each needs it; plain; or in powers of ten
+    int decimals = 2;               ///< behind the decimal point, 0 to mostDecimals, unless it is automatic
+    bool operator==(const NumberFormat&) const = default;
+};
+inline constexpr int mostDecimals = 12;
+/// As files call them, in the order of NumberFormat::Style.
+inline constexpr std::array<const char*, 3> numberStyleNames{"automatic", "plain", "powers"};
+
+/// Which annotations are shown, and in which corner of the picture: a value. Texts are UTF-8.
 struct AnnotationState {
     std::array<AnnotationPlace, annotationCount> places{{{true, Corner::TopRight},
                                                          {true, Corner::BottomLeft},
@@ -231,6 +242,10 @@ struct AnnotationState {
                                                          {false, Corner::TopLeft},
                                                          {false, Corner::TopLeft}}};
     std::optional<BarEnds> barEnds{}; ///< usable ones; none: those of the data's values
+    std::string title{};              ///< empty: the model's name
+    std::string quantity{};           ///< what the colour bar shows; empty: the name of the data's values
+    std::string unit{};               ///< of that, in brackets behind it; empty: none
+    NumberFormat numbers{};           ///< of the colour bar
     bool operator==(const AnnotationState&) const = default;
 
     AnnotationPlace& operator[](AnnotationKind kind) { return places[static_cast<std::size_t>(kind)]; }
@@ -415,7 +430,8 @@ TAN_API ViewValue viewAtFrame(const ViewValue& view, int frame);
 /// A view as a JSON text, the one form that sessions, views that are kept, and pictures have of it:
 ///
 ///     {"mesh": {"error": 1, "focus": {...}, ...}, "look": {"mode": "volume", "transfer": {...}, "settings": {...}},
-///      "isovalues": [...], "annotations": {"axes": {"shown": true, "corner": "bottomLeft"}, ...},
+///      "isovalues": [...], "annotations": {"axes": {"shown": true, "corner": "bottomLeft"}, ...,
+///      "titleText": "Skull", "quantity": "Density", "unit": "HU", "numbers": {"style": "plain", "decimals": 1}},
 ///      "animation": {...}, "camera": {...}, "background": [0, 0, 0.5],
 ///      "lens": {"shape": "circle", "x": 0.5, "y": 0.5, "radius": 0.25, "magnification": 3, "error": 0.25},
 ///      "tools": {"ruler": "..."}}
@@ -423,7 +439,7 @@ TAN_API ViewValue viewAtFrame(const ViewValue& view, int frame);
 /// Cameras and transfer functions are in the forms that their own files have. Settings keep their type:
 /// {"integer": 3}, {"number": 0.5}, true, "text". A background that nobody chose is left out, and so are tools that
 /// keep nothing. Members are in the order of their names, numbers the shortest that are read as the same again,
-/// whatever the locale.
+/// whatever the locale. Texts of annotations that are those of the data are left out.
 TAN_API std::string viewToText(const ViewValue& view);
 
 /// What the text leaves open is as in `usual`; of a camera, what fits a box of side 1. Members that are not known are

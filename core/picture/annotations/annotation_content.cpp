@@ -17,6 +17,17 @@ std::vector<Isovalue> seenOnes(std::vector<Isovalue> isovalues)
 
 } // namespace
 
+std::string usualQuantity(const ModelDescription& description, const AnnotationLanguage& language)
+{
+    return holdsLogarithms(description.parameters) ? visibleText(nameOfLogarithms(description.valueName))
+                                                   : fieldName(description, language);
+}
+
+std::string usualTitle(const Model& model)
+{
+    return visibleText(completeBaseName(model.path().native()));
+}
+
 AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters, const ViewValue& view,
                                     const std::string& accuracy, const AnnotationLanguage& language)
 {
@@ -31,12 +42,11 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
     if (hasParameter(parameters, isovaluesId))
         content.isovalues = seenOnes(view.isovalues);
     content.logarithms = holdsLogarithms(description.parameters);
-    content.field =
-        content.logarithms ? visibleText(nameOfLogarithms(description.valueName)) : fieldName(description, language);
+    content.field = usualQuantity(description, language);
     if (description.space.find_first_not_of("RLAPSI") == std::string::npos)
         content.space = description.space;
     content.lengthUnit = visibleText(description.lengthUnit);
-    content.title = visibleText(completeBaseName(model.path().native()));
+    content.title = usualTitle(model);
     content.accuracy = accuracy;
     content.state = view.annotations;
     content.camera = view.camera;

@@ -28,16 +28,21 @@ struct AnnotationContent {
     std::optional<std::vector<Isovalue>> isovalues{}; ///< that are seen; none where the picture has no surfaces
     /// The values are logarithms to base 10: the bar's axis tells what they are of, and `field` names that.
     bool logarithms = false;
-    std::string field{};      ///< name of the values
+    std::string field{};      ///< name of the values, unless the state has another one
     std::string space{};      ///< ModelDescription::space: the letters of the axes, if there are three
     std::string lengthUnit{}; ///< ModelDescription::lengthUnit; empty if it is not known
-    std::string title{};
-    std::string accuracy{}; ///< empty if nothing is known
+    std::string title{};      ///< unless the state has another one
+    std::string accuracy{};   ///< empty if nothing is known
     Camera camera{};
     Colour background{};                  ///< the ink is dark or light after it
     AnnotationLanguage language{};        ///< of the words and numbers that are none of the texts above
     std::shared_ptr<const Fonts> fonts{}; ///< null: the system's sans-serif, opened for each picture anew
 };
+
+/// What the values of a model are called at a colour bar, and the model in a title, as long as nobody calls them
+/// otherwise.
+std::string usualQuantity(const ModelDescription& description, const AnnotationLanguage& language);
+std::string usualTitle(const Model& model);
 
 /// Of a picture of a model, seen by this view. `parameters`: those of its renderer that matter as they are set. The
 /// background is that of the view if it has one. Without `fonts`.

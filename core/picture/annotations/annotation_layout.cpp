@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/annotations/annotation_layout.h"
 
+#include "core/base/text.h"
 #include "core/picture/annotations/annotation_parts.h"
 
 #include <algorithm>
@@ -84,6 +85,11 @@ TextMeasure inBold(const TextMeasure& measure)
     return {measure.boldWidth, measure.boldWidth, measure.height};
 }
 
+std::string titleOf(const AnnotationContent& content)
+{
+    return content.state.title.empty() ? content.title : visibleText(content.state.title);
+}
+
 /// Without the colour bar, whose height is to be found.
 Sizes sizesOf(const AnnotationContent& content, const Size& picture, const TextMeasure& measure)
 {
@@ -91,7 +97,7 @@ Sizes sizesOf(const AnnotationContent& content, const Size& picture, const TextM
     Sizes sizes{};
     sizes[indexOf(AnnotationKind::Axes)] = axesSize(measure);
     sizes[indexOf(AnnotationKind::ScaleBar)] = scaleBarSize(content, picture, measure);
-    sizes[indexOf(AnnotationKind::Title)] = textSize(content.title, widest, inBold(measure));
+    sizes[indexOf(AnnotationKind::Title)] = textSize(titleOf(content), widest, inBold(measure));
     sizes[indexOf(AnnotationKind::Accuracy)] = textSize(content.accuracy, widest, measure);
     for (std::size_t i = 0; i < annotationCount; ++i)
         if (!content.state.places[i].shown)
@@ -104,11 +110,11 @@ std::optional<Places> withHighestBar(const AnnotationContent& content, const Bar
                                      const Size& picture, const TextMeasure& measure)
 {
     Size& size = sizes[indexOf(AnnotationKind::ColourBar)];
-    if (!bar || colourBarSize(content, axis, shortestBar, measure).isEmpty())
+    if (!bar || colourBarSize(content, axis, shortestBar, picture, measure).isEmpty())
         return placed(content.state, sizes, picture);
     const double highest = std::clamp(std::floor(picture.height * tallestShare), shortestBar, tallestBar);
     for (double height = highest; height >= shortestBar; height -= barStep) {
-        size = colourBarSize(content, axis, height, measure);
+        size = colourBarSize(content, axis, height, picture, measure);
         if (auto places = placed(content.state, sizes, picture))
             return places;
     }
@@ -154,7 +160,7 @@ AnnotationLayout layOutAnnotations(const AnnotationContent& content, const Size&
         return placed;
     };
     if (has(AnnotationKind::Title))
-        layout.title = textAt(AnnotationKind::Title, content.title, inBold(measure));
+        layout.title = textAt(AnnotationKind::Title, titleOf(content), inBold(measure));
     if (has(AnnotationKind::Accuracy))
         layout.accuracy = textAt(AnnotationKind::Accuracy, content.accuracy, measure);
     return layout;

@@ -4,10 +4,13 @@
 #include "core/picture/annotations/annotation_layout.h"
 #include "core/picture/annotations/placed_text.h"
 #include "core/picture/drawing/canvas.h"
+#include "core/picture/drawing/vector_drawing.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 namespace {
@@ -56,21 +59,44 @@ PixelInk inkOf(const TransferSample& sample, double opacity)
                  opacity);
 }
 
+/// What the bar shows at a share of its height from below: the colour alone, and as opaque as it is.
+std::pair<PixelInk, PixelInk> barInks(const TransferFunction& transfer, const BarAxis& axis, double share)
+{
+    const TransferSample sample = evaluate(transfer, axis.valueAt(share));
+    return {inkOf(sample, 1), inkOf(sample, -std::expm1(-sample.extinction * transfer.unitDistance))};
+}
+
+/// Columns of colours that change without a step: rows beside each other would show seams where they meet.
+void drawTransfer(std::vector<DrawnShape>& drawing, const TransferFunction& transfer, const BarAxis& axis,
+                  const Rectangle& colours, const Rectangle& opacities)
+{
+    constexpr int rows = 512;
+    ColourColumn left{colours, {}}, right{opacities, {}};
+    for (int row = 0; row < rows; ++row) {
+        const auto [solid, opaque] = barInks(transfer, axis, 1 - (row + 0.5) / rows);
+        left.rows.push_back(solid);
+        right.rows.push_back(opaque);
+    }
+    drawing.push_back(std::move(left));
+    drawing.push_back(std::move(right));
+}
+
 /// Left the colours alone, right as opaque as they are: a colour of little opacity could not be told otherwise. Each
 /// row of pixels has the colour of its middle.
 void paintTransfer(const PixelCanvas& canvas, const TransferFunction& transfer, const BarAxis& axis,
                    const Rectangle& bar)
 {
     const double solid = bar.left + solidPart, scale = canvas.scale();
-    paintChequers(canvas, {solid, bar.top, bar.right() - solid, bar.height});
+    const Rectangle opacities{solid, bar.top, bar.right() - solid, bar.height};
+    paintChequers(canvas, opacities);
+    if (canvas.drawing() != nullptr)
+        return drawTransfer(*canvas.drawing(), transfer, axis, {bar.left, bar.top, solidPart, bar.height}, opacities);
     const double last = std::min(bar.bottom() * scale, double(canvas.pixels().height));
     for (double row = std::floor(std::max(0.0, bar.top * scale)); row < last; ++row) {
         const double top = std::max(bar.top, row / scale), bottom = std::min(bar.bottom(), (row + 1) / scale);
-        const double share = (bar.bottom() - (top + bottom) / 2) / bar.height;
-        const TransferSample sample = evaluate(transfer, axis.valueAt(share));
-        fill(canvas, Rectangle{bar.left, top, solidPart, bottom - top}, inkOf(sample, 1));
-        fill(canvas, Rectangle{solid, top, bar.right() - solid, bottom - top},
-             inkOf(sample, -std::expm1(-sample.extinction * transfer.unitDistance)));
+        const auto [colour, opaque] = barInks(transfer, axis, (bar.bottom() - (top + bottom) / 2) / bar.height);
+        fill(canvas, Rectangle{bar.left, top, solidPart, bottom - top}, colour);
+        fill(canvas, Rectangle{solid, top, opacities.width, bottom - top}, opaque);
     }
 }
 
@@ -183,12 +209,17 @@ Status paintAnnotations(const PixelView& picture, const AnnotationContent& conte
 {
     if (std::ranges::none_of(content.state.places, &AnnotationPlace::shown))
         return {};
+    return paintAnnotations(PixelCanvas(picture, scale), content);
+}
+
+Status paintAnnotations(const PixelCanvas& canvas, const AnnotationContent& content)
+{
+    if (std::ranges::none_of(content.state.places, &AnnotationPlace::shown))
+        return {};
     const auto fonts = content.fonts ? Result(content.fonts) : openFonts();
     if (!fonts)
         return fonts.error();
-    const PixelCanvas canvas(picture, scale);
-    const Size size{picture.width / scale, picture.height / scale};
-    const AnnotationLayout layout = layOutAnnotations(content, size, textMeasure(**fonts));
+    const AnnotationLayout layout = layOutAnnotations(content, canvas.size(), textMeasure(**fonts));
     paintLayout({canvas, **fonts, annotationInk(content.background)}, content, layout);
     return {};
 }

@@ -9,7 +9,8 @@ namespace tetra {
 /// empty for what has nothing to say.
 
 /// `axis`: barAxisOf() the content, which is worked out once for a layout.
-Size colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure);
+Size colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const Size& picture,
+                   const TextMeasure& measure);
 ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis& axis, const Rectangle& place,
                                 const TextMeasure& measure);
 

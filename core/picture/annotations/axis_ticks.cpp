@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/annotations/axis_ticks.h"
 
+#include "core/picture/drawing/text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -54,19 +56,6 @@ double numberOf(const std::string& plain)
     return number;
 }
 
-std::string digitOf(char digit, char32_t zero)
-{
-    const char32_t code = zero + static_cast<char32_t>(digit - '0');
-    std::string text;
-    if (code < 0x80)
-        return {static_cast<char>(code)};
-    const int following = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-    text += static_cast<char>((0xff00U >> (following + 1) & 0xffU) | code >> (6 * following));
-    for (int left = following - 1; left >= 0; --left)
-        text += static_cast<char>(0x80U | (code >> (6 * left) & 0x3fU));
-    return text;
-}
-
 double largestMagnitude(const std::vector<double>& values)
 {
     double largest = 0;
@@ -94,7 +83,10 @@ std::string withSigns(std::string_view plain, const NumberSigns& signs)
         case '-': text += signs.minus; break;
         case '+': text += signs.plus; break;
         case 'e': text += signs.exponent; break;
-        default: text += sign >= '0' && sign <= '9' ? digitOf(sign, signs.zero) : std::string(1, sign); break;
+        default:
+            text += sign >= '0' && sign <= '9' ? utf8Of(signs.zero + static_cast<char32_t>(sign - '0'))
+                                               : std::string(1, sign);
+            break;
         }
     return text;
 }
@@ -166,6 +158,19 @@ std::string ownText(double value, const NumberSigns& signs)
 std::string shortNumber(double value, const NumberSigns& signs, int digits)
 {
     return withSigns(plain(value == 0 ? 0 : value, std::chars_format::general, digits), signs);
+}
+
+std::string formattedNumber(double value, const NumberFormat& format, const NumberSigns& signs)
+{
+    constexpr double largestWritten = 1e15; // doubles have no more digits before the point
+    if (format.style == NumberFormat::Style::Automatic)
+        return ownText(value, signs);
+    const bool isPlain = format.style == NumberFormat::Style::Plain && std::abs(value) < largestWritten;
+    const std::string text = plain(value, isPlain ? std::chars_format::fixed : std::chars_format::scientific,
+                                   std::clamp(format.decimals, 0, mostDecimals));
+    // What is rounded to zero has no sign.
+    const bool isZero = text.starts_with('-') && numberOf(text) == 0;
+    return withSigns(isZero ? std::string_view(text).substr(1) : std::string_view(text), signs);
 }
 
 std::string numberAmong(double value, const std::vector<double>& ticks, const NumberSigns& signs)

@@ -3,6 +3,8 @@
 
 #include "core/picture/annotations/annotation_language.h"
 
+#include <tan/view.h>
+
 #include <string>
 #include <vector>
 
@@ -25,6 +27,9 @@ std::string ownText(double value, const NumberSigns& signs = {});
 
 /// One number, with the digits that it needs, at most so many significant ones.
 std::string shortNumber(double value, const NumberSigns& signs = {}, int digits = 4);
+
+/// A number as it was asked for; one too large to be plain in powers of ten; automatic: as ownText().
+std::string formattedNumber(double value, const NumberFormat& format, const NumberSigns& signs = {});
 
 /// A number that stands among these ticks: with a digit more than they have, so that it is seen where between them it
 /// lies, and at least four significant ones; no more than it needs.

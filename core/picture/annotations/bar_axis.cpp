@@ -195,22 +195,26 @@ std::vector<double> barTicks(const BarAxis& axis, int most)
     return niceTicks(axis.ends.least, axis.ends.largest, most);
 }
 
-std::vector<std::string> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks, const NumberSigns& signs)
+std::vector<std::string> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks, const NumberSigns& signs,
+                                      const NumberFormat& format)
 {
     if (const auto ofData = axisOfData(axis))
-        return barTickTexts(*ofData, valuesOf(ticks), signs);
-    if (!axis.logarithmic)
+        return barTickTexts(*ofData, valuesOf(ticks), signs, format);
+    if (!axis.logarithmic && format.style == NumberFormat::Style::Automatic)
         return tickTexts(ticks, signs);
     std::vector<std::string> texts;
     for (const double tick : ticks)
-        texts.push_back(ownText(tick, signs));
+        texts.push_back(formattedNumber(tick, format, signs));
     return texts;
 }
 
-std::string barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks, const NumberSigns& signs)
+std::string barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks, const NumberSigns& signs,
+                         const NumberFormat& format)
 {
     if (const auto ofData = axisOfData(axis))
-        return barValueText(*ofData, std::pow(10, value), valuesOf(ticks), signs);
+        return barValueText(*ofData, std::pow(10, value), valuesOf(ticks), signs, format);
+    if (format.style != NumberFormat::Style::Automatic)
+        return formattedNumber(value, format, signs);
     if (!axis.logarithmic)
         return numberAmong(value, ticks, signs);
     const auto above = std::ranges::upper_bound(ticks, value);

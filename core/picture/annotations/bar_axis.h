@@ -4,6 +4,7 @@
 #include "core/picture/annotations/annotation_language.h"
 
 #include <tan/transfer.h>
+#include <tan/view.h>
 
 #include <string>
 #include <vector>
@@ -41,12 +42,13 @@ bool followsLogarithm(const TransferFunction& function, const TransferLimits& en
 /// or on a logarithmic axis of more than one decade powers of ten, with 2 and 5 times them where there is room for all.
 std::vector<double> barTicks(const BarAxis& axis, int most);
 
-/// Their texts, which differ. On a logarithmic axis each has the digits that it needs itself.
+/// Their texts, which differ unless a format was asked for. On a logarithmic axis each has the digits that it needs
+/// itself.
 std::vector<std::string> barTickTexts(const BarAxis& axis, const std::vector<double>& ticks,
-                                      const NumberSigns& signs = {});
+                                      const NumberSigns& signs = {}, const NumberFormat& format = {});
 
-/// A value's text beside ticks: more precise than the two that it lies between.
+/// A value's text beside ticks: more precise than the two that it lies between, or in the format that was asked for.
 std::string barValueText(const BarAxis& axis, double value, const std::vector<double>& ticks,
-                         const NumberSigns& signs = {});
+                         const NumberSigns& signs = {}, const NumberFormat& format = {});
 
 } // namespace tetra

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
 #include "core/picture/annotations/annotation_parts.h"
 #include "core/picture/annotations/bar_axis.h"
 
@@ -12,6 +13,8 @@ constexpr double barWidth = 20;
 constexpr double labelGap = 9;       ///< from the bar to its labels, with the tick between
 constexpr double markWidth = 9;      ///< left of the bar, for the isovalues' marks
 constexpr double widestField = 150;  ///< the name of the values
+constexpr double widestTyped = 300;  ///< if somebody has typed it ...
+constexpr double typedShare = 0.45;  ///< ... and of the picture's width
 constexpr double linesPerTick = 2.2; ///< heights of a line from one tick to the next, or more
 constexpr int mostTicks = 9;
 
@@ -27,13 +30,29 @@ double labelWidth(const AnnotationContent& content, const BarAxis& axis, double 
     const NumberSigns& signs = content.language.numbers;
     double widest = 0;
     const auto ticks = ticksFor(axis, height, measure);
-    for (const std::string& text : barTickTexts(axis, ticks, signs))
+    for (const std::string& text : barTickTexts(axis, ticks, signs, content.state.numbers))
         widest = std::max(widest, measure.width(text));
     if (content.isovalues && !content.transfer)
         for (const Isovalue& isovalue : *content.isovalues)
             if (axis.contains(isovalue.value))
-                widest = std::max(widest, measure.width(barValueText(axis, isovalue.value, ticks, signs)));
+                widest = std::max(
+                    widest, measure.width(barValueText(axis, isovalue.value, ticks, signs, content.state.numbers)));
     return std::ceil(widest);
+}
+
+/// The name of the values with their unit, of which the name is cut where there is no room for both.
+PlacedText barName(const AnnotationContent& content, double most, const TextMeasure& measure)
+{
+    const AnnotationState& state = content.state;
+    const std::string name = state.quantity.empty() ? content.field : visibleText(state.quantity);
+    if (state.unit.empty())
+        return fittedText(name, most, measure);
+    const std::string unit = (name.empty() ? "(" : " (") + visibleText(state.unit) + ")";
+    const double left = most - std::ceil(measure.width(unit));
+    const std::string shown = name.empty() || measure.width(name + unit) <= most ? name
+                              : left > 0                                         ? fittedText(name, left, measure).text
+                                                                                 : std::string();
+    return fittedText(shown + unit, most, measure);
 }
 
 double positionOf(double value, const BarAxis& axis, const Rectangle& bar)
@@ -63,13 +82,17 @@ private:
 
 } // namespace
 
-Size colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const TextMeasure& measure)
+Size colourBarSize(const AnnotationContent& content, const BarAxis& axis, double height, const Size& picture,
+                   const TextMeasure& measure)
 {
     const bool hasMarks = content.isovalues && !content.isovalues->empty();
     if (!(axis.ends.largest > axis.ends.least) || (!content.transfer && !hasMarks))
         return {};
     const double width = markWidth + barWidth + labelGap + labelWidth(content, axis, height, measure);
-    const double name = fittedText(content.field, widestField, measure).place.width;
+    const AnnotationState& state = content.state;
+    const bool isTyped = !state.quantity.empty() || !state.unit.empty();
+    const double most = isTyped ? std::clamp(typedShare * picture.width, widestField, widestTyped) : widestField;
+    const double name = barName(content, most, measure).place.width;
     return {std::max(width, name), height};
 }
 
@@ -78,7 +101,7 @@ ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis&
 {
     ColourBarLayout layout;
     layout.axis = axis;
-    layout.field = fittedText(content.field, std::min(widestField, place.width + 0.5), measure);
+    layout.field = barName(content, place.width + 0.5, measure);
     layout.field.place.left = place.left;
     layout.field.place.top = place.top;
     // Half a line at both ends is for the labels there.
@@ -90,10 +113,11 @@ ColourBarLayout layOutColourBar(const AnnotationContent& content, const BarAxis&
     for (const Isovalue& isovalue : content.isovalues.value_or(std::vector<Isovalue>{})) {
         AxisMark mark{positionOf(isovalue.value, axis, layout.bar), {}, !axis.contains(isovalue.value)};
         if (!content.transfer && !mark.beyond) // else the axis is there to tell
-            labels.label(mark, barValueText(axis, isovalue.value, ticks, content.language.numbers));
+            labels.label(mark,
+                         barValueText(axis, isovalue.value, ticks, content.language.numbers, content.state.numbers));
         layout.isovalues.push_back(mark);
     }
-    const auto texts = barTickTexts(axis, ticks, content.language.numbers);
+    const auto texts = barTickTexts(axis, ticks, content.language.numbers, content.state.numbers);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         AxisMark mark{positionOf(ticks[i], axis, layout.bar), {}};
         labels.label(mark, texts[i]);

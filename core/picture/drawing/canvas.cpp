@@ -3,6 +3,7 @@
 
 #include "core/picture/drawing/blending.h"
 #include "core/picture/drawing/outlines.h"
+#include "core/picture/drawing/vector_drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -105,6 +106,12 @@ Path ellipsePath(const Rectangle& rectangle)
     return path;
 }
 
+PixelCanvas::PixelCanvas(std::vector<DrawnShape>& drawing, int width, int height, double scale)
+    : PixelCanvas(PixelView{{}, width, height}, scale)
+{
+    drawing_ = &drawing;
+}
+
 PixelCanvas::PixelCanvas(const PixelView& pixels, double scale) : pixels_(pixels), scale_(scale)
 {
     FT_Library library = nullptr;
@@ -120,6 +127,8 @@ void PixelCanvas::Closing::operator()(FT_LibraryRec_* library) const noexcept
 
 void fill(const PixelCanvas& canvas, const Rectangle& rectangle, const PixelInk& ink)
 {
+    if (canvas.drawing() != nullptr)
+        return fill(canvas, rectanglePath(rectangle), ink);
     const PixelView& pixels = canvas.pixels();
     const double scale = canvas.scale();
     const LineCoverage across = coverageOf(rectangle.left * scale, rectangle.right() * scale, pixels.width);
@@ -133,11 +142,15 @@ void fill(const PixelCanvas& canvas, const Rectangle& rectangle, const PixelInk&
 
 void fill(const PixelCanvas& canvas, const Path& path, const PixelInk& ink)
 {
+    if (canvas.drawing() != nullptr)
+        return canvas.drawing()->push_back(FilledPath{path, ink});
     fillOutline(canvas, outlineOf(path, canvas.scale()), ink);
 }
 
 void stroke(const PixelCanvas& canvas, const Path& path, double width, const PixelInk& ink)
 {
+    if (canvas.drawing() != nullptr)
+        return canvas.drawing()->push_back(StrokedPath{path, true, width, ink});
     const Stroker stroker =
         strokerOf(canvas.library(), width * canvas.scale(), FT_STROKER_LINECAP_BUTT, FT_STROKER_LINEJOIN_BEVEL);
     if (stroker)
@@ -147,6 +160,8 @@ void stroke(const PixelCanvas& canvas, const Path& path, double width, const Pix
 void strokeOpen(const PixelCanvas& canvas, std::span<const Eigen::Vector2d> points, double width, const PixelInk& ink,
                 LineEnd end)
 {
+    if (canvas.drawing() != nullptr)
+        return canvas.drawing()->push_back(StrokedPath{polygonPath(points), false, width, ink, end});
     const Stroker stroker = strokerOf(canvas.library(), width * canvas.scale(),
                                       end == LineEnd::Flat ? FT_STROKER_LINECAP_BUTT : FT_STROKER_LINECAP_SQUARE,
                                       FT_STROKER_LINEJOIN_BEVEL);

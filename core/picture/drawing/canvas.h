@@ -11,11 +11,18 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 struct FT_LibraryRec_;
 
 namespace tetra {
+
+struct FilledPath;
+struct StrokedPath;
+struct ColourColumn;
+struct WrittenText;
+using DrawnShape = std::variant<FilledPath, StrokedPath, ColourColumn, WrittenText>;
 
 /// What is painted with: 8-bit sRGB. Alpha 255 covers what was there.
 struct PixelInk {
@@ -46,13 +53,20 @@ enum class LineEnd { Flat, Square };
 
 /// Pixels to paint on, in units that are `scale` pixels long. A pixel of which a part is covered takes that part of
 /// the ink, in 255 steps; curves are painted as straight pieces that leave them by a tenth of a pixel at most. What
-/// lies outside is left away. For one thread at a time; the pixels outlive it.
+/// lies outside is left away. Or a drawing, which keeps what is painted as it is (vector_drawing.h). For one thread at
+/// a time; the pixels or the drawing outlive it.
 class PixelCanvas {
 public:
     PixelCanvas(const PixelView& pixels, double scale);
+    /// A drawing over a picture of so many pixels.
+    PixelCanvas(std::vector<DrawnShape>& drawing, int width, int height, double scale);
 
+    /// Without any if this is a drawing, but as wide and high.
     const PixelView& pixels() const noexcept { return pixels_; }
     double scale() const noexcept { return scale_; }
+    Size size() const noexcept { return {pixels_.width / scale_, pixels_.height / scale_}; }
+    /// Null unless this is one.
+    std::vector<DrawnShape>* drawing() const noexcept { return drawing_; }
     /// FreeType's, which knows the shapes.
     FT_LibraryRec_* library() const noexcept { return library_.get(); }
 
@@ -62,6 +76,7 @@ private:
     };
     PixelView pixels_;
     double scale_;
+    std::vector<DrawnShape>* drawing_ = nullptr;
     std::unique_ptr<FT_LibraryRec_, Closing> library_;
 };
 
@@ -77,7 +92,7 @@ void strokeOpen(const PixelCanvas& canvas, std::span<const Eigen::Vector2d> poin
 void strokeLine(const PixelCanvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
                 const PixelInk& ink, LineEnd end = LineEnd::Flat);
 /// What the path winds around becomes another picture, whose upper left pixel lies at (left, top), in pixels; as far as
-/// that reaches.
+/// that reaches. Of pixels only.
 void replaceWithin(const PixelCanvas& canvas, const Path& path, const Picture& content, int left, int top);
 
 } // namespace tetra

@@ -68,22 +68,23 @@ std::unique_ptr<FontFile> FontFile::open(FT_Library library, FcPattern* found)
     if (static_cast<unsigned>(index) >> 16 == variable)
         index &= 0xffff;
     FT_Face opened = nullptr;
-    if (!hasOutlines(found) || FT_New_Face(library, textOf(found, FC_FILE).c_str(), index, &opened) != 0)
+    FontSource source{textOf(found, FC_FILE), index, textOf(found, FC_FONT_VARIATIONS), isSet(found, FC_EMBOLDEN)};
+    if (!hasOutlines(found) || FT_New_Face(library, source.file.c_str(), index, &opened) != 0)
         return nullptr;
     Face face(opened);
     if (!FT_IS_SCALABLE(opened))
         return nullptr;
-    std::unique_ptr<FontFile> font(new FontFile(std::move(face), isSet(found, FC_EMBOLDEN)));
-    font->vary(textOf(found, FC_FONT_VARIATIONS));
+    std::unique_ptr<FontFile> font(new FontFile(std::move(face), std::move(source)));
+    font->vary();
     font->setSize(12);
     font->shaper_.reset(hb_ft_font_create_referenced(opened));
     hb_ft_font_set_load_flags(font->shaper_.get(), FT_LOAD_NO_HINTING); // as wide in every size
     return font;
 }
 
-/// "wght=700,wdth=75".
-void FontFile::vary(const std::string& variations)
+void FontFile::vary()
 {
+    const std::string& variations = source_.variations;
     FT_MM_Var* axes = nullptr;
     if (variations.empty() || FT_Get_MM_Var(face_.get(), &axes) != 0)
         return;
@@ -130,7 +131,7 @@ FT_Outline FontFile::outlineOf(unsigned glyph)
         face_->glyph->format != FT_GLYPH_FORMAT_OUTLINE)
         return {};
     FT_Outline& outline = face_->glyph->outline;
-    if (thickened_)
+    if (source_.thickened)
         FT_Outline_Embolden(&outline, std::lround(pixels_ * outlineUnits / 24));
     FT_Matrix upsideDown{0x10000, 0, 0, -0x10000};
     FT_Outline_Transform(&outline, &upsideDown);

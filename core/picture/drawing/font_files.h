@@ -3,6 +3,7 @@
 
 #include "core/picture/drawing/fonts.h"
 #include "core/picture/drawing/outlines.h"
+#include "core/picture/drawing/vector_drawing.h"
 
 #include <fontconfig/fontconfig.h>
 #include <hb.h>
@@ -36,6 +37,7 @@ public:
     hb_font_t* shaper() const noexcept { return shaper_.get(); }
     double ascent(double pixels) const noexcept;
     double descent(double pixels) const noexcept;
+    const FontSource& source() const noexcept { return source_; }
     /// Of a glyph, with the origin of the letter at 0, 0 and y down; valid until the next one. Empty, for spaces and
     /// for what is damaged.
     FT_Outline outlineOf(unsigned glyph);
@@ -44,13 +46,13 @@ private:
     using Face = std::unique_ptr<FT_FaceRec_, ClosedBy<FT_Done_Face>>;
     using Shaper = std::unique_ptr<hb_font_t, ClosedBy<hb_font_destroy>>;
 
-    FontFile(Face face, bool thickened) : face_(std::move(face)), thickened_(thickened) {}
-    void vary(const std::string& variations);
+    FontFile(Face face, FontSource source) : face_(std::move(face)), source_(std::move(source)) {}
+    void vary();
 
     Face face_;
     Shaper shaper_{};
     double pixels_ = 0;
-    bool thickened_; ///< the family has no bold font, so that its letters are made thicker
+    FontSource source_;
 };
 
 /// The fonts that stand for a family in one weight, the nearest first.

@@ -136,8 +136,9 @@ void orderAsSeen(std::vector<Run>& runs)
         }
 }
 
-void addRun(ShapedText& shaped, const std::u32string& text, const Run& run, double pixels, hb_buffer_t* buffer)
+void addRun(ShapedText& shaped, const Run& run, double pixels, hb_buffer_t* buffer)
 {
+    const std::u32string& text = shaped.characters;
     hb_buffer_clear_contents(buffer);
     hb_buffer_add_utf32(buffer, reinterpret_cast<const std::uint32_t*>(text.data()), static_cast<int>(text.size()),
                         static_cast<unsigned>(run.from), static_cast<int>(run.to - run.from));
@@ -148,9 +149,10 @@ void addRun(ShapedText& shaped, const std::u32string& text, const Run& run, doub
     unsigned count = 0;
     const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
     const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(buffer, &count);
+    shaped.runs.push_back({run.from, run.to, shaped.glyphs.size(), shaped.glyphs.size() + count, run.level % 2 != 0});
     for (unsigned i = 0; i < count; ++i) {
         shaped.glyphs.push_back({run.font, infos[i].codepoint, shaped.advance + places[i].x_offset / outlineUnits,
-                                 -places[i].y_offset / outlineUnits});
+                                 -places[i].y_offset / outlineUnits, infos[i].cluster});
         shaped.advance += places[i].x_advance / outlineUnits;
     }
 }
@@ -160,14 +162,14 @@ void addRun(ShapedText& shaped, const std::u32string& text, const Run& run, doub
 ShapedText shaped(FontFamily& family, std::string_view text, double pixels)
 {
     ShapedText result;
-    const std::u32string characters = charactersOf(text);
-    if (characters.empty())
+    result.characters = charactersOf(text);
+    if (result.characters.empty())
         return result;
-    auto runs = runsOf(family, characters);
+    auto runs = runsOf(family, result.characters);
     orderAsSeen(runs);
     const std::unique_ptr<hb_buffer_t, ClosedBy<hb_buffer_destroy>> buffer(hb_buffer_create());
     for (const Run& run : runs)
-        addRun(result, characters, run, pixels, buffer.get());
+        addRun(result, run, pixels, buffer.get());
     return result;
 }
 

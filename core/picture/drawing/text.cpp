@@ -3,6 +3,7 @@
 
 #include "core/picture/drawing/blending.h"
 #include "core/picture/drawing/shaping.h"
+#include "core/picture/drawing/vector_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,56 @@ private:
     std::vector<std::uint8_t> covered_;
 };
 
+/// Where the clusters of a run's glyphs begin, in the order of the text.
+std::vector<GlyphRun::Cluster> clustersOf(const ShapedText& line, const ShapedRun& run)
+{
+    std::vector<GlyphRun::Cluster> clusters;
+    std::vector<std::size_t> starts; // of the clusters, among the characters
+    const std::size_t count = run.endGlyph - run.firstGlyph;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = run.backward ? run.endGlyph - 1 - i : run.firstGlyph + i;
+        const std::size_t character = line.glyphs[at].character;
+        if (starts.empty() || starts.back() != character) {
+            starts.push_back(character);
+            clusters.push_back({});
+        }
+        ++clusters.back().glyphs;
+    }
+    starts.push_back(run.endCharacter);
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+        for (std::size_t at = starts[i]; at < starts[i + 1]; ++at)
+            clusters[i].bytes += static_cast<int>(utf8Of(line.characters[at]).size());
+    return clusters;
+}
+
+/// In units; `line` is shaped in letters of `scale` times the size.
+GlyphRun glyphRunOf(const ShapedText& line, const ShapedRun& run, const Eigen::Vector2d& baseline, double size,
+                    double scale)
+{
+    GlyphRun written{.size = size, .clusters = clustersOf(line, run), .backward = run.backward};
+    for (std::size_t at = run.firstCharacter; at < run.endCharacter; ++at)
+        written.text += utf8Of(line.characters[at]);
+    for (std::size_t at = run.firstGlyph; at < run.endGlyph; ++at) {
+        const PlacedGlyph& placed = line.glyphs[at];
+        written.font = placed.font->source();
+        written.glyphs.push_back({placed.glyph, baseline + Eigen::Vector2d(placed.x, placed.y) / scale});
+    }
+    return written;
+}
+
 } // namespace
+
+std::string utf8Of(char32_t character)
+{
+    if (character < 0x80)
+        return {static_cast<char>(character)};
+    const int following = character < 0x800 ? 1 : character < 0x10000 ? 2 : 3;
+    std::string text;
+    text += static_cast<char>((0xff00U >> (following + 1) & 0xffU) | character >> (6 * following));
+    for (int left = following - 1; left >= 0; --left)
+        text += static_cast<char>(0x80U | (character >> (6 * left) & 0x3fU));
+    return text;
+}
 
 TextMetrics measured(const Fonts& fonts, std::string_view text, const TextStyle& style)
 {
@@ -65,6 +115,13 @@ void paintText(const PixelCanvas& canvas, const Fonts& fonts, std::string_view t
     const std::lock_guard turn(fonts.turn);
     const double pixels = style.size * canvas.scale(), rimPixels = rim.width * canvas.scale();
     const ShapedText line = shaped(fonts.family(style.bold), text, pixels);
+    if (canvas.drawing() != nullptr) {
+        WrittenText written{{}, ink, rim.width, rim.ink};
+        for (const ShapedRun& run : line.runs)
+            if (run.endGlyph > run.firstGlyph)
+                written.runs.push_back(glyphRunOf(line, run, baseline, style.size, canvas.scale()));
+        return canvas.drawing()->push_back(std::move(written));
+    }
     const double left = baseline.x() * canvas.scale(), bottom = std::round(baseline.y() * canvas.scale());
     // Marks of some scripts are tall, and letters of some fonts wider than they say.
     const Rectangle part = Rectangle{left, bottom - 2 * pixels, line.advance, 3 * pixels}.grown(pixels + rimPixels);

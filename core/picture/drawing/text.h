@@ -6,12 +6,15 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <string_view>
 
 namespace tetra {
 
 // Texts of one line, UTF-8: shaped as their scripts want it (HarfBuzz), from right to left where they are read so
 // (FriBidi), each character by a font that has it. What no font of the system has is a box.
+
+std::string utf8Of(char32_t character);
 
 struct TextStyle {
     double size = 12; ///< of the font's square, in units

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PNG files of ours are what Qt reads them as, pixel by pixel and text by text; and texts are found in files that Qt
 // wrote, as TAn did up to version 0.1.
+#include "core/picture/picture_file.h"
 #include "core/picture/png_file.h"
 
 #include <QBuffer>
+#include <QFile>
 #include <QImage>
 #include <QImageReader>
 #include <QTemporaryDir>
@@ -138,6 +140,53 @@ private slots:
             QVERIFY(found.empty() || found == longText);
         }
         QCOMPARE(textInPng(spanOf("no picture"), "TAn-session"), std::string());
+    }
+
+    /// In the places that their formats have for it, in UTF-8; what is long in several pieces.
+    void otherFormatsSayItToo()
+    {
+        const std::string session(100'000, '7');
+        const PngFacts facts{
+            .dotsPerInch = 300,
+            .texts = {
+                {"Title", "Kopf"}, {"Description", "Fehler ≤ 1 %"}, {"Software", "TAn 0"}, {"TAn-session", session}}};
+        const QByteArray lines = "Description: Fehler ≤ 1 %\n";
+        if (writesTiff()) {
+            const QByteArray tiff = bytesOf(tiffOf(randomPicture(4, 4), facts));
+            QVERIFY(tiff.contains(lines + "TAn-session: 777"));
+            QVERIFY(tiff.contains("777\nTitle: Kopf") && tiff.contains("TAn 0") && !tiff.contains("Software: "));
+        }
+        if (writesJpeg()) {
+            const QByteArray jpeg = bytesOf(jpegOf(randomPicture(4, 4), facts));
+            QVERIFY(jpeg.contains(lines + "Software: TAn 0\nTAn-session: 777"));
+            QVERIFY(jpeg.contains("777\nTitle: Kopf"));
+            QCOMPARE(QImage::fromData(jpeg, "JPEG").dotsPerMeterX(), 11811);
+            QCOMPARE(QImage::fromData(jpeg, "JPEG").size(), QSize(4, 4));
+        }
+        if (writesPdf()) {
+            const QTemporaryDir folder;
+            const QString path = folder.filePath("picture.pdf");
+            QVERIFY(writePicture(randomPicture(4, 4), path.toStdString(), facts));
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray pdf = file.readAll();
+            QVERIFY(pdf.contains("/Title (Kopf)") && pdf.contains("/Creator (TAn 0)") && pdf.contains("777"));
+        }
+    }
+
+    /// Which format a file has, its ending says, in whatever letters; others are PNG, as ever.
+    void theEndingIsTheFormat()
+    {
+        QCOMPARE(pictureFormatOf("a.TIFF"), std::optional(PictureFormat::Tiff));
+        QCOMPARE(pictureFormatOf("a.jpeg"), std::optional(PictureFormat::Jpeg));
+        QVERIFY(!pictureFormatOf("png") && !pictureFormatOf("a.svg"));
+        QVERIFY(!checkPictureFormat("a.svg", false).ok() && checkPictureFormat("a.PNG", true).ok());
+        if (writesJpeg())
+            QVERIFY(checkPictureFormat("a.jpg", false).ok() && !checkPictureFormat("a.jpg", true).ok());
+        const QTemporaryDir folder;
+        QVERIFY(writePicture(randomPicture(4, 4), folder.filePath("picture.unknown").toStdString()));
+        QCOMPARE(QImage(folder.filePath("picture.unknown"), "PNG").size(), QSize(4, 4));
+        QVERIFY(!jpegOf(randomPicture(4, 4), {.transparent = true}).ok());
     }
 
     void whatIsTooLargeIsRefused()

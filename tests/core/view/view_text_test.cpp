@@ -131,6 +131,12 @@ ViewValue anyView(Random& random)
         place = {random() % 2 == 0, static_cast<Corner>(random() % 4)};
     if (random() % 2 == 0)
         view.annotations.barEnds = BarEnds{-1 - std::abs(anyNumber(random)), std::abs(anyNumber(random))};
+    for (const auto text : {&AnnotationState::title, &AnnotationState::quantity, &AnnotationState::unit})
+        if (random() % 2 == 0)
+            view.annotations.*text = "\"µ\" " + std::to_string(random() % 100);
+    if (random() % 2 == 0)
+        view.annotations.numbers = {static_cast<NumberFormat::Style>(1 + random() % 2),
+                                    static_cast<int>(random() % (mostDecimals + 1))};
     view.animation.kind = static_cast<Animation::Kind>(random() % 2);
     view.animation.framesPerSecond = static_cast<double>(10 + random() % 1000) / 10;
     view.animation.turntable = {static_cast<Turntable::Axis>(random() % 2), static_cast<double>(random() % 720),
@@ -257,6 +263,14 @@ private slots:
         ViewValue withEnds;
         withEnds.annotations.barEnds = BarEnds{};
         QVERIFY(*viewFromText(R"({"annotations": {}})", withEnds) == ViewValue());
+        withEnds.annotations = {.title = "a", .quantity = "b", .unit = "c", .numbers = {NumberFormat::Style::Plain, 1}};
+        QVERIFY(*viewFromText(R"({"annotations": {}})", withEnds) == ViewValue());
+        const std::string usualText = viewToText(ViewValue());
+        for (const char* name : {"titleText", "quantity", "\"unit\"", "numbers"}) // earlier programs know none of them
+            QVERIFY(usualText.find(name) == std::string::npos);
+        const auto many = viewFromText(R"({"annotations": {"numbers": {"style": "powers", "decimals": 1e9}}})");
+        QCOMPARE(many->annotations.numbers.decimals, mostDecimals);
+        QVERIFY(!viewFromText(R"({"annotations": {"numbers": {"style": "roman"}}})").ok());
     }
 
     /// A setting may be of a program of tomorrow; numbers that are none are no numbers.
