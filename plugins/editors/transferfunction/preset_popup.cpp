@@ -143,7 +143,8 @@ void PresetPopup::fill()
                          : preset.isHounsfield ? tr("Values in Hounsfield units (HU)")
                                                : preset.source);
     }
-    const int widest = list_->sizeHintForColumn(0) + list_->verticalScrollBar()->sizeHint().width();
+    const int widest =
+        list_->sizeHintForColumn(0) + list_->verticalScrollBar()->sizeHint().width() + 2 * list_->frameWidth();
     list_->setMinimumWidth(std::min(widest, widestList));
     narrow();
     for (int row = 0; row < list_->count(); ++row)
