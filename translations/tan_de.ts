@@ -415,12 +415,12 @@
         <translation>Eine Länge in den Einheiten der Daten; in der Perspektive die von Dingen in der Entfernung des Blickziels</translation>
     </message>
     <message>
-        <source>The name of the model</source>
-        <translation>Der Name des Modells</translation>
-    </message>
-    <message>
         <source>The error bound of the displayed mesh, in % of the value range</source>
         <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>The name of the model, or a text of your own</source>
+        <translation>Der Name des Modells oder ein eigener Text</translation>
     </message>
 </context>
 <context>
@@ -667,6 +667,18 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>TIFF pictures (*.tif *.tiff)</source>
+        <translation>TIFF-Bilder (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>JPEG pictures (*.jpg *.jpeg)</source>
+        <translation>JPEG-Bilder (*.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF-Dateien (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1729,6 +1741,70 @@ Verwerfung %2</translation>
     <message>
         <source>Value at the upper end of the colour bar</source>
         <translation>Wert am oberen Ende der Farbskala</translation>
+    </message>
+    <message>
+        <source>Text of the title</source>
+        <translation>Text des Titels</translation>
+    </message>
+    <message>
+        <source>The title; if empty, the name of the model</source>
+        <translation>Der Titel; wenn leer, der Name des Modells</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Colour bar: quantity</source>
+        <translation>Farbskala: Größe</translation>
+    </message>
+    <message>
+        <source>What the colour bar shows, such as density; if empty, the name of the values in the data</source>
+        <translation>Was die Farbskala zeigt, etwa Dichte; wenn leer, der Name der Werte in den Daten</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Colour bar: unit</source>
+        <translation>Farbskala: Einheit</translation>
+    </message>
+    <message>
+        <source>The unit of the values, such as HU or K, written in brackets behind the quantity</source>
+        <translation>Die Einheit der Werte, etwa HU oder K; sie steht in Klammern hinter der Größe</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Ausgeschrieben</translation>
+    </message>
+    <message>
+        <source>Powers of ten</source>
+        <translation>Zehnerpotenzen</translation>
+    </message>
+    <message>
+        <source>Colour bar: format of the numbers</source>
+        <translation>Farbskala: Zahlenformat</translation>
+    </message>
+    <message>
+        <source>How the numbers at the colour bar are written: as short as tells them apart, or with a chosen number of decimals, plain or in powers of ten</source>
+        <translation>Wie die Zahlen an der Farbskala geschrieben werden: so kurz, dass sie sich unterscheiden, oder mit einer gewählten Zahl von Nachkommastellen, ausgeschrieben oder in Zehnerpotenzen</translation>
+    </message>
+    <message>
+        <source>Colour bar: decimals</source>
+        <translation>Farbskala: Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>Number of digits behind the decimal point</source>
+        <translation>Zahl der Stellen hinter dem Dezimalkomma</translation>
     </message>
 </context>
 <context>
@@ -12562,10 +12638,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it offers its view</source>
-        <translation>Programm, Modell, Genauigkeit, Kamera, Transferfunktion und Isowerte, sodass das Bild noch einmal gemacht werden kann: Beim Öffnen wird seine Ansicht angeboten</translation>
-    </message>
-    <message>
         <source>&amp;Save…</source>
         <translation>&amp;Speichern …</translation>
     </message>
@@ -12580,6 +12652,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Copy it to the clipboard</source>
         <translation>In die Zwischenablage legen</translation>
+    </message>
+    <message>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it as PNG offers its view</source>
+        <translation>Programm, Modell, Genauigkeit, Kamera, Transferfunktion und Isowerte, sodass das Bild noch einmal gemacht werden kann: Als PNG bietet es beim Öffnen seine Ansicht an</translation>
     </message>
 </context>
 <context>
@@ -12611,10 +12687,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Resolution</source>
         <translation>Auflösung</translation>
-    </message>
-    <message>
-        <source>Print resolution in pixels per inch; the number of pixels does not change</source>
-        <translation>Druckauflösung in Pixeln pro Zoll; die Zahl der Pixel ändert sich nicht</translation>
     </message>
     <message>
         <source>Trans&amp;parent background</source>
@@ -12665,16 +12737,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Beschriftung</translation>
     </message>
     <message>
-        <source>%1 × %2 cm</source>
-        <translation>%1 × %2 cm</translation>
-    </message>
-    <message>
         <source>Pixe&amp;ls</source>
         <translation>Pi&amp;xel</translation>
-    </message>
-    <message>
-        <source>Pri&amp;nt resolution</source>
-        <translation>Dr&amp;uckauflösung</translation>
     </message>
     <message>
         <source>&amp;Keep proportions</source>
@@ -12683,6 +12747,38 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Width and height change together, so that nothing is added or cut off</source>
         <translation>Breite und Höhe folgen einander, sodass nichts hinzukommt oder abgeschnitten wird</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Printed width</source>
+        <translation>Gedruckte Breite</translation>
+    </message>
+    <message>
+        <source>Width of the print in centimetres; the pixels follow from it and the resolution</source>
+        <translation>Breite des Drucks in Zentimetern; daraus und aus der Auflösung folgen die Pixel</translation>
+    </message>
+    <message>
+        <source>Printed height</source>
+        <translation>Gedruckte Höhe</translation>
+    </message>
+    <message>
+        <source>Height of the print in centimetres; the pixels follow from it and the resolution</source>
+        <translation>Höhe des Drucks in Zentimetern; daraus und aus der Auflösung folgen die Pixel</translation>
+    </message>
+    <message>
+        <source>Pri&amp;nt size</source>
+        <translation>Druckg&amp;röße</translation>
+    </message>
+    <message>
+        <source>Print resolution in pixels per inch; the number of pixels changes only after a size in centimetres was entered</source>
+        <translation>Druckauflösung in Pixeln pro Zoll; die Zahl der Pixel ändert sich nur, wenn zuvor eine Größe in Zentimetern eingegeben wurde</translation>
+    </message>
+    <message>
+        <source>Print &amp;resolution</source>
+        <translation>Druckau&amp;flösung</translation>
     </message>
 </context>
 <context>

@@ -415,12 +415,12 @@
         <translation>Una lunghezza nelle unità dei dati; in prospettiva quella delle cose distanti quanto il punto mirato</translation>
     </message>
     <message>
-        <source>The name of the model</source>
-        <translation>Il nome del modello</translation>
-    </message>
-    <message>
         <source>The error bound of the displayed mesh, in % of the value range</source>
         <translation>L&apos;errore che ciò che si vede non supera, in % dell&apos;intervallo dei valori</translation>
+    </message>
+    <message>
+        <source>The name of the model, or a text of your own</source>
+        <translation>Il nome del modello o un testo proprio</translation>
     </message>
 </context>
 <context>
@@ -667,6 +667,18 @@
     <message>
         <source>All files (*)</source>
         <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>TIFF pictures (*.tif *.tiff)</source>
+        <translation>Immagini TIFF (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>JPEG pictures (*.jpg *.jpeg)</source>
+        <translation>Immagini JPEG (*.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>File PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1729,6 +1741,70 @@ deformazione %2</translation>
     <message>
         <source>Value at the upper end of the colour bar</source>
         <translation>Valore all&apos;estremo superiore della barra dei colori</translation>
+    </message>
+    <message>
+        <source>Text of the title</source>
+        <translation>Testo del titolo</translation>
+    </message>
+    <message>
+        <source>The title; if empty, the name of the model</source>
+        <translation>Il titolo; se vuoto, il nome del modello</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandezza</translation>
+    </message>
+    <message>
+        <source>Colour bar: quantity</source>
+        <translation>Barra dei colori: grandezza</translation>
+    </message>
+    <message>
+        <source>What the colour bar shows, such as density; if empty, the name of the values in the data</source>
+        <translation>Che cosa mostra la barra dei colori, per esempio la densità; se vuoto, il nome dei valori nei dati</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unità</translation>
+    </message>
+    <message>
+        <source>Colour bar: unit</source>
+        <translation>Barra dei colori: unità</translation>
+    </message>
+    <message>
+        <source>The unit of the values, such as HU or K, written in brackets behind the quantity</source>
+        <translation>L&apos;unità dei valori, per esempio HU o K, scritta tra parentesi dopo la grandezza</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Numeri</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatico</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Per esteso</translation>
+    </message>
+    <message>
+        <source>Powers of ten</source>
+        <translation>Potenze di dieci</translation>
+    </message>
+    <message>
+        <source>Colour bar: format of the numbers</source>
+        <translation>Barra dei colori: formato dei numeri</translation>
+    </message>
+    <message>
+        <source>How the numbers at the colour bar are written: as short as tells them apart, or with a chosen number of decimals, plain or in powers of ten</source>
+        <translation>Come si scrivono i numeri sulla barra dei colori: tanto brevi quanto basta a distinguerli, o con un numero scelto di decimali, per esteso o in potenze di dieci</translation>
+    </message>
+    <message>
+        <source>Colour bar: decimals</source>
+        <translation>Barra dei colori: decimali</translation>
+    </message>
+    <message>
+        <source>Number of digits behind the decimal point</source>
+        <translation>Numero di cifre dopo la virgola</translation>
     </message>
 </context>
 <context>
@@ -12562,10 +12638,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Salva immagine</translation>
     </message>
     <message>
-        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it offers its view</source>
-        <translation>Programma, modello, accuratezza, camera, funzione di trasferimento e isovalori, così che l&apos;immagine si possa rifare: aprendola viene offerta la sua vista</translation>
-    </message>
-    <message>
         <source>&amp;Save…</source>
         <translation>&amp;Salva…</translation>
     </message>
@@ -12580,6 +12652,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Copy it to the clipboard</source>
         <translation>La mette negli appunti</translation>
+    </message>
+    <message>
+        <source>Program, model, accuracy, camera, transfer function and isovalues, so that the picture can be reproduced: opening it as PNG offers its view</source>
+        <translation>Programma, modello, accuratezza, camera, funzione di trasferimento e isovalori, così che l&apos;immagine si possa rifare: aprendola come PNG viene offerta la sua vista</translation>
     </message>
 </context>
 <context>
@@ -12611,10 +12687,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Resolution</source>
         <translation>Risoluzione</translation>
-    </message>
-    <message>
-        <source>Print resolution in pixels per inch; the number of pixels does not change</source>
-        <translation>Risoluzione di stampa in pixel per pollice; il numero di pixel non cambia</translation>
     </message>
     <message>
         <source>Trans&amp;parent background</source>
@@ -12657,10 +12729,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Pi&amp;xel</translation>
     </message>
     <message>
-        <source>Pri&amp;nt resolution</source>
-        <translation>Ri&amp;soluzione di stampa</translation>
-    </message>
-    <message>
         <source>Leave out the background, to place the picture over something else</source>
         <translation>Omette lo sfondo, per sovrapporre l&apos;immagine a qualcos&apos;altro</translation>
     </message>
@@ -12673,16 +12741,44 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Annotazioni</translation>
     </message>
     <message>
-        <source>%1 × %2 cm</source>
-        <translation>%1 × %2 cm</translation>
-    </message>
-    <message>
         <source>&amp;Keep proportions</source>
         <translation>&amp;Mantieni le proporzioni</translation>
     </message>
     <message>
         <source>Width and height change together, so that nothing is added or cut off</source>
         <translation>Larghezza e altezza si seguono, così che nulla venga aggiunto o tagliato</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Printed width</source>
+        <translation>Larghezza di stampa</translation>
+    </message>
+    <message>
+        <source>Width of the print in centimetres; the pixels follow from it and the resolution</source>
+        <translation>Larghezza della stampa in centimetri; ne seguono, con la risoluzione, i pixel</translation>
+    </message>
+    <message>
+        <source>Printed height</source>
+        <translation>Altezza di stampa</translation>
+    </message>
+    <message>
+        <source>Height of the print in centimetres; the pixels follow from it and the resolution</source>
+        <translation>Altezza della stampa in centimetri; ne seguono, con la risoluzione, i pixel</translation>
+    </message>
+    <message>
+        <source>Pri&amp;nt size</source>
+        <translation>Dime&amp;nsioni di stampa</translation>
+    </message>
+    <message>
+        <source>Print resolution in pixels per inch; the number of pixels changes only after a size in centimetres was entered</source>
+        <translation>Risoluzione di stampa in pixel per pollice; il numero di pixel cambia solo dopo che è stata data una grandezza in centimetri</translation>
+    </message>
+    <message>
+        <source>Print &amp;resolution</source>
+        <translation>&amp;Risoluzione di stampa</translation>
     </message>
 </context>
 <context>

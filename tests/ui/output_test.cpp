@@ -10,11 +10,11 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QImage>
 #include <QImageReader>
-#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -31,6 +31,8 @@ private slots:
     void thePictureShowsItsAnnotations();
     void aPictureIsSavedAsAskedFor();
     void aPictureKeepsItsProportions();
+    void aPictureHasASizeInCentimetres();
+    void aPictureIsSavedInManyFormats();
     void aPictureSaysHowItWasMade();
     void aPictureRestoresItsView();
     void aPictureOfAPreviewIsOfOneView();
@@ -129,7 +131,8 @@ void OutputTest::aPictureIsSavedAsAskedFor()
     window_->find<QSpinBox>("picture.width").setValue(300);
     window_->find<QSpinBox>("picture.height").setValue(200);
     window_->find<QSpinBox>("picture.dpi").setValue(254);
-    QCOMPARE(window_->find<QLabel>("picture.printSize").text(), QString("3.0 × 2.0 cm"));
+    QCOMPARE(window_->find<QDoubleSpinBox>("picture.printWidth").value(), 3.0);
+    QCOMPARE(window_->find<QDoubleSpinBox>("picture.printHeight").value(), 2.0);
     QCOMPARE(preset.currentText(), QString("Custom"));
     const QString path = window_->folder.filePath("picture.png");
     savePictureTo(path);
@@ -176,6 +179,66 @@ void OutputTest::aPictureKeepsItsProportions()
     keeps.click();
     width.setValue(500);
     QCOMPARE(height.value(), 500);
+}
+
+/// By centimetres and resolution, of which the pixels follow; a resolution alone changes none of them.
+void OutputTest::aPictureHasASizeInCentimetres()
+{
+    PictureForm form("print");
+    form.setView({1200, 800}, {});
+    auto& width = *form.findChild<QDoubleSpinBox*>("print.printWidth");
+    auto& height = *form.findChild<QDoubleSpinBox*>("print.printHeight");
+    auto& dpi = *form.findChild<QSpinBox*>("print.dpi");
+    dpi.setValue(254);
+    QCOMPARE(form.settings().size, QSize(1200, 800));
+    QCOMPARE(width.value(), 12.0);
+    QCOMPARE(height.value(), 8.0);
+    width.setValue(6);
+    QCOMPARE(form.settings().size, QSize(600, 400));
+    QCOMPARE(height.value(), 4.0);
+    dpi.setValue(508); // of a print that large
+    QCOMPARE(form.settings().size, QSize(1200, 800));
+    QCOMPARE(width.value(), 6.0);
+    height.setValue(8);
+    QCOMPARE(form.settings().size, QSize(2400, 1600));
+    QCOMPARE(form.findChild<QComboBox*>("print.preset")->currentText(), QString("Custom"));
+    form.findChild<QSpinBox*>("print.width")->setValue(300); // from here on it is a number of pixels
+    dpi.setValue(254);
+    QCOMPARE(form.settings().size, QSize(300, 200));
+    QCOMPARE(width.value(), 3.0);
+}
+
+/// By the ending of the file's name; what cannot be is told, and leaves nothing behind.
+void OutputTest::aPictureIsSavedInManyFormats()
+{
+    PictureSettings wanted = settings({200, 150});
+    wanted.dotsPerInch = 127;
+    const auto save = [&](const QString& name) {
+        PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), wanted);
+        order.target = window_->folder.filePath(name).toStdString();
+        QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
+        QSignalSpy failed(&window_->workbench.exporting(), &Exporting::saveFailed);
+        window_->workbench.exporting().savePicture(order);
+        const bool isDone = QTest::qWaitFor([&] { return saved.count() + failed.count() > 0; }, 60'000);
+        return isDone && failed.count() > 0 ? failed.first().first().toString() : QString();
+    };
+    QCOMPARE(save("a.png"), QString());
+    QCOMPARE(save("a.jpg"), QString());
+    const QImage png(window_->folder.filePath("a.png")), jpeg(window_->folder.filePath("a.jpg"));
+    QCOMPARE(jpeg.size(), png.size());
+    QCOMPARE(jpeg.dotsPerMeterX(), 5000);
+    QCOMPARE(save("a.tif"), QString());
+    QCOMPARE(save("a.pdf"), QString());
+    for (const auto& [name, start] :
+         {std::pair("a.tif", QByteArray("II*\0", 4)), std::pair("a.pdf", QByteArray("%PDF"))}) {
+        QFile file(window_->folder.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY2(file.read(4) == start, name);
+    }
+    wanted.transparent = true;
+    QVERIFY(save("b.jpg").contains("no transparency"));
+    QVERIFY(save("b.bmp").contains(".pdf"));
+    QVERIFY(!QFile::exists(window_->folder.filePath("b.jpg")) && !QFile::exists(window_->folder.filePath("b.bmp")));
 }
 
 void OutputTest::aPictureSaysHowItWasMade()

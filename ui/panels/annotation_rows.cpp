@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/annotation_rows.h"
 
+#include "core/picture/annotations/annotation_content.h"
 #include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/value_box.h"
+#include "ui/session/annotation_language.h"
 #include "ui/session/logarithm_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QSignalBlocker>
+#include <QSpinBox>
 
 #include <algorithm>
 
@@ -20,6 +25,18 @@ namespace {
 class AnnotationRowTexts {
     Q_DECLARE_TR_FUNCTIONS(Annotations)
 };
+
+constexpr int indent = 20; ///< of what belongs to the annotation above
+constexpr std::array texts{&AnnotationState::title, &AnnotationState::quantity, &AnnotationState::unit};
+
+QWidget* indented(QWidget& widget)
+{
+    auto* around = new QWidget;
+    auto* layout = new QHBoxLayout(around);
+    layout->setContentsMargins(indent, 0, 0, 0);
+    layout->addWidget(&widget);
+    return around;
+}
 
 } // namespace
 
@@ -46,7 +63,7 @@ QString annotationExplanation(AnnotationKind kind)
     case AnnotationKind::ScaleBar:
         return AnnotationRowTexts::tr(
             "A length in data units; in perspective it applies at the distance of the target");
-    case AnnotationKind::Title: return AnnotationRowTexts::tr("The name of the model");
+    case AnnotationKind::Title: return AnnotationRowTexts::tr("The name of the model, or a text of your own");
     case AnnotationKind::Accuracy:
         return AnnotationRowTexts::tr("The error bound of the displayed mesh, in % of the value range");
     }
@@ -55,7 +72,7 @@ QString annotationExplanation(AnnotationKind kind)
 
 AnnotationRows::AnnotationRows(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), fixed_(new QCheckBox(tr("Fixed ends"))), least_(new ValueBox),
-      largest_(new ValueBox)
+      largest_(new ValueBox), numberStyle_(new QComboBox), decimals_(new QSpinBox)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins({});
@@ -75,8 +92,14 @@ AnnotationRows::AnnotationRows(Session& session, QWidget* parent)
         const int row = grid->rowCount();
         grid->addWidget(shown_[i], row, 0);
         grid->addWidget(corners_[i], row, 1);
-        if (kind == AnnotationKind::ColourBar)
+        if (kind == AnnotationKind::ColourBar) {
             grid->addWidget(makeBarEnds(), row + 1, 0, 1, 2);
+            grid->addWidget(makeBarTexts(), row + 2, 0, 1, 2);
+        }
+        if (kind == AnnotationKind::Title)
+            grid->addWidget(indented(*makeText(0, "title", tr("Text of the title"),
+                                               tr("The title; if empty, the name of the model"))),
+                            row + 1, 0, 1, 2);
         connect(shown_[i], &QCheckBox::clicked, this, [this, i] { edit(i); });
         connect(corners_[i], &QComboBox::activated, this, [this, i] { edit(i); });
     }
@@ -94,6 +117,7 @@ void AnnotationRows::show(const AnnotationState& state)
         corners_[i]->setEnabled(state.places[i].shown);
     }
     showBarEnds(state);
+    showTexts(state);
 }
 
 QWidget* AnnotationRows::makeBarEnds()
@@ -109,7 +133,6 @@ QWidget* AnnotationRows::makeBarEnds()
     largest_->setToolTip(tr("Value at the upper end of the colour bar"));
     auto* ends = new QWidget;
     auto* row = new QHBoxLayout(ends);
-    constexpr int indent = 20; // they belong to the colour bar
     row->setContentsMargins(indent, 0, 0, 0);
     row->addWidget(fixed_);
     row->addWidget(least_, 1);
@@ -123,6 +146,94 @@ QWidget* AnnotationRows::makeBarEnds()
         connect(box, &QDoubleSpinBox::valueChanged, this, [this, end = end](double value) { moveEnd(end, value); });
     }
     return ends;
+}
+
+QWidget* AnnotationRows::makeBarTexts()
+{
+    auto* around = new QWidget;
+    auto* form = new QFormLayout(around);
+    form->setContentsMargins(indent, 0, 0, 0);
+    form->setVerticalSpacing(4);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("Quantity"), makeText(1, "quantity", tr("Colour bar: quantity"),
+                                          tr("What the colour bar shows, such as density; if empty, the name of the "
+                                             "values in the data")));
+    form->addRow(tr("Unit"), makeText(2, "unit", tr("Colour bar: unit"),
+                                      tr("The unit of the values, such as HU or K, written in brackets behind the "
+                                         "quantity")));
+    form->addRow(tr("Numbers"), makeNumbers());
+    return around;
+}
+
+/// A line for one of the texts, which counts when it is finished.
+QLineEdit* AnnotationRows::makeText(std::size_t index, const QString& name, const QString& title,
+                                    const QString& toolTip)
+{
+    constexpr int longest = 200;
+    auto* line = new QLineEdit;
+    line->setObjectName("view.annotationText." + name);
+    line->setAccessibleName(title);
+    line->setToolTip(toolTip);
+    line->setMaxLength(longest);
+    line->setClearButtonEnabled(true);
+    connect(line, &QLineEdit::editingFinished, this, [this, line, text = texts[index]] {
+        AnnotationState state = session_.view().annotations;
+        state.*text = line->text().toStdString();
+        session_.setAnnotations(state);
+    });
+    texts_[index] = line;
+    return line;
+}
+
+QWidget* AnnotationRows::makeNumbers()
+{
+    numberStyle_->setObjectName("view.numbers.style");
+    numberStyle_->addItems({tr("Automatic"), tr("Plain"), tr("Powers of ten")});
+    numberStyle_->setAccessibleName(tr("Colour bar: format of the numbers"));
+    numberStyle_->setToolTip(tr("How the numbers at the colour bar are written: as short as tells them apart, or with "
+                                "a chosen number of decimals, plain or in powers of ten"));
+    decimals_->setObjectName("view.numbers.decimals");
+    decimals_->setRange(0, mostDecimals);
+    decimals_->setAccessibleName(tr("Colour bar: decimals"));
+    decimals_->setToolTip(tr("Number of digits behind the decimal point"));
+    auto* numbers = new QWidget;
+    auto* row = new QHBoxLayout(numbers);
+    row->setContentsMargins({});
+    row->addWidget(numberStyle_, 1);
+    row->addWidget(decimals_);
+    connect(numberStyle_, &QComboBox::activated, this, &AnnotationRows::editNumbers);
+    new GestureWatcher(decimals_, session_);
+    connect(decimals_, &QSpinBox::valueChanged, this, &AnnotationRows::editNumbers);
+    return numbers;
+}
+
+void AnnotationRows::editNumbers()
+{
+    AnnotationState state = session_.view().annotations;
+    state.numbers = {static_cast<NumberFormat::Style>(numberStyle_->currentIndex()), decimals_->value()};
+    session_.setAnnotations(state);
+}
+
+/// What the data say stands in the empty lines.
+void AnnotationRows::showTexts(const AnnotationState& state)
+{
+    const auto& model = session_.model();
+    const std::array<QString, 3> usual{
+        model ? QString::fromStdString(usualTitle(*model)) : QString(),
+        model ? QString::fromStdString(usualQuantity(model->description(), annotationLanguage())) : QString(),
+        {}};
+    const bool hasBar = state[AnnotationKind::ColourBar].shown;
+    for (std::size_t i = 0; i < texts_.size(); ++i) {
+        if (const auto text = QString::fromStdString(state.*texts[i]); texts_[i]->text() != text)
+            texts_[i]->setText(text);
+        texts_[i]->setPlaceholderText(usual[i]);
+        texts_[i]->setEnabled(i == 0 ? state[AnnotationKind::Title].shown : hasBar);
+    }
+    const QSignalBlocker blocker(decimals_);
+    numberStyle_->setCurrentIndex(static_cast<int>(state.numbers.style));
+    numberStyle_->setEnabled(hasBar);
+    decimals_->setValue(state.numbers.decimals);
+    decimals_->setEnabled(hasBar && state.numbers.style != NumberFormat::Style::Automatic);
 }
 
 /// Boxes step and round as the data's values ask for, and take what lies far beside them: a bar may be that of many

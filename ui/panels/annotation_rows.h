@@ -10,6 +10,8 @@
 
 class QCheckBox;
 class QComboBox;
+class QLineEdit;
+class QSpinBox;
 
 namespace tetra {
 
@@ -21,7 +23,8 @@ QString annotationText(AnnotationKind kind, bool mnemonic = false);
 QString annotationExplanation(AnnotationKind kind);
 
 /// Which annotations are written over the picture, and in which corner: view.annotation.NAME and .corner; and the ends
-/// of the colour bar: view.barEnds.fixed, .least and .largest.
+/// of the colour bar: view.barEnds.fixed, .least and .largest; and what they say: view.annotationText.title, .quantity
+/// and .unit, view.numbers.style and .decimals.
 class AnnotationRows : public QWidget {
     Q_OBJECT
 public:
@@ -31,6 +34,11 @@ private:
     void show(const AnnotationState& state);
     void edit(std::size_t index);
     QWidget* makeBarEnds();
+    QWidget* makeBarTexts();
+    QWidget* makeNumbers();
+    QLineEdit* makeText(std::size_t index, const QString& name, const QString& title, const QString& toolTip);
+    void showTexts(const AnnotationState& state);
+    void editNumbers();
     void showBarEnds(const AnnotationState& state);
     void setBarEnds(const std::optional<BarEnds>& ends);
     /// One end moved; the other one, if it is in the way, keeps its distance.
@@ -42,6 +50,9 @@ private:
     QCheckBox* fixed_;
     ValueBox* least_;
     ValueBox* largest_;
+    std::array<QLineEdit*, 3> texts_{}; ///< title, quantity, unit
+    QComboBox* numberStyle_;
+    QSpinBox* decimals_;
 };
 
 } // namespace tetra

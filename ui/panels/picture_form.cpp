@@ -8,7 +8,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QLocale>
 #include <QSettings>
 #include <QSignalBlocker>
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -44,6 +47,19 @@ QSpinBox* makeBox(const QString& name, int most, const QString& suffix, const QS
     box->setSuffix(suffix);
     box->setAccessibleName(title);
     box->setToolTip(toolTip);
+    return box;
+}
+
+QDoubleSpinBox* makeLengthBox(const QString& name, const QString& title, const QString& toolTip)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(name);
+    box->setDecimals(1);
+    box->setRange(0.1, centimetresPerInch * largestPictureSide);
+    box->setSuffix(PictureForm::tr(" cm"));
+    box->setAccessibleName(title);
+    box->setToolTip(toolTip);
+    box->setKeyboardTracking(false); // half of a number is another size
     return box;
 }
 
@@ -82,10 +98,9 @@ PictureForm::PictureForm(const QString& name, PictureUse use, QWidget* parent)
     connect(preset_, &QComboBox::activated, this, &PictureForm::choosePreset);
     for (QSpinBox* box : {width_, height_})
         connect(box, &QSpinBox::valueChanged, this, [this, box] {
-            preset_->setCurrentIndex(Custom);
-            keepProportions(*box);
+            keepsPrintSize_ = false;
+            choosePixels(*box);
             showPrintSize();
-            emit changed();
         });
     connect(keepProportions_, &QCheckBox::clicked, this, [this] { keepProportions(*width_); });
     choosePreset();
@@ -112,16 +127,24 @@ void PictureForm::addSize(QFormLayout& form)
 void PictureForm::addPrint(QFormLayout& form)
 {
     const QString name = objectName();
-    dpi_ = makeBox(name + ".dpi", 2400, tr(" dpi"), tr("Resolution"),
-                   tr("Print resolution in pixels per inch; the number of pixels does not change"));
-    dpi_->setValue(QSettings().value(name + "/dpi", usualDpi).toInt());
-    connect(dpi_, &QSpinBox::valueChanged, this, &PictureForm::showPrintSize);
-    printSize_ = new QLabel;
-    printSize_->setObjectName(name + ".printSize");
+    printWidth_ = makeLengthBox(name + ".printWidth", tr("Printed width"),
+                                tr("Width of the print in centimetres; the pixels follow from it and the resolution"));
+    printHeight_ =
+        makeLengthBox(name + ".printHeight", tr("Printed height"),
+                      tr("Height of the print in centimetres; the pixels follow from it and the resolution"));
     auto* print = new QHBoxLayout;
-    print->addWidget(dpi_, 1);
-    print->addWidget(printSize_, 1);
-    addRow(form, tr("Pri&nt resolution"), *dpi_, *print);
+    print->addWidget(printWidth_, 1);
+    print->addWidget(new QLabel(QString(QChar(0xd7))));
+    print->addWidget(printHeight_, 1);
+    addRow(form, tr("Pri&nt size"), *printWidth_, *print);
+    for (QDoubleSpinBox* box : {printWidth_, printHeight_})
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, box] { choosePrintSize(*box); });
+    dpi_ = makeBox(name + ".dpi", 2400, tr(" dpi"), tr("Resolution"),
+                   tr("Print resolution in pixels per inch; the number of pixels changes only after a size in "
+                      "centimetres was entered"));
+    dpi_->setValue(QSettings().value(name + "/dpi", usualDpi).toInt());
+    connect(dpi_, &QSpinBox::valueChanged, this, &PictureForm::chooseResolution);
+    form.addRow(tr("Print &resolution"), dpi_);
 }
 
 void PictureForm::addBackground(QFormLayout& form)
@@ -181,7 +204,15 @@ void PictureForm::choosePreset()
         height_->setValue(size.height());
     }
     widthPerHeight_ = static_cast<double>(width_->value()) / height_->value();
+    keepsPrintSize_ = false;
     showPrintSize();
+    emit changed();
+}
+
+void PictureForm::choosePixels(QSpinBox& edited)
+{
+    preset_->setCurrentIndex(Custom);
+    keepProportions(edited);
     emit changed();
 }
 
@@ -207,10 +238,30 @@ void PictureForm::showPrintSize()
 {
     if (!dpi_)
         return;
-    const auto centimetres = [this](int pixels) {
-        return QLocale().toString(pixels * centimetresPerInch / dpi_->value(), 'f', 1);
-    };
-    printSize_->setText(tr("%1 × %2 cm").arg(centimetres(width_->value()), centimetres(height_->value())));
+    for (const auto& [box, pixels] : {std::pair(printWidth_, width_), std::pair(printHeight_, height_)}) {
+        const QSignalBlocker blocker(box);
+        box->setValue(pixels->value() * centimetresPerInch / dpi_->value());
+    }
+}
+
+void PictureForm::choosePrintSize(QDoubleSpinBox& edited)
+{
+    QSpinBox& pixels = &edited == printWidth_ ? *width_ : *height_;
+    {
+        const QSignalBlocker blocker(&pixels);
+        pixels.setValue(static_cast<int>(std::lround(edited.value() / centimetresPerInch * dpi_->value())));
+    }
+    choosePixels(pixels);
+    keepsPrintSize_ = true;
+    showPrintSize();
+}
+
+void PictureForm::chooseResolution()
+{
+    if (keepsPrintSize_)
+        choosePrintSize(*printWidth_);
+    else
+        showPrintSize();
 }
 
 } // namespace tetra

@@ -10,8 +10,8 @@
 
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
 class QFormLayout;
-class QLabel;
 class QSpinBox;
 
 namespace tetra {
@@ -29,7 +29,7 @@ enum class PictureUse { Print, Screen };
 
 /// Asks for the size, the background and the annotations of pictures. Width and height follow each other unless the
 /// user lets them go. What was chosen last is remembered. Its controls are NAME.preset, .width, .height,
-/// .keepProportions, .transparent, .annotation.ID, and for print .dpi and .printSize.
+/// .keepProportions, .transparent, .annotation.ID, and for print .printWidth, .printHeight and .dpi.
 class PictureForm : public QWidget {
     Q_OBJECT
 public:
@@ -51,7 +51,10 @@ private:
     void addAnnotations(QFormLayout& form);
     void choosePreset();
     void keepProportions(QSpinBox& edited);
+    void choosePixels(QSpinBox& edited);
     void showPrintSize();
+    void choosePrintSize(QDoubleSpinBox& edited);
+    void chooseResolution();
 
     QSize view_{1024, 768};
     AnnotationState annotations_;
@@ -60,8 +63,10 @@ private:
     QSpinBox* height_;
     QCheckBox* keepProportions_;
     double widthPerHeight_ = 1; ///< that is kept
-    QSpinBox* dpi_ = nullptr;   ///< for print only, as is the next
-    QLabel* printSize_ = nullptr;
+    QSpinBox* dpi_ = nullptr;   ///< for print only, as are the next three
+    QDoubleSpinBox* printWidth_ = nullptr;
+    QDoubleSpinBox* printHeight_ = nullptr;
+    bool keepsPrintSize_ = false; ///< the size was chosen in centimetres: another resolution changes the pixels
     QCheckBox* transparent_;
     std::array<QCheckBox*, annotationCount> shown_{};
 };

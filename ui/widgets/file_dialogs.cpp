@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/file_dialogs.h"
 
+#include "core/picture/picture_file.h"
 #include "ui/opening/recent_files.h"
 
 #include <QCoreApplication>
@@ -60,8 +61,14 @@ void askForFile(QWidget* parent, const QString& name, const QStringList& filters
 void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
 {
     QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Picture"), chosen);
-    dialog->setNameFilter(FileDialogs::tr("PNG pictures (*.png)"));
-    askForTarget(*dialog, proposed);
+    QStringList filters{FileDialogs::tr("PNG pictures (*.png)")};
+    if (writesTiff())
+        filters << FileDialogs::tr("TIFF pictures (*.tif *.tiff)");
+    if (writesJpeg())
+        filters << FileDialogs::tr("JPEG pictures (*.jpg *.jpeg)");
+    if (writesPdf())
+        filters << FileDialogs::tr("PDF files (*.pdf)");
+    askForTargetOf(*dialog, proposed, filters);
 }
 
 void askForTargetFile(QWidget* parent, const QString& name, const QString& title, const QStringList& filters,

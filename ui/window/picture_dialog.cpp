@@ -31,7 +31,7 @@ PictureDialog::PictureDialog(Workbench& workbench, Viewport& viewport, const Kee
     metadata_->setObjectName("picture.metadata");
     metadata_->setChecked(QSettings().value(metadataKey, true).toBool());
     metadata_->setToolTip(tr("Program, model, accuracy, camera, transfer function and isovalues, so that the picture "
-                             "can be reproduced: opening it offers its view"));
+                             "can be reproduced: opening it as PNG offers its view"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(form_);
     layout->addWidget(metadata_);

@@ -7,6 +7,7 @@
 #include <tan/view.h>
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QSettings>
 #include <QSpinBox>
 #include <QToolButton>
@@ -331,6 +332,45 @@ Drivers barEndControls()
     };
 }
 
+/// A text that is typed and finished with Return.
+Driver annotationText(const QString& name, std::string AnnotationState::*text, AnnotationKind kind)
+{
+    const QString line = "view.annotationText." + name;
+    return edit(
+        line, [text](ViewValue& view, const DrivenWindow&) { view.annotations.*text = "Own"; },
+        [kind](DrivenWindow& window) {
+            AnnotationState state = window.session().view().annotations;
+            state[kind].shown = true;
+            window.session().setAnnotations(state);
+            window.raise("dock.view");
+        },
+        [line](DrivenWindow& window) {
+            QTest::keyClicks(&window.find<QLineEdit>(line), "Own");
+            QTest::keyClick(&window.find<QLineEdit>(line), Qt::Key_Return);
+        });
+}
+
+Drivers annotationTextControls()
+{
+    return {
+        annotationText("title", &AnnotationState::title, AnnotationKind::Title),
+        annotationText("quantity", &AnnotationState::quantity, AnnotationKind::ColourBar),
+        annotationText("unit", &AnnotationState::unit, AnnotationKind::ColourBar),
+        edit(
+            "view.numbers.style",
+            [](ViewValue& view, const DrivenWindow&) { view.annotations.numbers.style = NumberFormat::Style::Plain; },
+            inDock("dock.view")),
+        edit(
+            "view.numbers.decimals", [](ViewValue& view, const DrivenWindow&) { ++view.annotations.numbers.decimals; },
+            [](DrivenWindow& window) {
+                AnnotationState state = window.session().view().annotations;
+                state.numbers.style = NumberFormat::Style::Powers;
+                window.session().setAnnotations(state);
+                window.raise("dock.view");
+            }),
+    };
+}
+
 Drivers viewControls()
 {
     return {
@@ -389,7 +429,7 @@ Drivers isovalueControls()
 Drivers lookControls()
 {
     return allOf({renderingControls(), sliceSettings(), cameraControls(), annotationControls(), barEndControls(),
-                  viewControls(), isovalueControls()});
+                  annotationTextControls(), viewControls(), isovalueControls()});
 }
 
 } // namespace tetra
