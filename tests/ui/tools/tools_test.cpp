@@ -363,10 +363,11 @@ void ToolsTest::savedPicturesHaveWhatToolsKeep()
         place.shown = false;
     const auto picture = [&] {
         Picture drawn{200, 150, std::vector<std::array<std::uint8_t, 4>>(200 * 150, {255, 255, 255, 255})};
-        const auto finish = pictureOrder(window_->workbench, viewport(), {{200, 150}, 0, false, none}).finish;
-        if (finish && !finish(drawn))
+        const auto finished = finishedPicture(
+            pictureOrder(window_->workbench, viewport(), {{200, 150}, 0, false, none}), std::move(drawn));
+        if (!finished)
             qFatal("not painted");
-        return imageOf(drawn);
+        return imageOf(*finished);
     };
     const QImage before = picture();
     ViewValue view = session().view();
