@@ -12398,10 +12398,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihre Einheiten sind nicht bekannt: Sie hat zu viele Knoten zum Nachsehen, oder andere, als die Bibliothek von CGNS schreibt.</translation>
     </message>
     <message>
-        <source>All its points lie in a plane, or there are fewer than four: there is no volume between them, so that no model can be built of them.</source>
-        <translation>Alle Punkte liegen in einer Ebene, oder es sind weniger als vier: Zwischen ihnen ist kein Volumen, sodass kein Modell aus ihnen gebaut werden kann.</translation>
-    </message>
-    <message>
         <source>All points of &apos;%1&apos; lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
         <translation>Alle Punkte von „%1“ liegen in einer Ebene, oder es sind weniger als vier. TAn braucht Punkte, zwischen denen ein Volumen liegt.</translation>
     </message>
@@ -12444,6 +12440,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>This TAn was built without libtiff, which writes TIFF files. Save the picture as PNG.</source>
         <translation>Dieses TAn wurde ohne libtiff gebaut, das TIFF-Dateien schreibt. Speichern Sie das Bild als PNG.</translation>
+    </message>
+    <message>
+        <source>All its points lie in a plane: there is no volume between them, and no model can be built of them.</source>
+        <translation>Alle Punkte liegen in einer Ebene: Zwischen ihnen ist kein Volumen, und es kann kein Modell aus ihnen gebaut werden.</translation>
     </message>
 </context>
 <context>

@@ -12398,10 +12398,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Le sue unità non sono note: ha troppi nodi per esaminarli, o non quelli che scrive la libreria di CGNS.</translation>
     </message>
     <message>
-        <source>All its points lie in a plane, or there are fewer than four: there is no volume between them, so that no model can be built of them.</source>
-        <translation>Tutti i punti giacciono in un piano, o sono meno di quattro: non racchiudono un volume, e non se ne può costruire un modello.</translation>
-    </message>
-    <message>
         <source>All points of &apos;%1&apos; lie in a plane, or there are fewer than four. TAn needs points that have a volume between them.</source>
         <translation>Tutti i punti di «%1» giacciono in un piano, o sono meno di quattro. TAn ha bisogno di punti che racchiudano un volume.</translation>
     </message>
@@ -12444,6 +12440,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>This TAn was built without libtiff, which writes TIFF files. Save the picture as PNG.</source>
         <translation>Questo TAn è stato compilato senza libtiff, che scrive i file TIFF. Salvare l&apos;immagine come PNG.</translation>
+    </message>
+    <message>
+        <source>All its points lie in a plane: there is no volume between them, and no model can be built of them.</source>
+        <translation>Tutti i punti giacciono in un piano: non racchiudono un volume, e non se ne può costruire un modello.</translation>
     </message>
 </context>
 <context>

@@ -121,10 +121,9 @@ Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::ve
                                       : Message::say("%1 points without a finite value were left out.", withoutValue));
     if (const Message merged = mergeRemark(mergePoints(positions, values)); !merged.empty())
         dataset.remarks.push_back(merged);
-    if (!fillSpace(positions))
-        dataset.remarks.push_back(
-            Message::say("All its points lie in a plane, or there are fewer than four: there is no "
-                         "volume between them, so that no model can be built of them."));
+    if (positions.size() >= 4 && !fillSpace(positions))
+        dataset.remarks.push_back(Message::say(
+            "All its points lie in a plane: there is no volume between them, and no model can be built of them."));
     dataset.lattice.size = {static_cast<std::uint32_t>(values.size()), 1, 1};
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
     dataset.values = ScalarField::of(std::move(values));

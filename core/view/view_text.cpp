@@ -34,7 +34,7 @@ JsonValue annotationsToJson(const AnnotationState& annotations)
     for (const auto& [name, text] : annotationTexts)
         if (!(annotations.*text).empty())
             members.append(name, annotations.*text);
-    if (annotations.numbers.style != NumberFormat::Style::Automatic)
+    if (annotations.numbers != NumberFormat())
         members.append("numbers", JsonObject{{"style", jsonName(numberStyleNames, annotations.numbers.style)},
                                              {"decimals", annotations.numbers.decimals}});
     return members;

@@ -110,7 +110,10 @@ private slots:
     /// Over decades, of which a linear axis leaves all but the last hardly any room.
     void theAxisIsLogarithmicWhereTheMapIs()
     {
-        for (const ColourMap& map : colourMaps())
+        std::vector<ColourMap> maps(colourMaps().begin(), colourMaps().end());
+        // Steps say nothing of what lies between them.
+        std::erase_if(maps, [](const ColourMap& map) { return map.id == "categories"; });
+        for (const ColourMap& map : maps)
             for (const double least : {1e-7, 0.02, 3.0, 4e5})
                 for (const double decades : {2.5, 4.0, 6.0}) {
                     const double largest = least * std::pow(10, decades);

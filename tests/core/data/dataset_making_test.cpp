@@ -46,8 +46,6 @@ private slots:
         QTest::addColumn<std::vector<Eigen::Vector3d>>("points");
         QTest::newRow("a plane") << planePoints();
         QTest::newRow("a line") << std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {3, 6, 9}, {4, 8, 12}};
-        QTest::newRow("three") << std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-        QTest::newRow("one place") << std::vector<Eigen::Vector3d>(6, Eigen::Vector3d(1, 2, 3));
     }
     void pointsInAPlaneAreTold()
     {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python_module.py BUILD MODEL [--error 1] [--rounds 7]: what the Python module adds to the library's extraction of a mesh, and what two
+"""module_speed.py BUILD MODEL [--error 1] [--rounds 7]: what the Python module adds to the library's extraction of a mesh, and what two
 threads gain that extract from one model. Ratios of medians, of measurements that were taken by turns; pin it to quiet processors."""
 import argparse
 import pathlib

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tan-bench-python-module MODEL ERROR: for each line of its input extracts the mesh of that error (%) and prints the
-// seconds that it took. What the Python module is measured against (python_module.py).
+// seconds that it took. What the Python module is measured against (module_speed.py).
 #include <tan/model.h>
 #include <tan/query.h>
 
