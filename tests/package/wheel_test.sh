@@ -14,7 +14,7 @@ check 'no wheel is above 8 MB' '[ -z "$(find /work -name "tan-*.whl" -size +8000
 seconds check 'it installs' 'cd /work; python3 -m venv --system-site-packages env; env/bin/pip install --no-index tan-*.whl'
 echo "install time: tan-*.whl $seconds s"
 cat >"$system/work/try.py" <<'PYTHON'
-import multiprocessing, pickle, re
+import pickle, re, subprocess, sys
 import numpy, tan
 
 def refused(kind, words, function, *arguments, **named):
@@ -43,8 +43,9 @@ model.pack("packed.tan")
 assert len(tan.open("packed.tan").mesh(error=1).tetrahedra) == len(mesh.tetrahedra)
 points = tan.build(tan.Points(numpy.random.default_rng(1).random((200, 3)), numpy.arange(200.0)), "points.tan")
 assert points.mesh(error=5).error <= 5
-with multiprocessing.get_context("spawn").Pool(1) as pool:
-    assert pool.apply(len, (pickle.loads(pickle.dumps(model)).mesh(error=1).points,)) == len(mesh.points)
+other = "import pickle, sys; print(len(pickle.load(sys.stdin.buffer).mesh(error=1).points))"
+answer = subprocess.run([sys.executable, "-c", other], input=pickle.dumps(model), stdout=subprocess.PIPE, check=True)
+assert int(answer.stdout) == len(mesh.points), answer
 refused(tan.Error, "built without the network", tan.open, "http://example.org/a.tan")
 refused(tan.Error, "program 'tan', which reads data files, is not found. Install it", tan.build, "a.nrrd", "a.tan")
 refused(tan.Error, "built without OpenGL|OpenGL", model.render, backend="gl", **bare)
