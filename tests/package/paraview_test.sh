@@ -17,7 +17,7 @@ needed=(cmake make g++ git libeigen3-dev paraview paraview-dev python3-paraview 
 fresh_system paraview
 mkdir -p "$system/packages" "$system/work"
 cp "$packages"/*.deb "$system/packages/"
-install "${needed[@]}" dpkg-dev /packages/tan-core_*.deb /packages/tan_*.deb /packages/tan-dev_*.deb
+install "${needed[@]}" dpkg-dev file /packages/tan-core_*.deb /packages/tan_*.deb /packages/tan-dev_*.deb
 mkdir -p "$system/work/bindings" "$system/work/packaging"
 cp -r "$root/bindings/paraview" "$system/work/bindings/"
 cp -r "$root/packaging/debian" "$system/work/packaging/"

@@ -267,7 +267,7 @@ Status chooseChannel(std::optional<std::size_t> axis, const std::vector<std::str
 /// What an axis is called where it is asked for.
 std::string axisName(const std::vector<ZarrAxis>& axes, std::size_t axis)
 {
-    return axes[axis].name.empty() ? std::to_string(axis + 1) : axes[axis].name;
+    return axes[axis].name.empty() ? std::to_string(axis + 1) : printable(axes[axis].name);
 }
 
 /// The axes that are neither of the volume nor time and channel.

@@ -166,6 +166,20 @@ private slots:
     }
 
     /// Names and links that lead elsewhere are refused, whoever made them.
+    /// What a file says reaches no terminal as it is.
+    void namesOfAxesAreShownSafely()
+    {
+        ZarrStore store;
+        QByteArray text = metadata("[4, 4, 4]", "[2, 2, 2]", plain);
+        store.write("a.zarr/.zarray", text);
+        store.write("a.zarr/.zattrs", "{\"_ARRAY_DIMENSIONS\": [\"a\", \"\x1b[31mb\", \"c\"]}");
+        const auto contents = builtZarrReader().probe(store.path("a.zarr"), {}, {});
+        QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
+        const std::string places = zarrTaken(contents->taken, TakenPart::Places);
+        QVERIFY2(places.find("along its axes") != std::string::npos, places.c_str());
+        QVERIFY(places.find('\x1b') == std::string::npos);
+    }
+
     void nothingOutside()
     {
         const ZarrStore store;
