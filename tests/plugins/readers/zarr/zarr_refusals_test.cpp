@@ -172,7 +172,7 @@ private slots:
         ZarrStore store;
         QByteArray text = metadata("[4, 4, 4]", "[2, 2, 2]", plain);
         store.write("a.zarr/.zarray", text);
-        store.write("a.zarr/.zattrs", "{\"_ARRAY_DIMENSIONS\": [\"a\", \"\x1b[31mb\", \"c\"]}");
+        store.write("a.zarr/.zattrs", "{\"_ARRAY_DIMENSIONS\": [\"z\", \"\x1b[31m\", \"x\"]}");
         const auto contents = builtZarrReader().probe(store.path("a.zarr"), {}, {});
         QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
         const std::string places = zarrTaken(contents->taken, TakenPart::Places);
