@@ -20,6 +20,11 @@ sys.path.insert(0, str(asked.build / "lib/python3/dist-packages"))
 import tan  # noqa: E402
 
 
+def error_of(number):
+    """Never the same twice, as a mesh that is there is not extracted again."""
+    return asked.error * (1 + number % 2)
+
+
 def seconds(function):
     start = time.perf_counter()
     function()
@@ -28,22 +33,29 @@ def seconds(function):
 
 def against_the_library(model):
     library, module = [], []
-    with subprocess.Popen([asked.build / "bin/tan-bench-python-module", asked.model, str(asked.error)], stdin=subprocess.PIPE,
+    with subprocess.Popen([asked.build / "bin/tan-bench-python-module", asked.model], stdin=subprocess.PIPE,
                           stdout=subprocess.PIPE, text=True, bufsize=1) as yardstick:
-        for _ in range(asked.rounds + 1):
-            yardstick.stdin.write("\n")
+        for number in range(asked.rounds + 1):
+            error = error_of(number)
+            yardstick.stdin.write(f"{error}\n")
             library.append(float(yardstick.stdout.readline().split()[0]))
-            module.append(seconds(lambda: model.mesh(error=asked.error).tetrahedra))
+            module.append(seconds(lambda: model.mesh(error=error).tetrahedra))
         yardstick.stdin.close()
     return statistics.median(library[1:]), statistics.median(module[1:])  # the first ones fill the caches
 
 
-def in_threads(model, count, meshes):
+def in_threads(model, count, meshes, focused=False):
     """Seconds for so many meshes, by so many threads."""
+    least, largest = model.bounds
+    middle, radius = (least + largest) / 2, (largest - least).min() / 8
+
     def work():
         with model.explore() as own:
-            for _ in range(meshes // count):
-                own.mesh(error=asked.error)
+            for number in range(meshes // count):
+                if focused:
+                    own.mesh(error=4 * error_of(number), focus=tan.sphere(middle, radius, error=asked.error))
+                else:
+                    own.mesh(error=error_of(number))
 
     def all_threads():
         threads = [threading.Thread(target=work) for _ in range(count)]
@@ -54,9 +66,14 @@ def in_threads(model, count, meshes):
     return seconds(all_threads)
 
 
+def gained(model, focused):
+    """How many times as fast two threads are as one."""
+    one, two = zip(*[(in_threads(model, 1, 4, focused), in_threads(model, 2, 4, focused)) for _ in range(asked.rounds)])
+    return statistics.median(one) / statistics.median(two)
+
+
 opened = tan.open(asked.model)
 size = opened.size_at(error=asked.error)
 of_library, of_module = against_the_library(opened)
-one, two = (statistics.median(times) for times in zip(*[(in_threads(opened, 1, 4), in_threads(opened, 2, 4)) for _ in range(asked.rounds)]))
-print(f"{size.tetrahedra:,} tetrahedra at {asked.error:g} %: the library {of_library:.3f} s, the module {of_module:.3f} s, "
-      f"{of_module / of_library:.3f} times; two threads {one / two:.2f} times one")
+print(f"{size.tetrahedra:,} tetrahedra at {asked.error:g} %: the library {of_library:.4f} s, the module {of_module:.4f} s, "
+      f"{of_module / of_library:.3f} times; two threads {gained(opened, False):.2f} times one, with a focus {gained(opened, True):.2f} times")

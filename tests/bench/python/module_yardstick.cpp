@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tan-bench-python-module MODEL ERROR: for each line of its input extracts the mesh of that error (%) and prints the
-// seconds that it took. What the Python module is measured against (module_speed.py).
+// tan-bench-python-module MODEL: for each line of its input, an error (%), extracts its mesh and prints the seconds
+// that it took. What the Python module is measured against (module_speed.py).
 #include <tan/model.h>
 #include <tan/query.h>
 
@@ -12,8 +12,8 @@
 
 int main(int argumentCount, char** arguments)
 {
-    if (argumentCount != 3) {
-        std::fputs("tan-bench-python-module MODEL ERROR\n", stderr);
+    if (argumentCount != 2) {
+        std::fputs("tan-bench-python-module MODEL\n", stderr);
         return 2;
     }
     const auto model = tetra::Model::open(arguments[1]);
@@ -22,9 +22,9 @@ int main(int argumentCount, char** arguments)
         return 3;
     }
     tetra::MeshQuery query;
-    query.error = std::atof(arguments[2]);
     tetra::MeshExtractor extractor(*model);
     for (std::string line; std::getline(std::cin, line);) {
+        query.error = std::atof(line.c_str());
         const auto start = std::chrono::steady_clock::now();
         const auto mesh = extractor.extract(query);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
