@@ -2,6 +2,7 @@
 #include "core/base/mapped_file.h"
 
 #include "core/base/memory.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <atomic>
@@ -134,7 +135,7 @@ bool isMappingDamaged(int index) noexcept
 
 Error cannotReadFile(const std::filesystem::path& path, const Message& reason)
 {
-    return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", path.string(), reason), path};
+    return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", visibleText(path.string()), reason), path};
 }
 
 Error cannotReadFile(const std::filesystem::path& path, int systemError)
