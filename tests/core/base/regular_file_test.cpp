@@ -35,6 +35,15 @@ private slots:
         QVERIFY(!large && large.error().kind == ErrorKind::BadInput);
     }
 
+    /// A header may name any file, which is missing then.
+    void namesAreShownSafely()
+    {
+        const auto missing = RegularFile::open(folder_->filePath("a\x1b[31m\x1a.raw").toStdString());
+        QVERIFY(!missing);
+        const std::string text = missing.error().text();
+        QVERIFY2(text.find('\x1b') == std::string::npos && text.find("\\x1a.raw") != std::string::npos, text.c_str());
+    }
+
     void refusesWhatMayNeverEnd_data()
     {
         QTest::addColumn<QByteArray>("kind");
