@@ -95,14 +95,15 @@ std::string textsInLines(const PngFacts& facts, const std::string& without)
 
 Status writePicture(const Picture& picture, const std::filesystem::path& target, const PngFacts& facts)
 {
-    const PictureFormat format = pictureFormatOf(target).value_or(PictureFormat::Png);
+    const auto known = pictureFormatOf(target);
+    if (known)
+        if (const Status good = checkPictureFormat(target, facts.transparent); !good)
+            return good;
+    const PictureFormat format = known.value_or(PictureFormat::Png);
     if (format == PictureFormat::Pdf) {
         const VectorDrawing nothing;
         return writePdf(picture, {nothing}, target, facts);
     }
-    if (pictureFormatOf(target))
-        if (const Status good = checkPictureFormat(target, facts.transparent); !good)
-            return good;
     const auto bytes = bytesOf(picture, format, facts);
     return bytes ? writeWholeFile(target, *bytes) : Status(bytes.error());
 }

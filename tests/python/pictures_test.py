@@ -106,6 +106,11 @@ class Pictures(ModuleTest):
                 self.ball.render(view, size=(40, 30), settings=wrong)
         with self.assertRaisesRegex(tan.WrongUsage, "The mode 'isosurface' has no setting 'shaded'"):
             self.ball.render(mode="isosurface", size=(40, 30), settings={"shaded": True})
+        # What was said of another mode stays in the view and is no mistake.
+        both = tan.View(mode="volume", settings={"shaded": False})
+        self.ball.render(both.changed(mode="isosurface"), size=(40, 30), **BARE)
+        np.testing.assert_array_equal(self.ball.render(both.changed(mode="isosurface").changed(mode="volume"), size=(40, 30), **BARE),
+                                      self.ball.render(both, size=(40, 30), **BARE))
         # A whole number is a number, too, and as wrong as another where it is too large.
         numbers = [(mode, name) for mode, _ in self.ball.modes() for name, value in self.ball.settings(mode).items()
                    if type(value) is float and value == int(value)]

@@ -179,6 +179,8 @@ class View:
         return member
 
     def _change(self, look: Dict[str, Any]) -> None:
+        if look.get("mode") is not None:
+            self._asked = frozenset()  # settings from before were those of the mode from before
         for name, value in look.items():
             change = getattr(self, f"_set_{name}", None)
             if change is None:

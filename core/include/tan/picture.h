@@ -72,8 +72,8 @@ TAN_API Result<std::vector<std::byte>> pngOf(const Picture& picture, const PngFa
 
 /// Writes the picture into a file, whole or not at all: by the ending of its name as TIFF (.tif, .tiff), JPEG (.jpg,
 /// .jpeg) or PDF (.pdf), else as PNG. All say what there is to say, as far as their formats have room. Errors: those of
-/// pngOf(), of a file that cannot be written, of a format that this build does not write (OutOfResource), and of a
-/// transparent picture as JPEG, which has none (WrongUsage).
+/// pngOf(), of a file that cannot be written, of a format that this build does not write, and of a transparent
+/// picture as JPEG, which has none (both WrongUsage).
 TAN_API Status writePicture(const Picture& picture, const std::filesystem::path& target, const PngFacts& facts = {});
 
 /// How a picture of a view is to be. `tan render` makes the same by default.
