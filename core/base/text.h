@@ -40,12 +40,6 @@ TAN_INTERNAL TextCharacter firstCharacter(std::string_view text) noexcept;
 /// Whether a character is seen as itself; visibleText() replaces others.
 bool isSeenAsItself(std::uint32_t code) noexcept;
 
-/// A text of somebody else (a file or its name, a server, a plugin) for people: what would not be seen as itself stands
-/// there as an escape, so that it neither commands a terminal nor passes for another line or another order of letters.
-/// Control characters become "\n" or "\x1b", other line breaks, marks of direction and invisible characters "\u202e",
-/// bytes that are no UTF-8 "\xff". All else stays, backslashes too; so twice is the same as once. Linear.
-TAN_INTERNAL std::string visibleText(std::string text);
-
 /// With how many significant digits a factor is told: three, 1.26, or so many that it differs from 1 in two, 1.0023; at
 /// most twelve.
 inline int factorDigits(double factor)
@@ -53,17 +47,6 @@ inline int factorDigits(double factor)
     constexpr double fewest = 3, most = 12;
     const double wanted = factor > 1 ? 2 - std::floor(std::log10(factor - 1)) : fewest;
     return static_cast<int>(std::clamp(wanted, fewest, most));
-}
-
-/// A message with visibleText() wherever it is not a sentence of this program.
-inline std::string visibleText(const Message& message)
-{
-    if (message.sentence().empty())
-        return visibleText(message.text());
-    std::vector<Message> arguments;
-    for (const Message& argument : message.arguments())
-        arguments.emplace_back(visibleText(argument));
-    return Message::of(message.sentence(), std::move(arguments)).text();
 }
 
 /// visibleText() of a text of several lines: line feeds stay.

@@ -133,10 +133,15 @@ const char* exceptionName(ErrorKind kind)
 
 } // namespace
 
+py::str attributeName(const char* name)
+{
+    return py::reinterpret_steal<py::str>(PyUnicode_InternFromString(name));
+}
+
 void raise(const Error& error)
 {
-    const py::object type = py::module_::import("tan._errors").attr(exceptionName(error.kind));
-    const py::object exception = type(error.text());
+    const py::object type = py::module_::import("tan._errors").attr(attributeName(exceptionName(error.kind)));
+    const py::object exception = type(visibleText(error.message));
     exception.attr("file") = error.file.empty() ? py::object(py::none()) : py::object(py::str(error.file.string()));
     PyErr_SetObject(type.ptr(), exception.ptr());
     throw py::error_already_set();
@@ -152,7 +157,7 @@ void runInterruptibly(const py::object& callback, const std::function<void(const
             const Progress progress(stop.get_token(), [&](double fraction, const Message& activity) {
                 const std::lock_guard lock(shared.mutex);
                 shared.fraction = fraction;
-                shared.activity = activity.text();
+                shared.activity = visibleText(activity);
                 shared.reported = true;
             });
             try {

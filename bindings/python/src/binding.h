@@ -33,6 +33,10 @@ struct HeldDataset {
     Dataset dataset;
 };
 
+/// The name of an attribute as Python keeps names: a new string for each call would stay in the caches of its lookups.
+/// Needs the GIL.
+py::str attributeName(const char* name);
+
 /// The error as an exception of tan._errors, with its sentence. Needs the GIL.
 [[noreturn]] void raise(const Error& error);
 

@@ -41,7 +41,7 @@ struct Frame {
 SampleType typeOf(const py::array& values)
 {
     const py::dtype type = values.dtype();
-    const bool usable = (values.flags() & py::array::c_style) != 0 && type.attr("isnative").cast<bool>();
+    const bool usable = (values.flags() & py::array::c_style) != 0 && type.attr(attributeName("isnative")).cast<bool>();
     for (int number = 0; usable && number <= static_cast<int>(SampleType::Float64); ++number) {
         const auto known = static_cast<SampleType>(number);
         const char kind = !isInteger(known) ? 'f' : number % 2 == 0 ? 'u' : 'i';
@@ -272,7 +272,7 @@ py::dict factsOf(const HeldDataset& held)
     facts["name"] = dataset.source.name;
     py::list remarks;
     for (const Message& remark : dataset.remarks)
-        remarks.append(remark.text());
+        remarks.append(visibleText(remark));
     facts["remarks"] = remarks;
     return facts;
 }

@@ -71,12 +71,12 @@ py::dict provenanceOf(const ModelDescription& about)
     py::dict taken;
     py::list guesses, unused;
     for (const Taken& choice : about.taken) {
-        taken[py::str(std::string(takenPartName(choice.part)))] = choice.what.text();
+        taken[py::str(std::string(takenPartName(choice.part)))] = visibleText(choice.what);
         if (choice.guessed)
             guesses.append(std::string(takenPartName(choice.part)));
     }
     for (const Message& sentence : about.leftOut)
-        unused.append(sentence.text());
+        unused.append(visibleText(sentence));
     facts["taken"] = taken;
     facts["guesses"] = guesses;
     facts["unused"] = unused;

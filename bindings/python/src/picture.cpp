@@ -181,7 +181,7 @@ py::tuple keptViewOf(OpenedModel& opened, const std::string& file)
                                     [&](PictureMaker& maker, const Progress&) { return maker.keptView(file); });
     std::vector<std::string> differences;
     for (const Message& difference : kept.differences)
-        differences.push_back(difference.text());
+        differences.push_back(visibleText(difference));
     return py::make_tuple(viewToText(kept.view), differences, kept.viewWidth, kept.viewHeight);
 }
 

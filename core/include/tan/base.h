@@ -345,6 +345,23 @@ inline std::string neededBytesText(std::uint64_t bytes)
 /// terminal, and what is no UTF-8, is replaced by '?'.
 TAN_API std::string printable(std::string_view text);
 
+/// A text of somebody else (a file or its name, a server, a plugin) for people: what would not be seen as itself stands
+/// there as an escape, so that it neither commands a terminal nor passes for another line or another order of letters.
+/// Control characters become "\n" or "\x1b", other line breaks, marks of direction and invisible characters "\u202e",
+/// bytes that are no UTF-8 "\xff". All else stays, backslashes too; so twice is the same as once. Linear.
+TAN_API std::string visibleText(std::string text);
+
+/// A message with visibleText() wherever it is not a sentence of this program.
+inline std::string visibleText(const Message& message)
+{
+    if (message.sentence().empty())
+        return visibleText(message.text());
+    std::vector<Message> arguments;
+    for (const Message& argument : message.arguments())
+        arguments.emplace_back(visibleText(argument));
+    return Message::of(message.sentence(), std::move(arguments)).text();
+}
+
 /// The name's ending with its dot, in small letters.
 inline std::string fileEnding(const std::filesystem::path& path)
 {

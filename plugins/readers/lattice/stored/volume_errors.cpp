@@ -15,13 +15,14 @@ Error inFile(const std::filesystem::path& path, const Error& error)
 {
     if (error.kind == ErrorKind::Cancelled || error.kind == ErrorKind::OutOfResource)
         return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message), path};
+    return {error.kind, Message::say("Cannot read '%1': %2", visibleText(path.string()), error.message), path};
 }
 
 Error withHeader(const std::filesystem::path& header, Error error)
 {
     if (error.kind == ErrorKind::BadInput)
-        error.message = Message::say("%1 The header '%2' names it as its data file.", error.message, header.string());
+        error.message =
+            Message::say("%1 The header '%2' names it as its data file.", error.message, visibleText(header.string()));
     return error;
 }
 
