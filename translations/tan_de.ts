@@ -12445,6 +12445,74 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>All its points lie in a plane: there is no volume between them, and no model can be built of them.</source>
         <translation>Alle Punkte liegen in einer Ebene: Zwischen ihnen ist kein Volumen, und es kann kein Modell aus ihnen gebaut werden.</translation>
     </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Difference to the data, %1 times as bright, of a mesh of %2</source>
+        <translation>Unterschied zu den Daten, %1-mal so hell, eines Netzes mit %2</translation>
+    </message>
+    <message>
+        <source>Reading the data</source>
+        <translation>Die Daten werden gelesen</translation>
+    </message>
+    <message>
+        <source>The data of &apos;%1&apos; cannot be shown: %2 Put the file from which the model was built, &apos;%3&apos;, beside the model.</source>
+        <translation>Die Daten von „%1“ können nicht gezeigt werden: %2 Legen Sie die Datei, aus der das Modell gebaut wurde, „%3“, neben das Modell.</translation>
+    </message>
+    <message>
+        <source>the model holds %1 of the %2 samples.</source>
+        <translation>Das Modell enthält %1 der %2 Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>the file of that name beside it contains other values.</source>
+        <translation>Die Datei dieses Namens daneben enthält andere Werte.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to show the data beside the mesh. Close other programs.</source>
+        <translation>Nicht genug Arbeitsspeicher, um die Daten neben dem Netz zu zeigen. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Only the samples of a lattice can be shown beside the mesh, and these data are %1.</source>
+        <translation>Nur die Abtastwerte eines regelmäßigen Gitters können neben dem Netz gezeigt werden, und diese Daten sind %1.</translation>
+    </message>
+    <message>
+        <source>OpenGL does not draw the samples of a lattice, nor differences to them. Let the CPU draw this picture.</source>
+        <translation>OpenGL zeichnet weder die Abtastwerte eines regelmäßigen Gitters noch Unterschiede zu ihnen. Lassen Sie den Prozessor dieses Bild zeichnen.</translation>
+    </message>
+    <message>
+        <source>Preparing the data</source>
+        <translation>Die Daten werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Only the samples of a whole lattice can be shown beside the mesh.</source>
+        <translation>Nur die Abtastwerte eines ganzen regelmäßigen Gitters können neben dem Netz gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>The samples of the scene and their transfer function do not belong together.</source>
+        <translation>Die Abtastwerte der Szene und ihre Transferfunktion gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference of the two pictures, made brighter. A moving picture, a focus and a range of accuracies always show the mesh.</source>
+        <translation>Woraus das Volumen gezeichnet wird: aus dem Netz; aus den Abtastwerten der Daten selbst, sodass Sie sehen, was das Netz weglässt; oder der Unterschied der beiden Bilder, aufgehellt. Ein bewegtes Bild, ein Fokus und ein Bereich von Genauigkeiten zeigen immer das Netz.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

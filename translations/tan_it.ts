@@ -12445,6 +12445,74 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>All its points lie in a plane: there is no volume between them, and no model can be built of them.</source>
         <translation>Tutti i punti giacciono in un piano: non racchiudono un volume, e non se ne può costruire un modello.</translation>
     </message>
+    <message>
+        <source>Data</source>
+        <translation>Dati</translation>
+    </message>
+    <message>
+        <source>Difference to the data, %1 times as bright, of a mesh of %2</source>
+        <translation>Differenza dai dati, %1 volte più luminosa, di una mesh con %2</translation>
+    </message>
+    <message>
+        <source>Reading the data</source>
+        <translation>Lettura dei dati</translation>
+    </message>
+    <message>
+        <source>The data of &apos;%1&apos; cannot be shown: %2 Put the file from which the model was built, &apos;%3&apos;, beside the model.</source>
+        <translation>I dati di «%1» non possono essere mostrati: %2 Metti il file da cui il modello è stato costruito, «%3», accanto al modello.</translation>
+    </message>
+    <message>
+        <source>the model holds %1 of the %2 samples.</source>
+        <translation>il modello contiene %1 dei %2 campioni.</translation>
+    </message>
+    <message>
+        <source>the file of that name beside it contains other values.</source>
+        <translation>il file con quel nome accanto a esso contiene altri valori.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to show the data beside the mesh. Close other programs.</source>
+        <translation>Memoria insufficiente per mostrare i dati accanto alla mesh. Chiudi altri programmi.</translation>
+    </message>
+    <message>
+        <source>Only the samples of a lattice can be shown beside the mesh, and these data are %1.</source>
+        <translation>Solo i campioni di un reticolo possono essere mostrati accanto alla mesh, e questi dati sono di tipo %1.</translation>
+    </message>
+    <message>
+        <source>OpenGL does not draw the samples of a lattice, nor differences to them. Let the CPU draw this picture.</source>
+        <translation>OpenGL non disegna i campioni di un reticolo né le differenze da essi. Fai disegnare questa immagine al processore.</translation>
+    </message>
+    <message>
+        <source>Preparing the data</source>
+        <translation>Preparazione dei dati</translation>
+    </message>
+    <message>
+        <source>Only the samples of a whole lattice can be shown beside the mesh.</source>
+        <translation>Solo i campioni di un reticolo intero possono essere mostrati accanto alla mesh.</translation>
+    </message>
+    <message>
+        <source>The samples of the scene and their transfer function do not belong together.</source>
+        <translation>I campioni della scena e la loro funzione di trasferimento non corrispondono.</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>mesh</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>dati</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>differenza</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference of the two pictures, made brighter. A moving picture, a focus and a range of accuracies always show the mesh.</source>
+        <translation>Da che cosa è disegnato il volume: dalla mesh; dai campioni dei dati stessi, così da vedere ciò che la mesh tralascia; oppure la differenza delle due immagini, resa più luminosa. Un&apos;immagine in movimento, un fuoco e un intervallo di accuratezze mostrano sempre la mesh.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

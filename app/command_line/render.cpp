@@ -168,6 +168,11 @@ Status checkAppearance(const Arguments& arguments, const Model& model, const Pro
     const std::vector<Parameter> parameters = renderer.plugin->parameters({});
     if (const Status used = checkOfUse(parameters, values, optionNames(arguments)); !used)
         return used;
+    if (arguments.has(shownId) && !roughExtentOf(model).hasSamples)
+        return Error{ErrorKind::WrongUsage,
+                     "Only the samples of a lattice can be shown beside the mesh, and these data are " +
+                         std::string(domainClassText(model.description().domain).text) +
+                         ". Leave '--show' out, or give the model of a lattice."};
     const bool hasColours = std::ranges::any_of(matteringParameters(parameters, values), [](const Parameter& one) {
         return std::holds_alternative<TransferFunction>(one.defaultValue) ||
                std::holds_alternative<std::vector<Isovalue>>(one.defaultValue);
@@ -426,9 +431,25 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     return view;
 }
 
+/// Where something else than the mesh is shown, or was asked for.
+void tellWhatIsShown(const Invocation& invocation, const SceneRequest& request, const BuiltScene& built,
+                     JsonObject& figures)
+{
+    constexpr std::array<const char*, 3> names{shownMesh, shownData, shownDifference};
+    const auto asked = request.values.find(shownId);
+    if (asked == request.values.end() || asked->second == ParameterValue(std::string(shownMesh)))
+        return;
+    figures["shown"] = std::string(names[static_cast<std::size_t>(built.mesh.shown)]);
+    if (built.mesh.shown == ShownField::Mesh)
+        invocation.messages << "tan: The mesh is shown, not the data: with a focus, a window, '--values' or '--range' "
+                               "there are no samples to compare it with.\n"
+                            << std::flush;
+}
+
 /// With the scene, and with what can be said of it.
 Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view, ScenePipeline& pipeline)
 {
+    view.scene = withSamples(std::move(view.scene), invocation.host);
     const auto built = confirmed(
         *view.model, pipeline.make(view.scene, invocation.progress.part(view.opened, sceneEnd)), invocation.progress);
     if (!built)
@@ -448,6 +469,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     }
     warnOfErrors(errorRemarksOf(view.field, built->mesh, view.scene.values, *built->scene), view.model->description(),
                  invocation.messages, figures);
+    tellWhatIsShown(invocation, view.scene, *built, figures);
     if (built->faultyCells)
         figures["faulty_cells_outlined"] = *built->faultyCells;
     if (built->mesh.isBlended)
@@ -458,6 +480,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     content.state = asked.state;
     content.camera = asked.camera;
     content.background = asked.background;
+    tellShown(content, built->mesh.shown);
     asked = content;
     view.picture.scene = built->scene;
     return PreparedScene{view.found, view.picture, figures,   built->mesh.tetrahedra,
@@ -481,6 +504,8 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
 {
     const std::string cells = std::to_string(tetrahedra) + " tetrahedra";
     const std::string triangles = std::to_string(triangleCount(scene)) + " triangles";
+    if (!shapesOf<SampledVolume>(scene).empty())
+        return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("the samples of the data");
     if (!hasVolume(scene))
         return triangles + " from " + cells;
     return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
@@ -646,6 +671,10 @@ Result<Outcome> runRender(const Invocation& invocation)
     JsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
     addStatistics(figures, pipeline.statistics());
+    if (order.scene->reference) {
+        figures["largest_difference"] = pipeline.statistics().largestDifference;
+        figures["mean_difference"] = pipeline.statistics().meanDifference;
+    }
     std::optional<DrawnLens> lens;
     if (order.lens) {
         auto drawn = pipeline.drawLens(order, invocation.progress.part(pictureEnd, 1));

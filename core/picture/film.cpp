@@ -14,6 +14,7 @@ Result<Picture> FilmFrames::draw(const Film& film, int number, const Progress& p
     SceneRequest request = sceneOf(film.model, film.renderer, film.parameters, view);
     request.width = film.picture.width;
     request.height = film.picture.height;
+    request.samples = film.samples;
     const auto built = picture_.make(request, progress);
     if (!built)
         return built.error();

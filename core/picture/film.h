@@ -19,7 +19,8 @@ struct Film {
     const Renderer* renderer = nullptr;
     std::vector<Parameter> parameters{}; ///< of the renderer
     ViewValue view{};
-    PictureOrder picture{}; ///< size and background of each frame; the rest is the frame's
+    decltype(SceneRequest::samples) samples{}; ///< where its samples come from, if they are to be seen
+    PictureOrder picture{};                    ///< size and background of each frame; the rest is the frame's
     /// Paints over a frame; called in the worker.
     std::function<Status(const PixelCanvas& canvas, const ViewValue& view, const ShownMesh& mesh)> over{};
 };

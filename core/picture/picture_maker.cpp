@@ -38,11 +38,11 @@ struct PictureMaker::Parts {
 
 namespace {
 
-SceneRequest sceneRequest(const std::shared_ptr<const Model>& model, const Renderer& renderer,
+SceneRequest sceneRequest(PluginHost& host, const std::shared_ptr<const Model>& model, const Renderer& renderer,
                           const std::vector<Parameter>& parameters, const ViewValue& view,
                           const PictureRequest& request)
 {
-    SceneRequest scene = sceneOf(model, &renderer, parameters, view);
+    SceneRequest scene = withSamples(sceneOf(model, &renderer, parameters, view), host);
     scene.width = request.width;
     scene.height = request.height;
     return scene;
@@ -81,7 +81,7 @@ Result<Picture> PictureMaker::Parts::draw(const ViewValue& view, const Provided<
                                           const Progress& progress)
 {
     constexpr double built = 0.5, drawn = 0.8;
-    const SceneRequest scene = sceneRequest(model, *renderer.plugin, parameters, view, request);
+    const SceneRequest scene = sceneRequest(*host, model, *renderer.plugin, parameters, view, request);
     const auto made = build(scene, progress.part(0, built));
     if (!made)
         return made.error();
@@ -92,6 +92,7 @@ Result<Picture> PictureMaker::Parts::draw(const ViewValue& view, const Provided<
                        .size = {request.width, request.height},
                        .viewSize = {request.viewWidth, request.viewHeight},
                        .transparent = request.transparent};
+    tellShown(wanted.annotations, made->mesh.shown);
     const bool isDark = drawsLitVolume(*renderer.plugin, view.appearance.settings);
     wanted.annotations.background = view.background.value_or(usualBackground(isDark));
     wanted.tools = keptDrawings(keptTools(*host, view), model->description(),
@@ -208,8 +209,8 @@ Result<std::shared_ptr<const Scene>> PictureMaker::scene(const ViewValue& view, 
         return renderer.error();
     const ViewValue seen = parts_->fitting(view);
     const auto parameters = parts_->parametersOf(*renderer->plugin, seen);
-    const auto built =
-        parts_->build(sceneRequest(parts_->model, *renderer->plugin, parameters, seen, request), progress);
+    const auto built = parts_->build(
+        sceneRequest(*parts_->host, parts_->model, *renderer->plugin, parameters, seen, request), progress);
     return built ? Result<std::shared_ptr<const Scene>>(built->scene) : built.error();
 }
 

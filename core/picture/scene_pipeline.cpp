@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/scene_pipeline.h"
 
+#include "core/render/volume/volume_mesh.h"
 #include "core/view/lens.h"
 #include "plugins/api/boundary_parameters.h"
+#include "plugins/api/scene_parameters.h"
 
 #include <chrono>
 #include <new>
@@ -81,7 +83,7 @@ bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
 
 SceneRequest lensScene(const LensOrder& order, const LensPicture& place, const Camera& camera)
 {
-    SceneRequest request = order.scene;
+    SceneRequest request = withMesh(order.scene);
     request.camera = camera;
     request.width = place.width;
     request.height = place.height;
@@ -222,6 +224,64 @@ Status ScenePipeline::outlineFaultyCells(BuiltScene& built)
     return {};
 }
 
+namespace {
+
+/// What is to be seen in place of the mesh; the mesh where no samples can stand for it: they are everywhere alike.
+ShownField shownFieldOf(const SceneRequest& request)
+{
+    const auto found = request.values.find(shownId);
+    const auto* shown = found != request.values.end() ? std::get_if<std::string>(&found->second) : nullptr;
+    const MeshQuery& query = request.query;
+    if (shown == nullptr || !request.samples || query.range || query.window || !query.values.empty() ||
+        !query.error.isConstant())
+        return ShownField::Mesh;
+    return *shown == shownData         ? ShownField::Data
+           : *shown == shownDifference ? ShownField::Difference
+                                       : ShownField::Mesh;
+}
+
+} // namespace
+
+SceneRequest withMesh(SceneRequest request)
+{
+    request.samples = nullptr;
+    return request;
+}
+
+Status ScenePipeline::showSamples(const SceneRequest& request, BuiltScene& built, const Progress& progress)
+{
+    const ShownField shown = shownFieldOf(request);
+    const auto place = std::ranges::find_if(built.scene->drawables, [](const Drawable& drawable) {
+        const auto* volume = std::get_if<Volume>(&drawable.shape);
+        return volume != nullptr && !volume->model;
+    });
+    if (shown == ShownField::Mesh || place == built.scene->drawables.end())
+        return {};
+    if (sampledModel_ != request.model) {
+        samples_.reset();
+        auto dataset = request.samples(*request.model, progress.part(0, 0.5));
+        if (!dataset)
+            return dataset.error();
+        samples_.emplace(*std::move(dataset));
+        sampledModel_ = request.model;
+    }
+    const Volume& volume = std::get<Volume>(place->shape);
+    const auto samples = samples_->update(volume.transfer->segments, volume.shaded, progress.part(0.5, 1));
+    if (!samples)
+        return samples.error();
+    auto data = std::make_shared<Scene>(*built.scene);
+    data->drawables[static_cast<std::size_t>(place - built.scene->drawables.begin())].shape = *samples;
+    if (shown == ShownField::Difference) {
+        const auto difference = std::make_shared<Scene>(*built.scene);
+        difference->reference = std::move(data);
+        built.scene = difference;
+    } else {
+        built.scene = std::move(data);
+    }
+    built.mesh.shown = shown;
+    return {};
+}
+
 Result<BuiltScene> ScenePipeline::make(const SceneRequest& request, const Progress& progress)
 try {
     if (built_ && haveSameScene(last_, request))
@@ -246,7 +306,9 @@ try {
     ParameterValues values = request.values;
     if (const auto boundary = values.find(boundaryId); mesh_->overlaps && boundary != values.end())
         boundary->second = std::string(boundaryOff); // tetrahedra over each other have none
-    auto scene = session_->prepare({values, request.camera, request.width, request.height}, progress.part(0.5, 1));
+    const double prepared = shownFieldOf(request) == ShownField::Mesh ? 1 : 0.7;
+    auto scene =
+        session_->prepare({values, request.camera, request.width, request.height}, progress.part(0.5, prepared));
     if (!scene) {
         if (scene.error().kind == ErrorKind::OutOfResource)
             clear();
@@ -262,6 +324,8 @@ try {
         if (const Status outlined = outlineFaultyCells(built); !outlined)
             return outlined.error();
     built.mesh = shownMesh(*request.model, request.query);
+    if (const Status shown = showSamples(request, built, progress.part(prepared, 1)); !shown)
+        return shown.error();
     built.triangles = triangleCount(*built.scene);
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
     last_ = request;
@@ -335,6 +399,8 @@ void ScenePipeline::clear()
     model_.reset();
     outlinedModel_.reset();
     outlined_.clear();
+    sampledModel_.reset();
+    samples_.reset();
     built_.reset();
     last_ = {};
 }

@@ -7,11 +7,13 @@
 #include "plugins/api/renderer.h"
 
 #include <tan/base.h>
+#include <tan/data.h>
 #include <tan/model.h>
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/view.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,7 +32,12 @@ struct SceneRequest {
     int width = 1024;
     int height = 768;
     bool faultyCells = false; ///< outlined over the rest, as far as the model knows where they lie (C10)
+    /// Where the samples come from, if `values` ask for them (shownId); without it, the mesh is shown.
+    std::function<Result<std::shared_ptr<const Dataset>>(const Model& model, const Progress& progress)> samples{};
 };
+
+/// The same that shows the mesh, whatever was asked for.
+SceneRequest withMesh(SceneRequest request);
 
 /// Of all its surfaces.
 std::uint64_t triangleCount(const Scene& scene);
@@ -102,6 +109,7 @@ private:
     void open(const SceneRequest& request, const NeededMeshes& needed);
     ShownMesh shownMesh(const Model& model, const MeshQuery& asked) const;
     Status outlineFaultyCells(BuiltScene& built);
+    Status showSamples(const SceneRequest& request, BuiltScene& built, const Progress& progress);
 
     std::unique_ptr<RenderBackend> backend_;
     Extractor extractor_;
@@ -118,7 +126,9 @@ private:
     std::shared_ptr<const ValueHistogram> logarithmic_;
     std::shared_ptr<const Model> outlinedModel_; ///< of which the next one is
     std::vector<FaultyCell> outlined_;           ///< faulty cells with known places
-    mutable std::mutex mutex_;                   ///< guards the next one
+    std::shared_ptr<const Model> sampledModel_;  ///< of which the next one is
+    std::optional<SampledVolumeCache> samples_;
+    mutable std::mutex mutex_; ///< guards the next one
     std::shared_ptr<const ExtractedMesh> mesh_;
 };
 

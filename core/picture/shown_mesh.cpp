@@ -80,6 +80,11 @@ Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs)
 
 std::string accuracyText(const ShownMesh& mesh, const AnnotationLanguage& language)
 {
+    if (mesh.shown == ShownField::Data)
+        return language.say(Message::say("Data"));
+    if (mesh.shown == ShownField::Difference)
+        return language.say(Message::say("Difference to the data, %1 times as bright, of a mesh of %2",
+                                         differenceBrightness, errorMessage(mesh, language.numbers)));
     std::string text = language.say(errorMessage(mesh, language.numbers));
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
         text[0] = static_cast<char>(text[0] - 'a' + 'A');

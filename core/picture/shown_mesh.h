@@ -18,6 +18,13 @@
 
 namespace tetra {
 
+/// What the volume of a picture is drawn from.
+enum class ShownField {
+    Mesh,
+    Data,       ///< the samples of a lattice
+    Difference, ///< of the pictures of both
+};
+
 /// What is known of the mesh that a picture shows.
 struct ShownMesh {
     MeshQuery query;            ///< that it answers
@@ -27,8 +34,9 @@ struct ShownMesh {
     std::uint64_t wholeTetrahedra = 0;
     std::uint64_t keptSites = 0; ///< of what is drawn, as in ExtractedMesh
     std::uint64_t keptTetrahedra = 0;
-    bool isBlended = false; ///< of two meshes, both are counted; the whole one is that outside the focus
-    double scale = 1;       ///< as in ExtractedMesh
+    ShownField shown = ShownField::Mesh; ///< what is in the picture in its place
+    bool isBlended = false;              ///< of two meshes, both are counted; the whole one is that outside the focus
+    double scale = 1;                    ///< as in ExtractedMesh
     ErrorMeaning errorMeaning = ErrorMeaning::Only;
     std::optional<double> errorInSpace{};   ///< the largest one, %, where it was measured beside one in the grid
     std::optional<ValueRange> logarithms{}; ///< the model's range, if its values are logarithms: errors are factors
@@ -52,7 +60,7 @@ Message errorNumber(double percent, const std::optional<ValueRange>& logarithms,
 /// the one in space beside that in the grid where it was measured, and of logarithms with the factor that each is.
 Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs = {});
 
-/// The same as a text that stands alone, in a language: as annotations tell it.
+/// The same as a text that stands alone, in a language: as annotations tell it. Where data are shown, it says so.
 std::string accuracyText(const ShownMesh& mesh, const AnnotationLanguage& language = {});
 
 } // namespace tetra

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/history/whole_elsewhere.h"
 #include "core/picture/annotations/annotation_painter.h"
+#include "core/picture/model_samples.h"
 #include "core/picture/rendering_modes.h"
 #include "core/picture/shown_error.h"
 #include "core/picture/tool_painter.h"
@@ -55,7 +56,9 @@ constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
 
 FieldExtent roughExtentOf(const Model& model)
 {
-    return {model.description().range, model.description().bounds};
+    FieldExtent field{model.description().range, model.description().bounds};
+    field.hasSamples = model.description().domain == DomainClass::RegularLattice;
+    return field;
 }
 
 Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Progress& progress)
@@ -110,6 +113,14 @@ SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* 
     return request;
 }
 
+SceneRequest withSamples(SceneRequest request, PluginHost& host)
+{
+    request.samples = [&host](const Model& model, const Progress& progress) {
+        return samplesOf(model, host, progress);
+    };
+    return request;
+}
+
 std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMesh& mesh, const ParameterValues& values,
                                         const Scene& scene)
 {
@@ -147,6 +158,12 @@ Status paintOver(const PixelCanvas& canvas, const AnnotationContent& content, st
     if (const Status painted = paintAnnotations(canvas, content); !painted)
         return painted;
     return paintTools(canvas, tools, {content.camera, content.background, content.language, content.fonts});
+}
+
+void tellShown(AnnotationContent& content, ShownField shown)
+{
+    if (shown != ShownField::Mesh)
+        content.state[AnnotationKind::Accuracy].shown = true;
 }
 
 PictureOrder pictureOrder(const ViewPicture& picture)

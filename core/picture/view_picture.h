@@ -48,6 +48,8 @@ const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const s
 /// The scene of a view. `parameters`: those of the renderer that fit the field.
 SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
                      const std::vector<Parameter>& parameters, const ViewValue& view);
+/// The same that can show the samples (model_samples.h). `host` outlives it.
+SceneRequest withSamples(SceneRequest request, PluginHost& host);
 
 /// What of a picture is within the error of its mesh, of what the renderer was given and of what it has drawn.
 std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMesh& mesh, const ParameterValues& values,
@@ -81,6 +83,9 @@ Size sizeInUnits(const ViewPicture& picture);
 /// Annotations, and over them what tools show, seen by the same camera, onto a canvas, which may be a drawing. Errors
 /// as of paintAnnotations().
 Status paintOver(const PixelCanvas& canvas, const AnnotationContent& content, std::span<const ToolDrawing> tools);
+
+/// Writes the accuracy into the picture, asked for or not, where it says that something else than the mesh is seen.
+void tellShown(AnnotationContent& content, ShownField shown);
 
 /// The picture, without a target.
 PictureOrder pictureOrder(const ViewPicture& picture);

@@ -23,7 +23,8 @@ std::optional<Scene> withDrawn(const Scene& scene, const Camera& camera, int wid
     using Custom = std::shared_ptr<const CustomDrawable>;
     if (shapesOf<Custom>(scene).empty())
         return std::nullopt;
-    Scene drawn{.bounds = scene.bounds, .clipPlanes = scene.clipPlanes, .maker = scene.maker};
+    Scene drawn{
+        .bounds = scene.bounds, .clipPlanes = scene.clipPlanes, .reference = scene.reference, .maker = scene.maker};
     for (const Drawable& drawable : scene.drawables) {
         const Custom* custom = std::get_if<Custom>(&drawable.shape);
         if (custom == nullptr) {

@@ -25,6 +25,8 @@ struct FieldExtent {
     std::optional<double> surface{};
     /// How far the mesh that is seen may be off in the background (backgroundValues()), in units of the values.
     double error = 0;
+    /// The samples of a lattice may be at hand, so that they can be shown in place of the mesh (shownId).
+    bool hasSamples = true;
 };
 
 /// The mesh of a part of the domain in a resolution of its own (R24).

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -19,6 +21,7 @@ inline constexpr const char* shadedId = "shaded";
 inline constexpr const char* litId = "lit";
 inline constexpr const char* outlineId = "outline";
 inline constexpr const char* clipId = "clip";
+inline constexpr const char* shownId = "show";
 
 /// std::vector<Isovalue>; by default where the field has a surface, or the middle of the range if that is not known.
 inline Parameter isovaluesParameter(const FieldExtent& field)
@@ -75,6 +78,35 @@ inline Parameter shadedParameter()
         "background is then dark, unless you choose another one.");
     parameter.defaultValue = true;
     return parameter;
+}
+
+/// What shownParameter() can be.
+inline constexpr const char* shownMesh = Message::marked("mesh").text;
+inline constexpr const char* shownData = Message::marked("data").text;
+inline constexpr const char* shownDifference = Message::marked("difference").text;
+
+/// A choice, the mesh by default; for renderers of volumes, of a field that has samples. They show the mesh: whoever
+/// draws the scene puts the samples in the place of its volume.
+inline Parameter shownParameter()
+{
+    Parameter parameter;
+    parameter.id = shownId;
+    parameter.label = Message::marked("Source");
+    parameter.explanation =
+        Message::marked("What the volume is drawn from: the mesh; the samples of the data themselves, so that you see "
+                        "what the mesh leaves out; or the difference of the two pictures, made brighter. A moving "
+                        "picture, a focus and a range of accuracies always show the mesh.");
+    parameter.defaultValue = std::string(shownMesh);
+    parameter.choices = {shownMesh, shownData, shownDifference};
+    return parameter;
+}
+
+/// With that, if there may be samples.
+inline std::vector<Parameter> withShown(std::vector<Parameter> parameters, const FieldExtent& field)
+{
+    if (field.hasSamples)
+        parameters.push_back(shownParameter());
+    return parameters;
 }
 
 /// bool, false by default: for renderers whose surfaces have colours that stand for values.

@@ -246,7 +246,11 @@ class Tally:
         self.rays, self.doubtful, self.largest, self.by_light = 0, 0, 0.0, 0.0
 
 
-class VolumeLight(unittest.TestCase):
+class LightTest(unittest.TestCase):
+    """Compares pictures with what is seen of pieces of rays."""
+
+    tolerances, pieces, options, top = TOLERANCES, Pieces, (), 0
+
     @classmethod
     def setUpClass(cls):
         cls.kept = tempfile.TemporaryDirectory()
@@ -259,17 +263,18 @@ class VolumeLight(unittest.TestCase):
         (self.folder / "function.json").write_text(function.text)
         for name, more in (("unlit", ("--no-shaded",)), ("lit", ())):
             tan(self.folder, "render", "model.tan", "--error", 2, "--mode", "volume", "--transfer", "function.json", "--camera", "camera.json", "--size",
-                f"{WIDTH}x{HEIGHT}", "--samples", 1, "--background", "#" + bytes(BACKGROUND).hex(), "--no-outline", *more, "-o", f"{name}.png")
-        return {name: picture(self.folder / f"{name}.png") for name in TOLERANCES}
+                f"{WIDTH}x{HEIGHT}", "--samples", 1, "--background", "#" + bytes(BACKGROUND).hex(), "--no-outline", *self.options, *more, "-o",
+                f"{name}.png")
+        return {name: picture(self.folder / f"{name}.png") for name in self.tolerances}
 
     def compare(self, mesh, camera, function, tallies, what):
         drawn = self.pictures(camera, function)
         tallies["lit"].by_light = max(tallies["lit"].by_light, numpy.abs(drawn["lit"] - drawn["unlit"]).max())
-        columns, rows = self.random.integers(WIDTH, size=RAYS), self.random.integers(HEIGHT, size=RAYS)
+        columns, rows = self.random.integers(WIDTH, size=RAYS), self.random.integers(self.top, HEIGHT, size=RAYS)
         places = (numpy.stack([columns, rows], axis=1)[:, None] + BESIDE).reshape(-1, 2)
-        pieces = Pieces(mesh, camera.axes, *camera.rays(*places.T))
+        pieces = self.pieces(mesh, camera.axes, *camera.rays(*places.T))
         meets = numpy.isin(numpy.arange(RAYS), pieces.ray // len(BESIDE))
-        for name, tolerance in TOLERANCES.items():
+        for name, tolerance in self.tolerances.items():
             expected = 255 * pieces.seen(function, name == "lit").reshape(RAYS, len(BESIDE), 3)
             doubtful = numpy.abs(expected[:, 1:] - expected[:, :1]).max(axis=(1, 2)) > tolerance / 2
             off = numpy.where(doubtful, 0, numpy.abs(drawn[name][rows, columns] - expected[:, 0]).max(axis=1))
@@ -278,6 +283,19 @@ class VolumeLight(unittest.TestCase):
             with self.subTest(what, light=name):
                 self.assertLessEqual(off[worst], tolerance, f"at {columns[worst]}, {rows[worst]}: {expected[worst, 0]}")
 
+    def compare_all(self, mesh, kind):
+        tallies = {name: Tally() for name in self.tolerances}
+        for view in VIEWS:
+            for function in FUNCTIONS:
+                self.compare(mesh, Camera(VIEWS[view], mesh), Function(FUNCTIONS[function], mesh), tallies, f"{kind}, {view}, {function}")
+        for name, tally in tallies.items():
+            print(f"{kind}, {name}: {tally.rays} rays through the volume, off by {tally.largest:.2f} of 255 at most, {tally.doubtful} doubtful")
+            self.assertGreater(tally.rays, 250)
+            self.assertLess(tally.doubtful, 0.05 * tally.rays)
+        self.assertGreater(tallies["lit"].by_light, 20)
+
+
+class VolumeLight(LightTest):
     def check(self, kind):
         sample, size, data = SAMPLES[kind]
         self.folder = pathlib.Path(self.kept.name) / kind
@@ -286,15 +304,7 @@ class VolumeLight(unittest.TestCase):
         tan(self.folder, "build", data, "-o", "model.tan")
         tan(self.folder, "extract", "model.tan", "--error", 2, "-o", "mesh.vtu")
         mesh = Mesh(self.folder / "mesh.vtu")
-        tallies = {name: Tally() for name in TOLERANCES}
-        for view in VIEWS:
-            for function in FUNCTIONS:
-                self.compare(mesh, Camera(VIEWS[view], mesh), Function(FUNCTIONS[function], mesh), tallies, f"{kind}, {view}, {function}")
-        for name, tally in tallies.items():
-            print(f"{kind}, {name}: {tally.rays} rays through cells, off by {tally.largest:.2f} of 255 at most, {tally.doubtful} doubtful")
-            self.assertGreater(tally.rays, 250)
-            self.assertLess(tally.doubtful, 0.05 * tally.rays)
-        self.assertGreater(tallies["lit"].by_light, 20)
+        self.compare_all(mesh, kind)
 
     def test_lattices(self):
         self.check("lattice")
@@ -306,4 +316,5 @@ class VolumeLight(unittest.TestCase):
         self.check("irregular")
 
 
-unittest.main()
+if __name__ == "__main__":
+    unittest.main()

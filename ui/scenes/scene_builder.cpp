@@ -184,7 +184,7 @@ try {
     for (std::size_t i = 0; i < queries.size(); ++i) {
         if (i == pipelines.size())
             pipelines.push_back(std::make_unique<ScenePipeline>(makeCpuBackend(), extractor));
-        SceneRequest coarser = request;
+        SceneRequest coarser = withMesh(request);
         coarser.query = queries[queries.size() - 1 - i];
         const auto built = pipelines[i]->make(coarser, progress);
         if (!built || built->mesh.tetrahedra == 0 || built->mesh.tetrahedra >= shown.tetrahedra)

@@ -114,6 +114,8 @@ AnnotationContent SceneService::annotations(const Camera& camera, const Colour& 
     const AnnotationLanguage language = annotationLanguage();
     AnnotationContent content = annotationContent(*model, matteringParameters(), view,
                                                   shown ? accuracyText(*shown, language) : std::string(), language);
+    if (shown)
+        tellShown(content, shown->shown);
     content.fonts = fonts_;
     return content;
 }
@@ -135,7 +137,7 @@ void SceneService::previewView(const std::optional<ViewValue>& view)
 SceneRequest SceneService::requestOf(ViewValue view) const
 {
     view.camera = settled_;
-    SceneRequest request = sceneOf(session_.model(), renderer(), renderingParameters(), view);
+    SceneRequest request = withSamples(sceneOf(session_.model(), renderer(), renderingParameters(), view), host_);
     request.camera = camera_;
     request.width = pixels_.width();
     request.height = pixels_.height();

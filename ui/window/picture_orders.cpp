@@ -20,6 +20,8 @@ ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, cons
                         .transparent = settings.transparent,
                         .dotsPerInch = settings.dotsPerInch};
     picture.annotations.state = settings.annotations;
+    if (const auto& shown = workbench.session().shown())
+        tellShown(picture.annotations, shown->shown);
     return picture;
 }
 
@@ -50,7 +52,9 @@ FilmOrder filmOrder(Workbench& workbench, const Viewport& viewport, const Pictur
         const auto shown =
             keptDrawings(tools, model->description(), matteringParameters(parameters, view.appearance.settings), view,
                          view.camera, size, content.language);
-        return paintOver(canvas, inView(content, view, accuracyText(mesh, content.language)), shown);
+        AnnotationContent written = inView(content, view, accuracyText(mesh, content.language));
+        tellShown(written, mesh.shown);
+        return paintOver(canvas, written, shown);
     };
     return order;
 }

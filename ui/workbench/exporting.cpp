@@ -60,6 +60,7 @@ FilmOrder Exporting::filmOrder() const
     order.renderer = scenes_.renderer();
     order.parameters = scenes_.renderingParameters();
     order.view = session_.view();
+    order.samples = scenes_.sessionRequest().samples;
     return order;
 }
 

@@ -49,7 +49,11 @@
 
 namespace tetra {
 
+struct Dataset;
 struct IsosurfaceIndex;
+struct SampledField;
+struct SampledTransfer;
+struct SampleGradients;
 struct VolumeMesh;
 struct VolumeTransfer;
 
@@ -279,6 +283,15 @@ struct FocusVolume {
     std::vector<FocusRegion> regions; ///< OpenGL takes at most 16
 };
 
+/// The samples of a lattice seen through a transfer function, trilinear between the samples: the data that a Volume
+/// shows within the error of its mesh. Rays are cast through them, so there is no order and nothing to be made but once
+/// (SampledVolumeCache). OpenGL refuses them.
+struct SampledVolume {
+    std::shared_ptr<const SampledField> samples;        ///< core/render/samples/sampled_field.h, like the next two
+    std::shared_ptr<const SampledTransfer> transfer;    ///< of those samples
+    std::shared_ptr<const SampleGradients> gradients{}; ///< of the samples, if they are lit as a Volume is
+};
+
 /// A half-space: points with normal . x >= offset are shown (of a HalfSpace it is the other side). OpenGL takes at
 /// most 16.
 struct ClipPlane {
@@ -304,7 +317,7 @@ struct CustomDrawable {
 };
 
 /// What can be drawn.
-using Shape = std::variant<Surface, LineSet, Volume, FocusVolume, std::shared_ptr<const CustomDrawable>>;
+using Shape = std::variant<Surface, LineSet, Volume, FocusVolume, SampledVolume, std::shared_ptr<const CustomDrawable>>;
 
 /// A thing in a scene.
 struct Drawable {
@@ -324,14 +337,21 @@ struct Drawable {
     bool saved = false; ///< a surface that belongs into the file where the surfaces of a scene are saved, by its label
 };
 
+/// A difference of 1 of 255 is as bright as this many of 255 in the picture of a difference.
+inline constexpr int differenceBrightness = 8;
+
 /// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
 /// Surfaces and volumes are sorted as exactly as light needs it, whatever their places in the list; opaque surfaces and
-/// lines hide what lies behind. There may be one volume, or one blend of two: cells of two meshes that lie in the same
-/// place have no order, so two volumes are only drawn together where a weight says how they share each ray.
+/// lines hide what lies behind. There may be one volume, one blend of two, or the samples of one: cells of two meshes
+/// that lie in the same place have no order, so two volumes are only drawn together where a weight says how they share
+/// each ray.
 struct Scene {
     Eigen::AlignedBox3d bounds{};        ///< of the domain; depth is scaled by it, and what lies outside may be cut off
     std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and volumes, not lines
     std::vector<Drawable> drawables{};
+    /// If set, the picture is the difference to the picture of that scene, which has none itself: for each channel
+    /// differenceBrightness times as much as the two differ, on black. The CPU back end draws it.
+    std::shared_ptr<const Scene> reference{};
     /// Whose shaders and functions are in it, as errors call that: the id of a renderer's plugin, set by its host.
     std::string maker{};
 };
@@ -507,6 +527,27 @@ private:
     std::shared_ptr<const VolumeTransfer> transfer_;
 };
 
+/// Makes volumes of the samples of one lattice for a transfer function that changes. Keeps the dataset; used from one
+/// thread at a time.
+class TAN_API SampledVolumeCache {
+public:
+    explicit SampledVolumeCache(std::shared_ptr<const Dataset> dataset) : dataset_(std::move(dataset)) {}
+
+    /// O(samples) for the first, and once more for the first that is shaded, on all threads; else as quick as the
+    /// function has points. Takes a byte for 8 samples, 8 bytes a sample for light, and 4 for values of more than 16
+    /// bits, of which single precision is used, as in meshes. Errors: those of checkTransferFunction(); a dataset that
+    /// is no lattice, or has holes or values that are not finite (WrongUsage); not enough memory; cancelled.
+    Result<SampledVolume> update(const TransferFunction& function, bool shaded, const Progress& progress = {});
+    /// The same for the segments of a function (transferSegments()).
+    Result<SampledVolume> update(std::span<const TransferSegment> segments, bool shaded, const Progress& progress = {});
+
+private:
+    std::shared_ptr<const Dataset> dataset_;
+    std::shared_ptr<const SampledField> samples_;
+    std::shared_ptr<const SampleGradients> gradients_;
+    std::shared_ptr<const SampledTransfer> transfer_; ///< the last one
+};
+
 /// A value within [least, largest] whose isosurface is likely to be a real boundary of materials, as the skin of a head
 /// or the walls of a casting, rather than noise. Of all isosurfaces it is the one for which a product of two functions
 /// of the contour spectrum is largest: the total gradient on it, which grows with its size, and a power of the mean
@@ -557,6 +598,8 @@ struct RenderStatistics {
     double orderSeconds = 0;
     double setUpSeconds = 0; ///< projecting, binning
     double fillSeconds = 0;
+    int largestDifference = 0; ///< of a channel of a pixel to the scene's reference, of 255
+    double meanDifference = 0; ///< over all pixels of the largest of their channels
     std::size_t sentBytes = 0; ///< of cells and their order, to the graphics card; without the mesh, sent once
 };
 

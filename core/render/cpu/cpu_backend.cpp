@@ -8,6 +8,7 @@
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/projected_volume.h"
+#include "core/render/volume/ray_casting.h"
 #include "core/render/volume/tile_picture.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_renderer.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <span>
@@ -45,6 +47,7 @@ struct PartView {
 struct SceneVolumes {
     const Volume* volume = nullptr;     ///< of a blend that outside
     const FocusVolume* focus = nullptr; ///< the blend
+    const SampledVolume* samples = nullptr;
 };
 
 /// A volume with the cells that its order names, front to back.
@@ -57,6 +60,7 @@ struct OrderedVolume {
 struct OrderedVolumes {
     std::optional<OrderedVolume> volume, fine; ///< fine: in the focus
     const FocusVolume* focus = nullptr;        ///< if there is a fine one
+    const SampledVolume* samples = nullptr;    ///< in place of the others
 };
 
 constexpr MarkedText drawingParts = Message::marked("Drawing the picture");
@@ -100,6 +104,7 @@ struct ProjectedPart {
     SetupSource source; ///< of the volume
     std::optional<TileModel> model;
     std::optional<ProjectedFocus> focus;
+    std::optional<SampledView> samples;
 };
 
 /// Draws tiles on one thread.
@@ -109,7 +114,7 @@ public:
         : part_(part), view_(view), options_(options),
           surfaces_(part.list, view.surfaces, view.part, view.volume, part.clips)
     {
-        if (part.volume)
+        if (part.volume || part.samples)
             volume_.emplace(part.source, view.volume);
         surroundings_.splitCells = !part.scene.volume || !part.scene.volume->volume.wholeCells;
         surroundings_.depth = options.depth;
@@ -158,8 +163,8 @@ private:
 
     bool hasCells(std::size_t tile) const
     {
-        return part_.volume && (!part_.volume->bins.cellsOf(tile).empty() ||
-                                (part_.focus && !part_.focus->volume.bins.cellsOf(tile).empty()));
+        return part_.samples || (part_.volume && (!part_.volume->bins.cellsOf(tile).empty() ||
+                                                  (part_.focus && !part_.focus->volume.bins.cellsOf(tile).empty())));
     }
 
     void paintBoth(const SampleRectangle& tile, std::size_t number, bool noSurfaces, const Progress& progress)
@@ -176,7 +181,13 @@ private:
             surroundings.surfaces = fragments.empty ? nullptr : &fragments;
             fragments_ += surfaces_.fragmentCount();
         }
-        const DrawnTile drawn = volume_->paint(tile, part_.volume->bins.cellsOf(number), surroundings, progress);
+        const DrawnTile drawn =
+            part_.samples
+                ? volume_->paintBlocks(tile, surroundings,
+                                       [&](const TileShading& shading, SampleBlock* blocks, int columns, int rows) {
+                                           castRays(*part_.samples, shading, blocks, columns, rows);
+                                       })
+                : volume_->paint(tile, part_.volume->bins.cellsOf(number), surroundings, progress);
         cells_ += drawn.cells;
         fragments_ += drawn.fragments;
         colours_.assign(drawn.colours.begin(), drawn.colours.end());
@@ -227,15 +238,17 @@ Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartVie
     Stopwatch watch;
     progress.report(0, drawingParts);
     const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
-    Result<DrawList> list = makeDrawList(scene, view.surfaces, view.part, options.samplesPerAxis,
-                                         volumes.volume ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
+    Result<DrawList> list = makeDrawList(
+        scene, view.surfaces, view.part, options.samplesPerAxis,
+        volumes.volume || volumes.samples != nullptr ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
     if (!list)
         return list.error();
     if (progress.cancelled())
         return cancelledError(drawingParts);
     TileBins bins(*list, grid);
     ProjectedPart part{
-        volumes, std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}, {}};
+        volumes, std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}, {},
+        {}};
     if (volumes.volume) {
         const Volume& volume = volumes.volume->volume;
         part.volume = projectVolume(*volume.mesh, *volume.transfer, volumes.volume->order, view.volume, grid,
@@ -252,6 +265,11 @@ Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartVie
             FocusRays(volumes.focus->regions, view.volume),
         });
         part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume);
+    }
+    if (const SampledVolume* samples = volumes.samples; samples != nullptr) {
+        part.samples = makeSampledView(*samples->samples, *samples->transfer, samples->gradients.get(), view.volume);
+        part.source.segments = part.samples->scaled.segments;
+        part.source.perspective = view.volume.perspective;
     }
     if (progress.cancelled())
         return cancelledError(drawingParts);
@@ -303,6 +321,24 @@ SampleRectangle grownToTiles(const SampleRectangle& wanted, int width, int heigh
             std::min(up(wanted.bottom), height)};
 }
 
+/// Makes the picture that of its difference to the other one.
+void takeDifference(const Picture& reference, Picture& picture, RenderStatistics& statistics)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        int largest = 0;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const int difference = std::abs(int(picture.pixels[i][channel]) - int(reference.pixels[i][channel]));
+            largest = std::max(largest, difference);
+            picture.pixels[i][channel] = static_cast<std::uint8_t>(std::min(255, differenceBrightness * difference));
+        }
+        picture.pixels[i][3] = 255;
+        statistics.largestDifference = std::max(statistics.largestDifference, largest);
+        sum += largest;
+    }
+    statistics.meanDifference = picture.pixels.empty() ? 0 : sum / static_cast<double>(picture.pixels.size());
+}
+
 class CpuBackend final : public RenderBackend {
 public:
     std::string_view id() const noexcept override { return "cpu"; }
@@ -316,13 +352,28 @@ public:
             return status.error();
         if (Status status = checkVolumes(scene); !status)
             return status.error();
-        return guardedDrawing(scene.maker, [&] {
-            const auto drawn = withDrawn(scene, camera, options.width, options.height);
-            return onThreads(options.threads, [&] { return draw(drawn ? *drawn : scene, camera, options, progress); });
+        return guardedDrawing(scene.maker, [&]() -> Result<Picture> {
+            if (!scene.reference)
+                return drawWhole(scene, camera, options, progress);
+            auto picture = drawWhole(scene, camera, options, progress.part(0, 0.5));
+            const RenderStatistics statistics = statistics_;
+            const auto reference = picture ? render(*scene.reference, camera, options, progress.part(0.5, 1)) : picture;
+            if (!reference)
+                return reference.error();
+            statistics_ = statistics;
+            takeDifference(*reference, *picture, statistics_);
+            return picture;
         });
     }
 
 private:
+    Result<Picture> drawWhole(const Scene& scene, const Camera& camera, const PictureOptions& options,
+                              const Progress& progress)
+    {
+        const auto drawn = withDrawn(scene, camera, options.width, options.height);
+        return onThreads(options.threads, [&] { return draw(drawn ? *drawn : scene, camera, options, progress); });
+    }
+
     Result<Picture> draw(const Scene& scene, const Camera& camera, const PictureOptions& options,
                          const Progress& progress)
     {
@@ -341,7 +392,7 @@ private:
         if (progress.cancelled())
             return cancelledError(Message::marked("Drawing the picture"));
         RenderStatistics statistics;
-        const SceneVolumes volumes{volumeOf(scene), focusOf(scene)};
+        const SceneVolumes volumes{volumeOf(scene), focusOf(scene), samplesOf(scene)};
         statistics.orderReused = volumes.volume != nullptr; // until a part needs a new one
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto share = [&](double part) { return (static_cast<double>(i) + part) / double(parts.size()); };
@@ -391,6 +442,7 @@ private:
         if (volumes.volume != nullptr)
             drawn.volume = OrderedVolume{order_.withPieces(*volumes.volume), order_.cells()};
         drawn.focus = volumes.focus;
+        drawn.samples = volumes.samples;
         if (volumes.focus != nullptr)
             drawn.fine = OrderedVolume{fineOrder_.withPieces(volumes.focus->fine), fineOrder_.cells()};
         return drawn;

@@ -304,6 +304,10 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         return status;
     if (Status status = checkVolumes(scene); !status)
         return status;
+    if (samplesOf(scene) != nullptr || scene.reference)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("OpenGL does not draw the samples of a lattice, nor differences to them. Let the CPU "
+                                  "draw this picture.")};
     if (Status status = checkRegions(scene); !status)
         return status;
     if (progress.cancelled())

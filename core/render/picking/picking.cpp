@@ -3,6 +3,8 @@
 
 #include "core/mesh/topology.h"
 #include "core/render/focus_weight.h"
+#include "core/render/picking/sampled_pieces.h"
+#include "core/render/samples/sampled_field.h"
 #include "core/render/volume/volume_mesh.h"
 
 #include <tan/render.h>
@@ -333,6 +335,15 @@ std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line
     return slabs;
 }
 
+/// The same of samples.
+std::vector<PickingSlab> slabsAlong(const SampledVolume& samples, const PickingRay& line, const PickingInterval& part)
+{
+    std::vector<PickingSlab> slabs;
+    for (const SampledPiece& piece : sampledPieces(*samples.samples, line, part))
+        addSlabs(slabs, {piece.part, piece.valueAtStart, piece.valueAtEnd}, samples.transfer->segments);
+    return slabs;
+}
+
 /// The magnitude of the field's gradient in a cell; 0 in a flat one.
 double gradientOf(const TetrahedralMesh& mesh, std::size_t cell)
 {
@@ -506,11 +517,12 @@ std::vector<PickingInterval> partsInFocus(const FocusVolume& focus, const Pickin
     return parts;
 }
 
-/// The volume of a scene, or the blend.
+/// The volume of a scene, the blend, or the samples.
 const Drawable* volumeDrawable(const Scene& scene)
 {
     const auto found = std::ranges::find_if(scene.drawables, [](const Drawable& drawable) {
-        return std::holds_alternative<Volume>(drawable.shape) || std::holds_alternative<FocusVolume>(drawable.shape);
+        return std::holds_alternative<Volume>(drawable.shape) || std::holds_alternative<FocusVolume>(drawable.shape) ||
+               std::holds_alternative<SampledVolume>(drawable.shape);
     });
     return found != scene.drawables.end() ? &*found : nullptr;
 }
@@ -520,6 +532,8 @@ std::vector<PickingSlab> slabsOf(const Scene& scene, const PickingRay& line, con
 {
     const Volume* volume = volumeOf(scene);
     const FocusVolume* focus = focusOf(scene);
+    if (const SampledVolume* samples = samplesOf(scene); samples != nullptr)
+        return slabsAlong(*samples, line, shown);
     if (volume == nullptr)
         return {};
     std::vector<PickingSlab> slabs;

@@ -47,19 +47,12 @@ template <class Lanes> TETRA_SIMD_INLINE Lanes squareRoot(Lanes square)
     return result;
 }
 
-/// The light at places w of rays through a cell, as that of a surface across the gradient (shading.h); what no gradient
-/// tells is left as it is.
-template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
-lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& factor, Lanes& highlight)
+/// The light on a gradient that is seen so, right, down and away from the eye, as that of a surface across it
+/// (shading.h). Where no gradient tells, the colour is left as it is. `leastSquare`: of gradients that tell.
+template <class Lanes> TETRA_SIMD_INLINE void lightOnGradient(Lanes right, Lanes down, Lanes away, float leastSquare,
+                                                              const LitRays<Lanes>& rays, Lanes& factor,
+                                                              Lanes& highlight)
 {
-    constexpr float leastSquare = 1e-12f; // of a gradient, of the longest
-    Lanes components[3];
-    for (int i = 0; i < 3; ++i) {
-        const AffineFunction& of = light.components[i];
-        const Lanes slope = of.a * rays.x + (of.b * rays.y + of.c);
-        components[i] = perspective ? slope * w + of.more : slope - of.more * w;
-    }
-    const auto& [right, down, away] = components;
     const Lanes along = right * rays.right + down * rays.down + away;
     const Lanes square = right * right + down * down + away * away;
     const auto known = square > leastSquare;
@@ -70,6 +63,20 @@ lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& fact
     const Falling<Lanes> falling = lightOn<Lanes>(right * towards, -down * towards, -away * towards, cosine);
     factor = known ? falling.factor : ones;
     highlight = known ? falling.highlight : Lanes{};
+}
+
+/// The light at places w of rays through a cell.
+template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
+lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& factor, Lanes& highlight)
+{
+    constexpr float leastSquare = 1e-12f; // of a gradient, of the longest
+    Lanes components[3];
+    for (int i = 0; i < 3; ++i) {
+        const AffineFunction& of = light.components[i];
+        const Lanes slope = of.a * rays.x + (of.b * rays.y + of.c);
+        components[i] = perspective ? slope * w + of.more : slope - of.more * w;
+    }
+    lightOnGradient(components[0], components[1], components[2], leastSquare, rays, factor, highlight);
 }
 
 /// The light is taken where a ray comes in and goes out, and is affine between.

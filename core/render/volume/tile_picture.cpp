@@ -194,6 +194,18 @@ DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const 
     return drawn;
 }
 
+DrawnTile VolumeTilePainter::paintBlocks(const SampleRectangle& tile, const TileSurroundings& surroundings,
+                                         const BlockDrawing& draw)
+{
+    clear(tile);
+    if (isLimited(surroundings))
+        setLimits(tile, surroundings);
+    const TileShading shading = shadingOf(tile, surroundings);
+    draw(shading, blocks_.data(), columns, rows);
+    finish(tile, shading);
+    return {.colours = colours_, .depth = depth_};
+}
+
 /// Rays end at the first surface that lets nothing through; no surface meets a cell.
 void VolumeTilePainter::endAtOpaque(const SurfaceFragments& surfaces)
 {

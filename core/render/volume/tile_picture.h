@@ -12,6 +12,7 @@
 
 #include <tan/base.h>
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct DrawnTile {
     std::size_t fragments = 0;                    ///< samples times cells, as far as they were looked at
 };
 
+/// Draws into the blocks of a tile, so many a row and so many rows.
+using BlockDrawing = std::function<void(const TileShading& shading, SampleBlock* blocks, int columns, int rows)>;
+
 /// Draws tile after tile, in memory of its own; one object a thread.
 class VolumeTilePainter {
 public:
@@ -57,6 +61,10 @@ public:
     /// std::bad_alloc.
     DrawnTile paint(const SampleRectangle& tile, std::span<const BinnedCell> cells,
                     const TileSurroundings& surroundings, const Progress& progress);
+
+    /// The same of blocks that `draw` fills, front to back, with the segments of the source. Without a focus and a
+    /// model.
+    DrawnTile paintBlocks(const SampleRectangle& tile, const TileSurroundings& surroundings, const BlockDrawing& draw);
 
 private:
     void clear(const SampleRectangle& tile);

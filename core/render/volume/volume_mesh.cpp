@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/volume/volume_mesh.h"
 
+#include "core/render/samples/sampled_field.h"
+
 #include "core/base/disjoint_sets.h"
 #include "core/base/guarded.h"
 #include "core/mesh/topology.h"
@@ -270,9 +272,34 @@ const FocusVolume* focusOf(const Scene& scene)
     return nullptr;
 }
 
+const SampledVolume* samplesOf(const Scene& scene)
+{
+    const auto all = shapesOf<SampledVolume>(scene);
+    return all.empty() ? nullptr : all.front();
+}
+
+namespace {
+
+Status checkSamples(const SampledVolume& samples)
+{
+    if (!samples.samples || !samples.transfer ||
+        samples.transfer->distances.size() != samples.samples->extents.size() ||
+        (samples.gradients && samples.gradients->vectors.size() != samples.samples->values.count()))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The samples of the scene and their transfer function do not belong together.")};
+    return {};
+}
+
+} // namespace
+
 Status checkVolumes(const Scene& scene)
 {
     std::size_t count = 0;
+    for (const SampledVolume* samples : shapesOf<SampledVolume>(scene)) {
+        ++count;
+        if (Status status = checkSamples(*samples); !status)
+            return status;
+    }
     for (const Volume* volume : shapesOf<Volume>(scene)) {
         ++count;
         if (Status status = checkVolume(*volume); !status)

@@ -65,6 +65,8 @@ Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const Tra
 const Volume* volumeOf(const Scene& scene);
 /// The blend that it is a part of, if both its volumes can be drawn; else null.
 const FocusVolume* focusOf(const Scene& scene);
+/// The samples that are drawn; null if there are none.
+const SampledVolume* samplesOf(const Scene& scene);
 /// An error if there is more than one volume or blend, or one whose parts do not belong together.
 Status checkVolumes(const Scene& scene);
 

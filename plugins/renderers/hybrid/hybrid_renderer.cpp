@@ -69,10 +69,10 @@ class HybridRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return {transferParameter(field),   isovaluesParameter(field), shadedParameter(),
-                orderParameter(),           boundaryParameter(),       boundaryOpacityParameter(),
-                boundaryFarSideParameter(), boundaryLitParameter(),    clipParameter(),
-                outlineParameter()};
+        return withShown({transferParameter(field), isovaluesParameter(field), shadedParameter(), orderParameter(),
+                          boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
+                          boundaryLitParameter(), clipParameter(), outlineParameter()},
+                         field);
     }
 
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override

@@ -46,8 +46,9 @@ class VolumeRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return {transferParameter(field),   shadedParameter(),      boundaryParameter(), boundaryOpacityParameter(),
-                boundaryFarSideParameter(), boundaryLitParameter(), clipParameter(),     outlineParameter()};
+        return withShown({transferParameter(field), shadedParameter(), boundaryParameter(), boundaryOpacityParameter(),
+                          boundaryFarSideParameter(), boundaryLitParameter(), clipParameter(), outlineParameter()},
+                         field);
     }
 
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override

@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/volume/ray_casting.h"
+
+#include "core/render/shading.h"
+#include "core/render/volume/block_shading.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+namespace tetra {
+namespace {
+
+constexpr int lanes = 8;
+
+/// A place for each lane, in steps of the lattice.
+struct Places {
+    Float8 x, y, z;
+};
+
+/// Where the rays of a block are: at + along * w.
+struct BlockRays {
+    Places at, along;
+    Float8 enter, leave; ///< w, between which they are in the lattice and shown
+};
+
+/// The corners of the cells that places lie in, and how far in they are.
+struct CellCornersOfPlaces {
+    std::uint64_t first[lanes]; ///< the sample of the smallest indices
+    Float8 x, y, z;             ///< in [0, 1]
+};
+
+/// The cell of each place along an axis, as a float.
+TETRA_SIMD_INLINE Float8 cellAlong(Float8 place, float cells)
+{
+    const Float8 bounded = smaller(larger(place, Float8{}), Float8{} + cells);
+    const Float8 whole = __builtin_convertvector(__builtin_convertvector(bounded, Int8), Float8);
+    return smaller(whole, Float8{} + (cells - 1));
+}
+
+TETRA_SIMD_INLINE void findCells(const Lattice& lattice, const Places& places, CellCornersOfPlaces& cells)
+{
+    const auto last = [&](std::size_t axis) { return static_cast<float>(lattice.size[axis] - 1); };
+    const Float8 i = cellAlong(places.x, last(0)), j = cellAlong(places.y, last(1)), k = cellAlong(places.z, last(2));
+    const Float8 ones = Float8{} + 1.0f;
+    cells.x = smaller(larger(places.x - i, Float8{}), ones);
+    cells.y = smaller(larger(places.y - j, Float8{}), ones);
+    cells.z = smaller(larger(places.z - k, Float8{}), ones);
+    const Int8 columns = __builtin_convertvector(i, Int8), rows = __builtin_convertvector(j, Int8),
+               layers = __builtin_convertvector(k, Int8);
+    for (int lane = 0; lane < lanes; ++lane)
+        cells.first[lane] = (std::uint64_t(std::uint32_t(layers[lane])) * lattice.size[1] + std::uint32_t(rows[lane])) *
+                                lattice.size[0] +
+                            std::uint32_t(columns[lane]);
+}
+
+/// The samples of each lane and the ones after them.
+template <class Value>
+TETRA_SIMD_INLINE void loadPairs(const Value* samples, const std::uint64_t* first, Float8& here, Float8& next)
+{
+    if constexpr (sizeof(Value) == 1) {
+        const auto pair = [&](int lane) {
+            std::uint16_t two;
+            std::memcpy(&two, samples + first[lane], sizeof two);
+            return int(two);
+        };
+        const Int8 pairs = {pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7)};
+        const Int8 high = std::is_signed_v<Value> ? (pairs << 16) >> 24 : pairs >> 8;
+        const Int8 low = std::is_signed_v<Value> ? (pairs << 24) >> 24 : pairs & 0xff;
+        here = __builtin_convertvector(low, Float8);
+        next = __builtin_convertvector(high, Float8);
+    } else if constexpr (sizeof(Value) == 2) {
+        const auto pair = [&](int lane) {
+            int two;
+            std::memcpy(&two, samples + first[lane], sizeof two);
+            return two;
+        };
+        const Int8 pairs = {pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7)};
+        const Int8 high = std::is_signed_v<Value> ? pairs >> 16 : (pairs >> 16) & 0xffff;
+        const Int8 low = std::is_signed_v<Value> ? (pairs << 16) >> 16 : pairs & 0xffff;
+        here = __builtin_convertvector(low, Float8);
+        next = __builtin_convertvector(high, Float8);
+    } else {
+        const auto at = [&](int lane, int more) { return samples[first[lane] + std::uint64_t(more)]; };
+        here = Float8{at(0, 0), at(1, 0), at(2, 0), at(3, 0), at(4, 0), at(5, 0), at(6, 0), at(7, 0)};
+        next = Float8{at(0, 1), at(1, 1), at(2, 1), at(3, 1), at(4, 1), at(5, 1), at(6, 1), at(7, 1)};
+    }
+}
+
+/// The trilinear field at places.
+template <class Value>
+TETRA_SIMD_INLINE Float8 valuesAt(const Value* samples, const Lattice& lattice, const CellCornersOfPlaces& cells)
+{
+    const std::uint64_t row = lattice.size[0], layer = row * lattice.size[1];
+    const auto alongRow = [&](std::uint64_t offset) __attribute__((always_inline))
+    {
+        Float8 here, next;
+        loadPairs(samples + offset, cells.first, here, next);
+        return here + cells.x * (next - here);
+    };
+    const Float8 front = alongRow(0), up = alongRow(row);
+    const Float8 low = front + cells.y * (up - front);
+    const Float8 behind = alongRow(layer), upBehind = alongRow(layer + row);
+    const Float8 high = behind + cells.y * (upBehind - behind);
+    return low + cells.z * (high - low);
+}
+
+/// The gradients at places, interpolated, as they are seen.
+struct SeenGradients {
+    Float8 right, down, away;
+};
+
+TETRA_SIMD_INLINE void gradientsAt(const SampledView& view, const CellCornersOfPlaces& cells, SeenGradients& seen)
+{
+    using Short4 = std::int16_t __attribute__((vector_size(8)));
+    const std::uint64_t row = view.field->lattice.size[0], layer = row * view.field->lattice.size[1];
+    Float4 rows[lanes];
+    for (int lane = 0; lane < lanes; ++lane) {
+        const auto* const first = view.gradients->vectors.data() + cells.first[lane];
+        const auto alongRow = [&](std::uint64_t offset) __attribute__((always_inline))
+        {
+            Short4 here, next;
+            std::memcpy(&here, first + offset, sizeof here);
+            std::memcpy(&next, first + offset + 1, sizeof next);
+            const Float4 from = __builtin_convertvector(here, Float4);
+            return from + cells.x[lane] * (__builtin_convertvector(next, Float4) - from);
+        };
+        const Float4 front = alongRow(0), low = front + cells.y[lane] * (alongRow(row) - front);
+        const Float4 behind = alongRow(layer), high = behind + cells.y[lane] * (alongRow(layer + row) - behind);
+        rows[lane] = low + cells.z[lane] * (high - low);
+    }
+    Float8 x, y, z, none;
+    transpose(rows, x, y, z, none);
+    const Eigen::Matrix3f& axes = view.seenFromWorld;
+    seen.right = axes(0, 0) * x + axes(0, 1) * y + axes(0, 2) * z;
+    seen.down = axes(1, 0) * x + axes(1, 1) * y + axes(1, 2) * z;
+    seen.away = axes(2, 0) * x + axes(2, 1) * y + axes(2, 2) * z;
+}
+
+TETRA_SIMD_INLINE void placesAt(const BlockRays& rays, Float8 w, Places& places)
+{
+    places = {rays.at.x + rays.along.x * w, rays.at.y + rays.along.y * w, rays.at.z + rays.along.z * w};
+}
+
+TETRA_SIMD_INLINE float leastOf(Float8 values)
+{
+    float least = values[0];
+    for (int lane = 1; lane < lanes; ++lane)
+        least = std::min(least, values[lane]);
+    return least;
+}
+TETRA_SIMD_INLINE float largestOf(Float8 values)
+{
+    return -leastOf(-values);
+}
+
+/// Where rays meet the layers 0 and `last` of the lattice along one axis; of those along the layers far away.
+TETRA_SIMD_INLINE void crossAxis(Float8 at, Float8 along, float last, Float8& enter, Float8& leave)
+{
+    constexpr float still = 1e-20f;
+    const Float8 moving = larger(along, -along) < still ? Float8{} + still : along;
+    const Float8 first = -at / moving, other = (last - at) / moving;
+    enter = larger(enter, smaller(first, other));
+    leave = smaller(leave, larger(first, other));
+}
+
+/// The w of a q (CellSetup).
+TETRA_SIMD_INLINE Float8 distanceOf(Float8 nearness, bool perspective)
+{
+    if (!perspective)
+        return -nearness;
+    return 1.0f / larger(nearness, Float8{} + 1 / farBound);
+}
+
+TETRA_SIMD_INLINE void findRays(const SampledView& view, const TileShading& shading, Float8 x, Float8 y,
+                                const BlockLimits* limits, BlockRays& rays)
+{
+    const auto& matrix = view.indexFromImage;
+    const Float8 right = x + shading.firstX, down = y + shading.firstY;
+    const auto across = [&](int axis) { return matrix(axis, 0) * right + matrix(axis, 1) * down; };
+    Float8* const at[] = {&rays.at.x, &rays.at.y, &rays.at.z};
+    Float8* const along[] = {&rays.along.x, &rays.along.y, &rays.along.z};
+    rays.enter = distanceOf(limits != nullptr ? limits->front : Float8{} + shading.nearestBound, shading.perspective);
+    rays.leave = distanceOf(limits != nullptr ? limits->back : Float8{} - farBound, shading.perspective);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Float8 fixed = Float8{} + matrix(axis, 3), moving = Float8{} + matrix(axis, 2);
+        *at[axis] = shading.perspective ? fixed : fixed + across(axis);
+        *along[axis] = shading.perspective ? moving + across(axis) : moving;
+        crossAxis(*at[axis], *along[axis], static_cast<float>(view.field->lattice.size[std::size_t(axis)] - 1),
+                  rays.enter, rays.leave);
+    }
+}
+
+/// The distance of the block that each lane's cell is in, and the w where the rays leave the blocks around it in which
+/// nothing is seen.
+template <class Mask>
+TETRA_SIMD_INLINE Float8 darkUntil(const SampledView& view, const BlockRays& rays, Float8 w, Mask active)
+{
+    constexpr float side = sampleBlockSide;
+    const auto& blocks = view.field->blocks;
+    Places places;
+    placesAt(rays, w, places);
+    const Float8* const at[] = {&places.x, &places.y, &places.z};
+    const Float8* const along[] = {&rays.along.x, &rays.along.y, &rays.along.z};
+    Float8 block[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        block[axis] = cellAlong(*at[axis] * (1 / side), static_cast<float>(blocks[axis]));
+    Float8 distance;
+    for (int lane = 0; lane < lanes; ++lane) {
+        const auto number = (std::uint64_t(block[2][lane]) * blocks[1] + std::uint64_t(block[1][lane])) * blocks[0] +
+                            std::uint64_t(block[0][lane]);
+        distance[lane] = active[lane] ? view.transfer->distances[number] : 255;
+    }
+    Float8 leave = Float8{} + farBound;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        constexpr float still = 1e-20f;
+        const Float8 upper = (block[axis] + distance) * side, lower = (block[axis] + 1.0f - distance) * side;
+        const Float8 moving = larger(*along[axis], -*along[axis]) < still ? Float8{} + still : *along[axis];
+        const Float8 edge = moving > 0 ? upper : lower;
+        leave = smaller(leave, w + (edge - *at[axis]) / moving);
+    }
+    return distance > 0 ? leave : w;
+}
+
+/// How many steps from the one at w may be passed by, as nothing is seen on any ray.
+TETRA_SIMD_INLINE float darkSteps(const SampledView& view, const BlockRays& rays, float number, Float8 transmittance)
+{
+    constexpr float most = 1e6f;
+    const Float8 w = smaller(larger(Float8{} + number * view.step, rays.enter), rays.leave);
+    const auto active = (w < rays.leave) & (transmittance > opaqueThreshold);
+    const Float8 until = darkUntil(view, rays, w, active);
+    const Float8 bounded = (active & (until < rays.leave)) ? until : Float8{} + most * view.step;
+    return std::floor(leastOf(bounded) / view.step) - number;
+}
+
+/// The segment of a scaled value.
+TETRA_SIMD_INLINE std::size_t segmentAt(const SampledView& view, float value)
+{
+    const auto parts = static_cast<float>(view.segmentOfPart.size());
+    const float part = std::min(std::max(value * parts, 0.0f), parts - 1);
+    std::size_t segment = value < 0 ? 0 : view.segmentOfPart[static_cast<std::size_t>(part)];
+    while (segment + 1 < view.scaled.segments.size() && value >= view.scaled.segments[segment].end)
+        ++segment;
+    return segment;
+}
+
+/// Where the rays of a block are, and what is known there.
+struct Walk {
+    Float8 w, value;         ///< values are scaled
+    std::size_t segment = 0; ///< that the values were in last
+};
+
+/// The light at a place of each ray.
+struct LitPlace {
+    Float8 w, factor, highlight;
+};
+
+/// The light between two places is affine. Stretches of that length are numbered from the eye.
+struct LitStretch {
+    LitPlace from, to;
+    float number = -1; ///< none is known
+};
+
+/// What a slab of a step lies in: the segments of the values of all rays.
+struct StepSegments {
+    std::size_t first, last;
+    bool transparent;
+};
+
+TETRA_SIMD_INLINE StepSegments segmentsOf(const SampledView& view, Walk& walk, Float8 to, Float8 value)
+{
+    const ScaledSegment& same = view.scaled.segments[walk.segment];
+    const auto moves = to > walk.w;
+    const Float8 low = moves ? smaller(walk.value, value) : Float8{} + same.begin;
+    const Float8 high = moves ? larger(walk.value, value) : Float8{} + same.begin;
+    if (!any((low < same.begin) | (high > same.end)))
+        return {walk.segment, walk.segment, same.transparent};
+    const Float8 farAway = Float8{} + farBound;
+    StepSegments among{segmentAt(view, leastOf(moves ? low : farAway)),
+                       segmentAt(view, largestOf(moves ? high : -farAway)), true};
+    among.last = std::max(among.first, among.last);
+    for (std::size_t i = among.first; i <= among.last; ++i)
+        among.transparent = among.transparent && view.scaled.segments[i].transparent;
+    walk.segment = among.last;
+    return among;
+}
+
+TETRA_SIMD_INLINE Thickness thicknessOf(float depth)
+{
+    return depth <= faintDepth ? Thickness::Faint : depth <= 1 ? Thickness::Thin : Thickness::Thick;
+}
+
+template <class Light> TETRA_SIMD_INLINE void addStep(const SampledView& view, const StepSegments& among, Float8 in,
+                                                      Float8 out, Float8 length, float longest, const Light& light,
+                                                      Gathered<Float8>& gathered)
+{
+    const ScaledSegment* const segments = view.scaled.segments.data();
+    float extinction = 0;
+    for (std::size_t i = among.first; i <= among.last; ++i)
+        extinction = std::max(extinction, segments[i].largestExtinction);
+    const Thickness thickness = thicknessOf(extinction * longest);
+    if (among.first == among.last) {
+        const ScaledSegment& segment = segments[among.first];
+        return addSlab(gathered, segment, thickness, in - segment.origin, out - segment.origin, length, light, Float8{},
+                       Float8{} + 1.0f);
+    }
+    CellSetup cell;
+    cell.smallest = -farBound;
+    cell.largest = farBound;
+    cell.firstSegment = static_cast<std::uint16_t>(among.first);
+    cell.lastSegment = static_cast<std::uint16_t>(among.last);
+    cell.thickness = thickness;
+    cell.direction = !any(out < in) ? Direction::Rising : !any(out > in) ? Direction::Falling : Direction::Mixed;
+    addSlices(gathered, segments, cell, in, out, length, light);
+}
+
+/// Casts the rays of one block through the samples.
+template <class Value> class BlockCasting {
+public:
+    TETRA_SIMD_INLINE BlockCasting(const SampledView& view, const TileShading& shading, SampleBlock& block,
+                                   BlockLimits* limits, int column, int row)
+        : view_(view), shading_(shading), block_(block), limits_(limits),
+          samples_(view.field->values.as<Value>().data())
+    {
+        const Float8 x = laneX + static_cast<float>(column * blockWidth);
+        const Float8 y = laneY + static_cast<float>(row * blockHeight);
+        findRays(view, shading, x, y, limits, rays_);
+        lit_ = litRays(shading, x, y, block.ray);
+        gathered_ = {block.red, block.green, block.blue, block.transmittance};
+        longest_ = view.step * largestOf(block.ray);
+    }
+
+    TETRA_SIMD_INLINE void run()
+    {
+        const auto active = (rays_.enter < rays_.leave) & (gathered_.transmittance > opaqueThreshold);
+        if (!any(active))
+            return;
+        const Float8 farAway = Float8{} + farBound;
+        const float end = largestOf(active ? rays_.leave : -farAway);
+        float number = std::floor(leastOf(active ? rays_.enter : farAway) / view_.step);
+        bool dark = true, known = false;
+        while (number * view_.step < end) {
+            if (dark)
+                if (const float passed = darkSteps(view_, rays_, number, gathered_.transmittance); passed >= 1) {
+                    number += passed;
+                    known = false;
+                    continue;
+                }
+            if (!known)
+                start(bounded(number));
+            dark = !step(number);
+            known = true;
+            number += 1;
+            if (!any((walk_.w < rays_.leave) & (gathered_.transmittance > opaqueThreshold)))
+                break;
+        }
+        store(block_, gathered_.red, gathered_.green, gathered_.blue, gathered_.transmittance);
+    }
+
+private:
+    TETRA_SIMD_INLINE Float8 bounded(float number) const
+    {
+        return smaller(larger(Float8{} + number * view_.step, rays_.enter), larger(rays_.enter, rays_.leave));
+    }
+
+    TETRA_SIMD_INLINE Float8 scaledValues(const CellCornersOfPlaces& cells) const
+    {
+        return (valuesAt(samples_, view_.field->lattice, cells) - smallest_) * perValue_;
+    }
+
+    TETRA_SIMD_INLINE void cellsAt(Float8 w, CellCornersOfPlaces& cells) const
+    {
+        Places places;
+        placesAt(rays_, w, places);
+        findCells(view_.field->lattice, places, cells);
+    }
+
+    TETRA_SIMD_INLINE void start(Float8 w)
+    {
+        CellCornersOfPlaces cells;
+        cellsAt(w, cells);
+        walk_.w = w;
+        walk_.value = scaledValues(cells);
+    }
+
+    TETRA_SIMD_INLINE void lightAtPlace(Float8 w, LitPlace& light) const
+    {
+        constexpr float leastSquare = 1; // of steps of SampleGradients
+        CellCornersOfPlaces cells;
+        cellsAt(w, cells);
+        SeenGradients seen;
+        gradientsAt(view_, cells, seen);
+        light.w = w;
+        lightOnGradient(seen.right, seen.down, seen.away, leastSquare, lit_, light.factor, light.highlight);
+    }
+
+    /// Knows the light around step `number`.
+    TETRA_SIMD_INLINE void findLight(float number)
+    {
+        const float stretch = std::floor(number / view_.stepsPerLight);
+        if (stretch == stretch_.number)
+            return;
+        if (stretch == stretch_.number + 1 && stretch_.number >= 0)
+            stretch_.from = stretch_.to;
+        else
+            lightAtPlace(bounded(stretch * view_.stepsPerLight), stretch_.from);
+        lightAtPlace(bounded((stretch + 1) * view_.stepsPerLight), stretch_.to);
+        stretch_.number = stretch;
+    }
+
+    /// Takes step `number`. Whether anything was seen.
+    TETRA_SIMD_INLINE bool step(float number)
+    {
+        const Float8 to = bounded(number + 1);
+        if (shading_.fragments != nullptr)
+            while (meetSurfaces(number, to)) {
+            }
+        return walkTo(number, to);
+    }
+
+    /// Those rays that meet a surface before `to` go up to it, and through it. Whether there was any.
+    TETRA_SIMD_INLINE bool meetSurfaces(float number, Float8 to)
+    {
+        const Float8 next = distanceOf(limits_->next, shading_.perspective);
+        const auto meets = (limits_->next > -farBound) & (next < to) & (gathered_.transmittance > opaqueThreshold);
+        if (!any(meets))
+            return false;
+        walkTo(number, meets ? larger(next, walk_.w) : walk_.w);
+        store(block_, gathered_.red, gathered_.green, gathered_.blue, gathered_.transmittance);
+        for (int lane = 0; lane < lanes; ++lane)
+            if (meets[lane])
+                drawSurface(shading_.fragments, shading_.perspective, std::size_t(lane), block_, *limits_);
+        gathered_ = {block_.red, block_.green, block_.blue, block_.transmittance};
+        return true;
+    }
+
+    TETRA_SIMD_INLINE bool walkTo(float number, Float8 to)
+    {
+        CellCornersOfPlaces cells;
+        cellsAt(to, cells);
+        const Float8 value = scaledValues(cells);
+        const StepSegments among = segmentsOf(view_, walk_, to, value);
+        const Float8 before = gathered_.transmittance;
+        if (!among.transparent)
+            addLight(number, to, value, among);
+        const bool seen = !among.transparent && any(gathered_.transmittance < before);
+        walk_.w = to;
+        walk_.value = value;
+        return seen;
+    }
+
+    TETRA_SIMD_INLINE void addLight(float number, Float8 to, Float8 value, const StepSegments& among)
+    {
+        const Float8 length = (to - walk_.w) * block_.ray;
+        block_.transmittance = gathered_.transmittance; // keepDepth() wants that before
+        if (view_.gradients == nullptr)
+            addStep(view_, among, walk_.value, value, length, longest_, NoLight(), gathered_);
+        else
+            addLit(number, to, value, among, length);
+        if (shading_.depth)
+            keepDepth(block_, 0, gathered_.transmittance, walk_.w, to);
+    }
+
+    TETRA_SIMD_INLINE void addLit(float number, Float8 to, Float8 value, const StepSegments& among, Float8 length)
+    {
+        constexpr float least = 1e-20f;
+        findLight(number);
+        const auto& [from, end, stretch] = stretch_;
+        const Float8 perUnit = 1.0f / larger(end.w - from.w, Float8{} + least);
+        const Float8 shareIn = (walk_.w - from.w) * perUnit, share = (to - walk_.w) * perUnit;
+        const Float8 factor = end.factor - from.factor, highlight = end.highlight - from.highlight;
+        const LightAlong<Float8> light{from.factor + factor * shareIn, factor * share,
+                                       from.highlight + highlight * shareIn, highlight * share};
+        addStep(view_, among, walk_.value, value, length, longest_, light, gathered_);
+    }
+
+    const SampledView& view_;
+    const TileShading& shading_;
+    SampleBlock& block_;
+    BlockLimits* limits_;
+    const Value* samples_;
+    float smallest_ = static_cast<float>(view_.scaled.smallest);
+    float perValue_ = static_cast<float>(view_.scaled.perValue);
+    float longest_ = 0; ///< a step, along the ray, in units of w
+    BlockRays rays_;
+    LitRays<Float8> lit_;
+    Gathered<Float8> gathered_;
+    Walk walk_{};
+    LitStretch stretch_{};
+};
+
+template <class Value> TETRA_SIMD_INLINE void castBlocks(const SampledView& view, const TileShading& shading,
+                                                         SampleBlock* blocks, int columns, int rows)
+{
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const auto number = std::size_t(row * columns + column);
+            BlockLimits* const limits = shading.limits != nullptr ? shading.limits + number : nullptr;
+            BlockCasting<Value>(view, shading, blocks[number], limits, column, row).run();
+        }
+}
+
+/// The indices of the lattice at a place of the view.
+Eigen::Matrix<double, 3, 4> indexFromImage(const Lattice& lattice, const VolumeView& view)
+{
+    const Eigen::Matrix3d indexFromWorld = (lattice.directions * lattice.spacing.asDiagonal()).inverse();
+    const Eigen::Matrix3d worldFromImage = view.imageFromWorld.leftCols<3>().inverse();
+    Eigen::Matrix<double, 3, 4> matrix;
+    matrix.leftCols<3>() = indexFromWorld * worldFromImage;
+    matrix.col(3) = -indexFromWorld * (worldFromImage * view.imageFromWorld.col(3) + lattice.origin);
+    return matrix;
+}
+
+/// How many steps a ray takes through a cell: the field bends within a step, and what of that is seen grows with the
+/// optical depth of a step and falls with the square of the number.
+float stepsPerCell(const ScaledSegments& scaled, float cellLength)
+{
+    constexpr float fewest = 2, most = 48, perRootOfDepth = 13;
+    float extinction = 0;
+    for (const ScaledSegment& segment : scaled.segments)
+        extinction = std::max(extinction, segment.largestExtinction);
+    return std::clamp(std::ceil(perRootOfDepth * std::sqrt(extinction * cellLength) / 2) * 2, fewest, most);
+}
+
+} // namespace
+
+SampledView makeSampledView(const SampledField& field, const SampledTransfer& transfer,
+                            const SampleGradients* gradients, const VolumeView& view)
+{
+    constexpr std::size_t parts = 1024;
+    const Eigen::Matrix<double, 3, 4> matrix = indexFromImage(field.lattice, view);
+    SampledView result;
+    result.field = &field;
+    result.transfer = &transfer;
+    result.gradients = gradients;
+    result.scaled = scaleSegments(transfer.segments, view.unit);
+    result.indexFromImage = matrix.cast<float>();
+    result.seenFromWorld = view.axes();
+    const auto cellLength = static_cast<float>(1 / matrix.col(2).cwiseAbs().maxCoeff());
+    const float steps = stepsPerCell(result.scaled, cellLength);
+    result.step = cellLength / steps;
+    result.stepsPerLight = steps > 6 ? 2 : steps / 2;
+    result.segmentOfPart.resize(parts);
+    std::size_t segment = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const float least = static_cast<float>(part) / parts;
+        while (segment + 1 < result.scaled.segments.size() && result.scaled.segments[segment].end <= least)
+            ++segment;
+        result.segmentOfPart[part] = static_cast<std::uint16_t>(segment);
+    }
+    return result;
+}
+
+void castRays(const SampledView& view, const TileShading& shading, SampleBlock* blocks, int columns, int rows)
+{
+    switch (view.field->values.type()) {
+    case SampleType::UInt8: return dispatch<castBlocks<std::uint8_t>>(view, shading, blocks, columns, rows);
+    case SampleType::Int16: return dispatch<castBlocks<std::int16_t>>(view, shading, blocks, columns, rows);
+    default: return dispatch<castBlocks<float>>(view, shading, blocks, columns, rows);
+    }
+}
+
+} // namespace tetra
