@@ -12446,14 +12446,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Alle Punkte liegen in einer Ebene: Zwischen ihnen ist kein Volumen, und es kann kein Modell aus ihnen gebaut werden.</translation>
     </message>
     <message>
-        <source>Data</source>
-        <translation>Daten</translation>
-    </message>
-    <message>
-        <source>Difference to the data, %1 times as bright, of a mesh of %2</source>
-        <translation>Unterschied zu den Daten, %1-mal so hell, eines Netzes mit %2</translation>
-    </message>
-    <message>
         <source>Reading the data</source>
         <translation>Die Daten werden gelesen</translation>
     </message>
@@ -12512,6 +12504,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference of the two pictures, made brighter. A moving picture, a focus and a range of accuracies always show the mesh.</source>
         <translation>Woraus das Volumen gezeichnet wird: aus dem Netz; aus den Abtastwerten der Daten selbst, sodass Sie sehen, was das Netz weglässt; oder der Unterschied der beiden Bilder, aufgehellt. Ein bewegtes Bild, ein Fokus und ein Bereich von Genauigkeiten zeigen immer das Netz.</translation>
+    </message>
+    <message>
+        <source>the data themselves</source>
+        <translation>die Daten selbst</translation>
+    </message>
+    <message>
+        <source>difference to the data, %1 times as bright, of a mesh with %2</source>
+        <translation>Unterschied zu den Daten, %1-mal so hell, eines Netzes mit %2</translation>
     </message>
 </context>
 <context>

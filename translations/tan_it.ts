@@ -12446,14 +12446,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Tutti i punti giacciono in un piano: non racchiudono un volume, e non se ne può costruire un modello.</translation>
     </message>
     <message>
-        <source>Data</source>
-        <translation>Dati</translation>
-    </message>
-    <message>
-        <source>Difference to the data, %1 times as bright, of a mesh of %2</source>
-        <translation>Differenza dai dati, %1 volte più luminosa, di una mesh con %2</translation>
-    </message>
-    <message>
         <source>Reading the data</source>
         <translation>Lettura dei dati</translation>
     </message>
@@ -12512,6 +12504,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference of the two pictures, made brighter. A moving picture, a focus and a range of accuracies always show the mesh.</source>
         <translation>Da che cosa è disegnato il volume: dalla mesh; dai campioni dei dati stessi, così da vedere ciò che la mesh tralascia; oppure la differenza delle due immagini, resa più luminosa. Un&apos;immagine in movimento, un fuoco e un intervallo di accuratezze mostrano sempre la mesh.</translation>
+    </message>
+    <message>
+        <source>the data themselves</source>
+        <translation>i dati stessi</translation>
+    </message>
+    <message>
+        <source>difference to the data, %1 times as bright, of a mesh with %2</source>
+        <translation>differenza dai dati, %1 volte più luminosa, di una mesh con %2</translation>
     </message>
 </context>
 <context>

@@ -68,7 +68,9 @@ Message errorNumber(double percent, const std::optional<ValueRange>& logarithms,
     return Message::say("%1 (%2)", text, Message::say("a factor of %1", factorNumber(percent, *logarithms, signs)));
 }
 
-Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs)
+namespace {
+
+Message errorOfMesh(const ShownMesh& mesh, const NumberSigns& signs)
 {
     const Message kept = keptErrors(mesh, signs);
     if (!mesh.errorInSpace)
@@ -78,13 +80,22 @@ Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs)
                            : Message::say("%1 (in space up to %2)", kept, inSpace);
 }
 
+} // namespace
+
+Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs)
+{
+    switch (mesh.shown) {
+    case ShownField::Data: return Message::say("the data themselves");
+    case ShownField::Difference:
+        return Message::say("difference to the data, %1 times as bright, of a mesh with %2", differenceBrightness,
+                            errorOfMesh(mesh, signs));
+    case ShownField::Mesh: break;
+    }
+    return errorOfMesh(mesh, signs);
+}
+
 std::string accuracyText(const ShownMesh& mesh, const AnnotationLanguage& language)
 {
-    if (mesh.shown == ShownField::Data)
-        return language.say(Message::say("Data"));
-    if (mesh.shown == ShownField::Difference)
-        return language.say(Message::say("Difference to the data, %1 times as bright, of a mesh of %2",
-                                         differenceBrightness, errorMessage(mesh, language.numbers)));
     std::string text = language.say(errorMessage(mesh, language.numbers));
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
         text[0] = static_cast<char>(text[0] - 'a' + 'A');

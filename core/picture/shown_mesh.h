@@ -58,9 +58,10 @@ Message errorNumber(double percent, const std::optional<ValueRange>& logarithms,
 
 /// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside", in the words for which error it is, with
 /// the one in space beside that in the grid where it was measured, and of logarithms with the factor that each is.
+/// Where data are seen in the place of the mesh, that.
 Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs = {});
 
-/// The same as a text that stands alone, in a language: as annotations tell it. Where data are shown, it says so.
+/// The same as a text that stands alone, in a language: as annotations tell it.
 std::string accuracyText(const ShownMesh& mesh, const AnnotationLanguage& language = {});
 
 } // namespace tetra
