@@ -171,6 +171,7 @@ class WrongCalls(ModuleTest):
         self.assertIsInstance(error, tan.BadInput)
         (self.folder / "text.tan").write_text("nothing")
         self.refused(tan.BadInput, "text.tan", tan.open, str(self.folder / "text.tan"))
+        self.assertNotIn("\x1b", str(self.refused(OSError, r"red\\x1b\[31m.tan", tan.open, self.folder / "red\x1b[31m.tan")))
         self.refused(TypeError, "path", tan.open, 3)
         self.refused(TypeError, "path", tan.open, None)
         self.refused(ValueError, "path", tan.open, "")

@@ -102,6 +102,7 @@ private slots:
     void partsAndThreadsChangeNothing();
     void whatIsPassedByIsEmpty();
     void distancesAreThoseToTheNearestBlock();
+    void anyCameraWillDo();
     void pickingSeesWhatTheMeshShows();
     void aDifferenceIsThatOfTwoPictures();
     void whatDoesNotBelongTogetherIsRefused();
@@ -204,6 +205,27 @@ void SampledVolumeTest::distancesAreThoseToTheNearestBlock()
         }
         QCOMPARE(transfer->distances.size(), std::size_t(columns) * rows * layers);
     }
+}
+
+/// From far away, where single precision does not know one step from the next, and from inside.
+void SampledVolumeTest::anyCameraWillDo()
+{
+    SceneParts parts = volumeScene(latticeMesh(cells, extent, Split::Six, slanted), peaks());
+    const Scene mesh = parts;
+    const Scene samples = withSamples(mesh, samplesOf(cells, slanted), peaks());
+    const auto backend = makeCpuBackend();
+    const PictureOptions options{.width = 40, .height = 30, .samplesPerAxis = 1};
+    for (const double away : {1e9, 1e4, 1e-2, 1e-6})
+        for (const double fieldOfView : {1e-7, 30.0, 170.0}) {
+            Camera camera = zoomed(cameraAround(parts.bounds, true), away);
+            camera.fieldOfView = fieldOfView;
+            const Picture expected = rendered(*backend, mesh, camera, options);
+            const Picture seen = rendered(*backend, samples, camera, options);
+            if (away < 1) // farther away, single precision decides where a ray is
+                QVERIFY2(
+                    largestDifference(expected, seen) <= 2,
+                    qPrintable(QString("%1 %2: %3").arg(away).arg(fieldOfView).arg(largestDifference(expected, seen))));
+        }
 }
 
 void SampledVolumeTest::pickingSeesWhatTheMeshShows()

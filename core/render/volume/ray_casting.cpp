@@ -3,142 +3,22 @@
 
 #include "core/render/shading.h"
 #include "core/render/volume/block_shading.h"
+#include "core/render/volume/trilinear_samples.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 
 namespace tetra {
 namespace {
-
-constexpr int lanes = 8;
-
-/// A place for each lane, in steps of the lattice.
-struct Places {
-    Float8 x, y, z;
-};
 
 /// Where the rays of a block are: at + along * w.
 struct BlockRays {
     Places at, along;
     Float8 enter, leave; ///< w, between which they are in the lattice and shown
 };
-
-/// The corners of the cells that places lie in, and how far in they are.
-struct CellCornersOfPlaces {
-    std::uint64_t first[lanes]; ///< the sample of the smallest indices
-    Float8 x, y, z;             ///< in [0, 1]
-};
-
-/// The cell of each place along an axis, as a float.
-TETRA_SIMD_INLINE Float8 cellAlong(Float8 place, float cells)
-{
-    const Float8 bounded = smaller(larger(place, Float8{}), Float8{} + cells);
-    const Float8 whole = __builtin_convertvector(__builtin_convertvector(bounded, Int8), Float8);
-    return smaller(whole, Float8{} + (cells - 1));
-}
-
-TETRA_SIMD_INLINE void findCells(const Lattice& lattice, const Places& places, CellCornersOfPlaces& cells)
-{
-    const auto last = [&](std::size_t axis) { return static_cast<float>(lattice.size[axis] - 1); };
-    const Float8 i = cellAlong(places.x, last(0)), j = cellAlong(places.y, last(1)), k = cellAlong(places.z, last(2));
-    const Float8 ones = Float8{} + 1.0f;
-    cells.x = smaller(larger(places.x - i, Float8{}), ones);
-    cells.y = smaller(larger(places.y - j, Float8{}), ones);
-    cells.z = smaller(larger(places.z - k, Float8{}), ones);
-    const Int8 columns = __builtin_convertvector(i, Int8), rows = __builtin_convertvector(j, Int8),
-               layers = __builtin_convertvector(k, Int8);
-    for (int lane = 0; lane < lanes; ++lane)
-        cells.first[lane] = (std::uint64_t(std::uint32_t(layers[lane])) * lattice.size[1] + std::uint32_t(rows[lane])) *
-                                lattice.size[0] +
-                            std::uint32_t(columns[lane]);
-}
-
-/// The samples of each lane and the ones after them.
-template <class Value>
-TETRA_SIMD_INLINE void loadPairs(const Value* samples, const std::uint64_t* first, Float8& here, Float8& next)
-{
-    if constexpr (sizeof(Value) == 1) {
-        const auto pair = [&](int lane) {
-            std::uint16_t two;
-            std::memcpy(&two, samples + first[lane], sizeof two);
-            return int(two);
-        };
-        const Int8 pairs = {pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7)};
-        const Int8 high = std::is_signed_v<Value> ? (pairs << 16) >> 24 : pairs >> 8;
-        const Int8 low = std::is_signed_v<Value> ? (pairs << 24) >> 24 : pairs & 0xff;
-        here = __builtin_convertvector(low, Float8);
-        next = __builtin_convertvector(high, Float8);
-    } else if constexpr (sizeof(Value) == 2) {
-        const auto pair = [&](int lane) {
-            int two;
-            std::memcpy(&two, samples + first[lane], sizeof two);
-            return two;
-        };
-        const Int8 pairs = {pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), pair(6), pair(7)};
-        const Int8 high = std::is_signed_v<Value> ? pairs >> 16 : (pairs >> 16) & 0xffff;
-        const Int8 low = std::is_signed_v<Value> ? (pairs << 16) >> 16 : pairs & 0xffff;
-        here = __builtin_convertvector(low, Float8);
-        next = __builtin_convertvector(high, Float8);
-    } else {
-        const auto at = [&](int lane, int more) { return samples[first[lane] + std::uint64_t(more)]; };
-        here = Float8{at(0, 0), at(1, 0), at(2, 0), at(3, 0), at(4, 0), at(5, 0), at(6, 0), at(7, 0)};
-        next = Float8{at(0, 1), at(1, 1), at(2, 1), at(3, 1), at(4, 1), at(5, 1), at(6, 1), at(7, 1)};
-    }
-}
-
-/// The trilinear field at places.
-template <class Value>
-TETRA_SIMD_INLINE Float8 valuesAt(const Value* samples, const Lattice& lattice, const CellCornersOfPlaces& cells)
-{
-    const std::uint64_t row = lattice.size[0], layer = row * lattice.size[1];
-    const auto alongRow = [&](std::uint64_t offset) __attribute__((always_inline))
-    {
-        Float8 here, next;
-        loadPairs(samples + offset, cells.first, here, next);
-        return here + cells.x * (next - here);
-    };
-    const Float8 front = alongRow(0), up = alongRow(row);
-    const Float8 low = front + cells.y * (up - front);
-    const Float8 behind = alongRow(layer), upBehind = alongRow(layer + row);
-    const Float8 high = behind + cells.y * (upBehind - behind);
-    return low + cells.z * (high - low);
-}
-
-/// The gradients at places, interpolated, as they are seen.
-struct SeenGradients {
-    Float8 right, down, away;
-};
-
-TETRA_SIMD_INLINE void gradientsAt(const SampledView& view, const CellCornersOfPlaces& cells, SeenGradients& seen)
-{
-    using Short4 = std::int16_t __attribute__((vector_size(8)));
-    const std::uint64_t row = view.field->lattice.size[0], layer = row * view.field->lattice.size[1];
-    Float4 rows[lanes];
-    for (int lane = 0; lane < lanes; ++lane) {
-        const auto* const first = view.gradients->vectors.data() + cells.first[lane];
-        const auto alongRow = [&](std::uint64_t offset) __attribute__((always_inline))
-        {
-            Short4 here, next;
-            std::memcpy(&here, first + offset, sizeof here);
-            std::memcpy(&next, first + offset + 1, sizeof next);
-            const Float4 from = __builtin_convertvector(here, Float4);
-            return from + cells.x[lane] * (__builtin_convertvector(next, Float4) - from);
-        };
-        const Float4 front = alongRow(0), low = front + cells.y[lane] * (alongRow(row) - front);
-        const Float4 behind = alongRow(layer), high = behind + cells.y[lane] * (alongRow(layer + row) - behind);
-        rows[lane] = low + cells.z[lane] * (high - low);
-    }
-    Float8 x, y, z, none;
-    transpose(rows, x, y, z, none);
-    const Eigen::Matrix3f& axes = view.seenFromWorld;
-    seen.right = axes(0, 0) * x + axes(0, 1) * y + axes(0, 2) * z;
-    seen.down = axes(1, 0) * x + axes(1, 1) * y + axes(1, 2) * z;
-    seen.away = axes(2, 0) * x + axes(2, 1) * y + axes(2, 2) * z;
-}
 
 TETRA_SIMD_INLINE void placesAt(const BlockRays& rays, Float8 w, Places& places)
 {
@@ -148,7 +28,7 @@ TETRA_SIMD_INLINE void placesAt(const BlockRays& rays, Float8 w, Places& places)
 TETRA_SIMD_INLINE float leastOf(Float8 values)
 {
     float least = values[0];
-    for (int lane = 1; lane < lanes; ++lane)
+    for (int lane = 1; lane < placesAtOnce; ++lane)
         least = std::min(least, values[lane]);
     return least;
 }
@@ -209,7 +89,7 @@ TETRA_SIMD_INLINE Float8 darkUntil(const SampledView& view, const BlockRays& ray
     for (std::size_t axis = 0; axis < 3; ++axis)
         block[axis] = cellAlong(*at[axis] * (1 / side), static_cast<float>(blocks[axis]));
     Float8 distance;
-    for (int lane = 0; lane < lanes; ++lane) {
+    for (int lane = 0; lane < placesAtOnce; ++lane) {
         const auto number = (std::uint64_t(block[2][lane]) * blocks[1] + std::uint64_t(block[1][lane])) * blocks[0] +
                             std::uint64_t(block[0][lane]);
         distance[lane] = active[lane] ? view.transfer->distances[number] : 255;
@@ -225,15 +105,21 @@ TETRA_SIMD_INLINE Float8 darkUntil(const SampledView& view, const BlockRays& ray
     return distance > 0 ? leave : w;
 }
 
-/// How many steps from the one at w may be passed by, as nothing is seen on any ray.
-TETRA_SIMD_INLINE float darkSteps(const SampledView& view, const BlockRays& rays, float number, Float8 transmittance)
+/// The w at which a step begins; steps are numbered from the eye. Numbers are in double precision: of a camera that is
+/// very far away single precision would not know one from the next.
+TETRA_SIMD_INLINE float placeOfStep(const SampledView& view, double number)
 {
-    constexpr float most = 1e6f;
-    const Float8 w = smaller(larger(Float8{} + number * view.step, rays.enter), rays.leave);
+    return static_cast<float>(number * view.step);
+}
+
+/// How many steps from this one may be passed by, as nothing is seen on any ray.
+TETRA_SIMD_INLINE double darkSteps(const SampledView& view, const BlockRays& rays, double number, Float8 transmittance)
+{
+    const Float8 w = smaller(larger(Float8{} + placeOfStep(view, number), rays.enter), rays.leave);
     const auto active = (w < rays.leave) & (transmittance > opaqueThreshold);
     const Float8 until = darkUntil(view, rays, w, active);
-    const Float8 bounded = (active & (until < rays.leave)) ? until : Float8{} + most * view.step;
-    return std::floor(leastOf(bounded) / view.step) - number;
+    const float place = leastOf(active ? smaller(until, rays.leave) : Float8{} + farBound);
+    return std::floor(double(place) / view.step) - number;
 }
 
 /// The segment of a scaled value.
@@ -261,7 +147,7 @@ struct LitPlace {
 /// The light between two places is affine. Stretches of that length are numbered from the eye.
 struct LitStretch {
     LitPlace from, to;
-    float number = -1; ///< none is known
+    double number = -1; ///< none is known
 };
 
 /// What a slab of a step lies in: the segments of the values of all rays.
@@ -340,11 +226,11 @@ public:
             return;
         const Float8 farAway = Float8{} + farBound;
         const float end = largestOf(active ? rays_.leave : -farAway);
-        float number = std::floor(leastOf(active ? rays_.enter : farAway) / view_.step);
+        double number = std::floor(double(leastOf(active ? rays_.enter : farAway)) / view_.step);
         bool dark = true, known = false;
-        while (number * view_.step < end) {
+        while (number * view_.step < double(end)) {
             if (dark)
-                if (const float passed = darkSteps(view_, rays_, number, gathered_.transmittance); passed >= 1) {
+                if (const double passed = darkSteps(view_, rays_, number, gathered_.transmittance); passed >= 1) {
                     number += passed;
                     known = false;
                     continue;
@@ -361,9 +247,9 @@ public:
     }
 
 private:
-    TETRA_SIMD_INLINE Float8 bounded(float number) const
+    TETRA_SIMD_INLINE Float8 bounded(double number) const
     {
-        return smaller(larger(Float8{} + number * view_.step, rays_.enter), larger(rays_.enter, rays_.leave));
+        return smaller(larger(Float8{} + placeOfStep(view_, number), rays_.enter), larger(rays_.enter, rays_.leave));
     }
 
     TETRA_SIMD_INLINE Float8 scaledValues(const CellCornersOfPlaces& cells) const
@@ -392,15 +278,15 @@ private:
         CellCornersOfPlaces cells;
         cellsAt(w, cells);
         SeenGradients seen;
-        gradientsAt(view_, cells, seen);
+        gradientsAt(*view_.gradients, view_.field->lattice, view_.seenFromWorld, cells, seen);
         light.w = w;
         lightOnGradient(seen.right, seen.down, seen.away, leastSquare, lit_, light.factor, light.highlight);
     }
 
     /// Knows the light around step `number`.
-    TETRA_SIMD_INLINE void findLight(float number)
+    TETRA_SIMD_INLINE void findLight(double number)
     {
-        const float stretch = std::floor(number / view_.stepsPerLight);
+        const double stretch = std::floor(number / view_.stepsPerLight);
         if (stretch == stretch_.number)
             return;
         if (stretch == stretch_.number + 1 && stretch_.number >= 0)
@@ -412,7 +298,7 @@ private:
     }
 
     /// Takes step `number`. Whether anything was seen.
-    TETRA_SIMD_INLINE bool step(float number)
+    TETRA_SIMD_INLINE bool step(double number)
     {
         const Float8 to = bounded(number + 1);
         if (shading_.fragments != nullptr)
@@ -422,7 +308,7 @@ private:
     }
 
     /// Those rays that meet a surface before `to` go up to it, and through it. Whether there was any.
-    TETRA_SIMD_INLINE bool meetSurfaces(float number, Float8 to)
+    TETRA_SIMD_INLINE bool meetSurfaces(double number, Float8 to)
     {
         const Float8 next = distanceOf(limits_->next, shading_.perspective);
         const auto meets = (limits_->next > -farBound) & (next < to) & (gathered_.transmittance > opaqueThreshold);
@@ -430,14 +316,14 @@ private:
             return false;
         walkTo(number, meets ? larger(next, walk_.w) : walk_.w);
         store(block_, gathered_.red, gathered_.green, gathered_.blue, gathered_.transmittance);
-        for (int lane = 0; lane < lanes; ++lane)
+        for (int lane = 0; lane < placesAtOnce; ++lane)
             if (meets[lane])
                 drawSurface(shading_.fragments, shading_.perspective, std::size_t(lane), block_, *limits_);
         gathered_ = {block_.red, block_.green, block_.blue, block_.transmittance};
         return true;
     }
 
-    TETRA_SIMD_INLINE bool walkTo(float number, Float8 to)
+    TETRA_SIMD_INLINE bool walkTo(double number, Float8 to)
     {
         CellCornersOfPlaces cells;
         cellsAt(to, cells);
@@ -452,7 +338,7 @@ private:
         return seen;
     }
 
-    TETRA_SIMD_INLINE void addLight(float number, Float8 to, Float8 value, const StepSegments& among)
+    TETRA_SIMD_INLINE void addLight(double number, Float8 to, Float8 value, const StepSegments& among)
     {
         const Float8 length = (to - walk_.w) * block_.ray;
         block_.transmittance = gathered_.transmittance; // keepDepth() wants that before
@@ -464,7 +350,7 @@ private:
             keepDepth(block_, 0, gathered_.transmittance, walk_.w, to);
     }
 
-    TETRA_SIMD_INLINE void addLit(float number, Float8 to, Float8 value, const StepSegments& among, Float8 length)
+    TETRA_SIMD_INLINE void addLit(double number, Float8 to, Float8 value, const StepSegments& among, Float8 length)
     {
         constexpr float least = 1e-20f;
         findLight(number);
