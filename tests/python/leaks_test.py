@@ -17,7 +17,7 @@ import traceback
 import unittest
 import weakref
 
-from module import FOLDER, ModuleTest, np, tan
+from module import FOLDER, SANITIZED, ModuleTest, np, tan
 
 CALLS = 100_000 if os.environ.get("TAN_SOAK") else 10_000
 MEGABYTE = 1 << 20
@@ -36,6 +36,8 @@ try:
     mallinfo.restype = Heap
 except AttributeError:
     mallinfo = None
+if SANITIZED:
+    mallinfo = None  # it counts nothing
 
 
 def resident():
@@ -105,10 +107,12 @@ class Memory(ModuleTest):
         self.assertLess(resident() - pages, 2 * MEGABYTE)
         self.assertLess(sys.getallocatedblocks() - objects, count // 20)
 
+    @unittest.skipIf(SANITIZED, "the sanitizer keeps what is freed")
     def test_thousands_of_calls(self):
         self.check_growth([call for name, call in quick_calls(self.ball, self.folder).items() if name not in IN_PARALLEL], CALLS)
 
     # TBB keeps some 10 kB for every thread that ever worked in parallel.
+    @unittest.skipIf(SANITIZED, "the sanitizer keeps what is freed")
     def test_hundreds_of_parallel_calls(self):
         self.check_growth([call for name, call in quick_calls(self.ball, self.folder).items() if name in IN_PARALLEL], CALLS // 20)
 
@@ -202,7 +206,7 @@ BEGINNING = "import sys; sys.path.insert(0, sys.argv[1]); import faulthandler, o
 
 
 class Processes(ModuleTest):
-    def ended(self, code, seconds=60):
+    def ended(self, code, seconds=600 if SANITIZED else 60):
         """A program that has the model open as `m`, until it ends."""
         return subprocess.run([sys.executable, "-c", BEGINNING + code, str(FOLDER), str(self.ball.path)], cwd=self.folder, timeout=seconds,
                               check=False,
@@ -225,6 +229,7 @@ class Processes(ModuleTest):
         done = self.ended(code)
         self.assertEqual((done.returncode, done.stdout.split(), done.stderr), (0, ["0", "0", "True"], ""))
 
+    @unittest.skipIf(SANITIZED, "signals of faults are the sanitizer's")
     def test_faulthandler(self):
         """It tells where the program was, also while the module works; the module leaves the handlers of signals as they are."""
         told = self.ended("before = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGSEGV)]\nfaulthandler.enable()\n"
@@ -238,6 +243,7 @@ class Processes(ModuleTest):
         self.assertEqual(told.returncode, 1, told.stderr)
         self.assertRegex(told.stderr, r"(?s)Timeout.*_build\.py")
 
+    @unittest.skipIf(SANITIZED, "the sanitizer needs terabytes of addresses")
     def test_too_little_memory(self):
         """An exception, and the program goes on."""
         code = ("import resource\nmesh, places = m.mesh(error=0), np.zeros((1, 3))\n"

@@ -18,14 +18,14 @@ import tempfile
 import unittest
 import warnings
 
-from module import FOLDER, lattice, np, placed, tan
+from module import FOLDER, SANITIZED, lattice, np, placed, tan
 
 SOAK = os.environ.get("TAN_SOAK")
 CHILD = sys.argv.pop(1) if len(sys.argv) > 1 and sys.argv[1] == "--child" else None
 CALLS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 8000 if SOAK else 500
 SEED = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else int(SOAK or 20261130)
 BATCH = 125
-SECONDS, BYTES = 20, 6 << 30  # for a call, and for the address space of a process
+SECONDS, BYTES = 200 if SANITIZED else 20, 6 << 30  # for a call, and for the address space of a process
 ALLOWED = (tan.Error, TypeError, ValueError, OverflowError, MemoryError, OSError)
 # What a sentence never has: C++, and what Python says of a slip in the module itself.
 UNSPEAKABLE = ("incompatible function arguments", "std::", "tetra::", "pybind", "unknown exception", "_tan.", "bad_alloc", "terminate", "report this")
@@ -373,7 +373,8 @@ def judged(call, wrong, names):
 
 def make_calls(first, last, way):
     """The child: tells each call before it is made, and then what is to be said against it."""
-    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+    if not SANITIZED:
+        resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     faulthandler.enable()
     warnings.simplefilter("ignore")
