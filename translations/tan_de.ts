@@ -422,6 +422,14 @@
         <source>The name of the model, or a text of your own</source>
         <translation>Der Name des Modells oder ein eigener Text</translation>
     </message>
+    <message>
+        <source>Axes with &amp;numbers</source>
+        <translation>Achsen mit &amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>Coordinates along the edges of the box around the data, in data units</source>
+        <translation>Koordinaten an den Kanten des Quaders um die Daten, in Einheiten der Daten</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -1806,6 +1814,42 @@ Verwerfung %2</translation>
         <source>Number of digits behind the decimal point</source>
         <translation>Zahl der Stellen hinter dem Dezimalkomma</translation>
     </message>
+    <message>
+        <source>Bold</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>Lengths: format of the numbers</source>
+        <translation>Längen: Zahlenformat</translation>
+    </message>
+    <message>
+        <source>How the numbers of the scale bar and of the axes are written: as short as tells them apart, or with a chosen number of decimals, plain or in powers of ten</source>
+        <translation>Wie die Zahlen des Maßstabs und der Achsen geschrieben werden: so kurz, dass sie sich unterscheiden, oder mit einer gewählten Zahl von Nachkommastellen, ausgeschrieben oder in Zehnerpotenzen</translation>
+    </message>
+    <message>
+        <source>Lengths: decimals</source>
+        <translation>Längen: Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>Annotations: size of the text</source>
+        <translation>Beschriftung: Schriftgröße</translation>
+    </message>
+    <message>
+        <source>How large the texts of all annotations are; bars, arrows and lines grow with them</source>
+        <translation>Wie groß die Schrift aller Beschriftung ist; Balken, Pfeile und Linien wachsen mit</translation>
+    </message>
+    <message>
+        <source>Write all annotations in bold letters</source>
+        <translation>Alle Beschriftung fett schreiben</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
 </context>
 <context>
     <name>tetra::BudgetBox</name>
@@ -2896,6 +2940,22 @@ Verwerfung %2</translation>
     <message>
         <source>Remove this isovalue</source>
         <translation>Diesen Isowert entfernen</translation>
+    </message>
+    <message>
+        <source> sd</source>
+        <translation> sd</translation>
+    </message>
+    <message>
+        <source>Isovalue in standard deviations above the mean</source>
+        <translation>Isowert in Standardabweichungen über dem Mittelwert</translation>
+    </message>
+    <message>
+        <source>The isovalue in standard deviations above the mean. The mean of all samples is %1, their standard deviation %2. In the box above, 2.5sd can be typed, too.</source>
+        <translation>Der Isowert in Standardabweichungen über dem Mittelwert. Der Mittelwert aller Abtastwerte ist %1, ihre Standardabweichung %2. Im Feld darüber kann man auch 2,5sd eingeben.</translation>
+    </message>
+    <message>
+        <source>Above the mean</source>
+        <translation>Über dem Mittel</translation>
     </message>
 </context>
 <context>
@@ -12512,6 +12572,18 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>difference to the data, %1 times as bright, of a mesh with %2</source>
         <translation>Unterschied zu den Daten, %1-mal so hell, eines Netzes mit %2</translation>
+    </message>
+    <message>
+        <source>All values are the same, so there are no standard deviations. Give a value of the data.</source>
+        <translation>Alle Werte sind gleich, daher gibt es keine Standardabweichungen. Geben Sie einen Wert der Daten an.</translation>
+    </message>
+    <message>
+        <source>The model is at its server and keeps no mean and no standard deviation of its values, as those of density maps do. Give a value of the data.</source>
+        <translation>Das Modell liegt auf seinem Server und enthält weder Mittelwert noch Standardabweichung seiner Werte, wie es die von Dichtekarten tun. Geben Sie einen Wert der Daten an.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mean of the values. Give a value of the data.</source>
+        <translation>Der Speicher reicht nicht für den Mittelwert der Werte. Geben Sie einen Wert der Daten an.</translation>
     </message>
 </context>
 <context>

@@ -422,6 +422,14 @@
         <source>The name of the model, or a text of your own</source>
         <translation>Il nome del modello o un testo proprio</translation>
     </message>
+    <message>
+        <source>Axes with &amp;numbers</source>
+        <translation>Assi con &amp;numeri</translation>
+    </message>
+    <message>
+        <source>Coordinates along the edges of the box around the data, in data units</source>
+        <translation>Coordinate lungo gli spigoli del parallelepipedo attorno ai dati, nelle unità dei dati</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -1806,6 +1814,42 @@ deformazione %2</translation>
         <source>Number of digits behind the decimal point</source>
         <translation>Numero di cifre dopo la virgola</translation>
     </message>
+    <message>
+        <source>Bold</source>
+        <translation>Grassetto</translation>
+    </message>
+    <message>
+        <source>Lengths: format of the numbers</source>
+        <translation>Lunghezze: formato dei numeri</translation>
+    </message>
+    <message>
+        <source>How the numbers of the scale bar and of the axes are written: as short as tells them apart, or with a chosen number of decimals, plain or in powers of ten</source>
+        <translation>Come si scrivono i numeri della barra di scala e degli assi: tanto brevi quanto basta a distinguerli, o con un numero scelto di decimali, per esteso o in potenze di dieci</translation>
+    </message>
+    <message>
+        <source>Lengths: decimals</source>
+        <translation>Lunghezze: decimali</translation>
+    </message>
+    <message>
+        <source>Annotations: size of the text</source>
+        <translation>Annotazioni: dimensione del testo</translation>
+    </message>
+    <message>
+        <source>How large the texts of all annotations are; bars, arrows and lines grow with them</source>
+        <translation>Quanto sono grandi i testi di tutte le annotazioni; barre, frecce e linee crescono con essi</translation>
+    </message>
+    <message>
+        <source>Write all annotations in bold letters</source>
+        <translation>Scrive tutte le annotazioni in grassetto</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Lunghezze</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Dimensione testo</translation>
+    </message>
 </context>
 <context>
     <name>tetra::BudgetBox</name>
@@ -2896,6 +2940,22 @@ deformazione %2</translation>
     <message>
         <source>Remove this isovalue</source>
         <translation>Rimuove questo isovalore</translation>
+    </message>
+    <message>
+        <source> sd</source>
+        <translation> sd</translation>
+    </message>
+    <message>
+        <source>Isovalue in standard deviations above the mean</source>
+        <translation>Isovalore in deviazioni standard sopra la media</translation>
+    </message>
+    <message>
+        <source>The isovalue in standard deviations above the mean. The mean of all samples is %1, their standard deviation %2. In the box above, 2.5sd can be typed, too.</source>
+        <translation>L&apos;isovalore in deviazioni standard sopra la media. La media di tutti i campioni è %1, la loro deviazione standard %2. Nel campo sopra si può scrivere anche 2,5sd.</translation>
+    </message>
+    <message>
+        <source>Above the mean</source>
+        <translation>Sopra la media</translation>
     </message>
 </context>
 <context>
@@ -12512,6 +12572,18 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>difference to the data, %1 times as bright, of a mesh with %2</source>
         <translation>differenza dai dati, %1 volte più luminosa, di una mesh con %2</translation>
+    </message>
+    <message>
+        <source>All values are the same, so there are no standard deviations. Give a value of the data.</source>
+        <translation>Tutti i valori sono uguali, quindi non ci sono deviazioni standard. Indicare un valore dei dati.</translation>
+    </message>
+    <message>
+        <source>The model is at its server and keeps no mean and no standard deviation of its values, as those of density maps do. Give a value of the data.</source>
+        <translation>Il modello si trova sul suo server e non contiene la media e la deviazione standard dei suoi valori, come fanno quelli delle mappe di densità. Indicare un valore dei dati.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mean of the values. Give a value of the data.</source>
+        <translation>La memoria non basta per la media dei valori. Indicare un valore dei dati.</translation>
     </message>
 </context>
 <context>

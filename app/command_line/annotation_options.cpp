@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/annotation_options.h"
 
+#include "app/command_line/option_values.h"
 #include "core/base/text.h"
 #include "core/data/value_scale.h"
 
@@ -29,6 +30,11 @@ const std::vector<KindOption>& kindOptions()
          {.name = "scale-bar",
           .placeholder = "",
           .explanation = "Shows a length in data units; in perspective it applies at the camera's target."}},
+        {AnnotationKind::BoxAxes,
+         {.name = "box-axes",
+          .placeholder = "",
+          .explanation = "Shows axes with numbers along the edges of the box around the data, with their names and the "
+                         "unit of length, if that is known."}},
         {AnnotationKind::Title,
          {.name = "title", .placeholder = "TEXT", .explanation = "Writes a text into the upper left corner."}}};
     return all;
@@ -38,6 +44,9 @@ constexpr const char* barRange = "bar-range";
 constexpr const char* barQuantity = "bar-quantity";
 constexpr const char* barUnit = "bar-unit";
 constexpr const char* barNumbers = "bar-numbers";
+constexpr const char* lengthNumbers = "length-numbers";
+constexpr const char* textSize = "text-size";
+constexpr const char* boldText = "bold-text";
 
 const std::vector<Option>& barOptions()
 {
@@ -80,9 +89,9 @@ Result<std::optional<BarEnds>> barEndsOf(const Arguments& arguments)
 }
 
 /// "auto", or a style with its decimals, like "plain:2".
-Result<NumberFormat> numbersOf(const Arguments& arguments)
+Result<NumberFormat> numbersOf(const Arguments& arguments, const std::string& option)
 {
-    const auto text = arguments.value(barNumbers);
+    const auto text = arguments.value(option);
     if (!text || *text == "auto")
         return NumberFormat();
     const auto colon = std::min(text->find(':'), text->size());
@@ -90,22 +99,47 @@ Result<NumberFormat> numbersOf(const Arguments& arguments)
     const auto decimals = parseNumber<int>(std::string_view(*text).substr(std::min(colon + 1, text->size())));
     const bool isPlain = style == "plain";
     if ((!isPlain && style != "powers") || !decimals || *decimals < 0 || *decimals > mostDecimals)
-        return Error{ErrorKind::WrongUsage, "'" + *text +
-                                                "' does not fit '--bar-numbers': it takes auto, plain:N or powers:N, "
-                                                "with N decimals from 0 to " +
+        return Error{ErrorKind::WrongUsage, "'" + *text + "' does not fit '--" + option +
+                                                "': it takes auto, plain:N or powers:N, with N decimals from 0 to " +
                                                 std::to_string(mostDecimals) + ", like plain:1."};
     return NumberFormat{isPlain ? NumberFormat::Style::Plain : NumberFormat::Style::Powers, *decimals};
 }
 
-/// Options of the colour bar say something of a bar that is there.
-Status checkBar(const Arguments& arguments)
+/// What is common to several annotations.
+const std::vector<Option>& lookOptions()
 {
-    if (arguments.has("colour-bar"))
-        return {};
-    for (const Option& option : barOptions())
-        if (arguments.has(option.name))
-            return Error{ErrorKind::WrongUsage,
-                         "'--" + option.name + "' is for the colour bar: it needs '--colour-bar'."};
+    static const std::vector<Option> all{
+        {.name = lengthNumbers,
+         .placeholder = "FORMAT",
+         .explanation = "How the numbers of the scale bar and of the axes with numbers are written, as in "
+                        "--bar-numbers.",
+         .byDefault = "auto"},
+        {.name = textSize,
+         .placeholder = "N",
+         .explanation = "How large the texts of annotations are, from 6 to 48, in units of which a picture is 768 "
+                        "high; bars, arrows and lines grow with them.",
+         .byDefault = "12"},
+        {.name = boldText, .placeholder = "", .explanation = "Writes all annotations in bold letters."}};
+    return all;
+}
+
+/// Options of the colour bar say something of a bar that is there, and so do others.
+Status checkShown(const Arguments& arguments)
+{
+    const auto needs = [&](const std::string& option, const std::string& what, const std::string& others) {
+        return Error{ErrorKind::WrongUsage, "'--" + option + "' is for " + what + ": it needs " + others + "."};
+    };
+    if (!arguments.has("colour-bar"))
+        for (const Option& option : barOptions())
+            if (arguments.has(option.name))
+                return needs(option.name, "the colour bar", "'--colour-bar'");
+    if (arguments.has(lengthNumbers) && !arguments.has("scale-bar") && !arguments.has("box-axes"))
+        return needs(lengthNumbers, "lengths", "'--scale-bar' or '--box-axes'");
+    const bool isAny =
+        std::ranges::any_of(kindOptions(), [&](const KindOption& kind) { return arguments.has(kind.option.name); });
+    for (const char* option : {textSize, boldText})
+        if (arguments.has(option) && !isAny)
+            return needs(option, "annotations", "one, such as '--colour-bar'");
     return {};
 }
 
@@ -117,22 +151,32 @@ std::vector<Option> annotationOptions()
     for (const KindOption& entry : kindOptions())
         options.push_back(entry.option);
     options.insert(options.begin() + 1, barOptions().begin(), barOptions().end());
+    options.insert(options.end(), lookOptions().begin(), lookOptions().end());
     return options;
 }
 
 Result<AnnotationState> annotationsOf(const Arguments& arguments)
 {
-    if (const Status some = checkBar(arguments); !some)
+    if (const Status some = checkShown(arguments); !some)
         return some.error();
     const auto ends = barEndsOf(arguments);
     if (!ends)
         return ends.error();
-    const auto numbers = numbersOf(arguments);
+    const auto numbers = numbersOf(arguments, barNumbers);
     if (!numbers)
         return numbers.error();
+    const auto lengths = numbersOf(arguments, lengthNumbers);
+    if (!lengths)
+        return lengths.error();
+    const auto size = numberOption(arguments, textSize, usualTextSize, smallestTextSize, largestTextSize);
+    if (!size)
+        return size.error();
     AnnotationState state;
     state.barEnds = *ends;
     state.numbers = *numbers;
+    state.lengths = *lengths;
+    state.textSize = *size;
+    state.boldText = arguments.has(boldText);
     for (const auto& [kind, option] : kindOptions())
         state[kind].shown = arguments.has(option.name);
     state.title = arguments.value("title").value_or("");

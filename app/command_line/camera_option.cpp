@@ -54,12 +54,13 @@ std::string cameraNames()
     return names;
 }
 
-Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds, double aspectRatio)
+Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds, double aspectRatio,
+                         double room)
 {
     const auto view = std::ranges::find(views, nameOrFile, &NamedView::name);
     if (view == views.end())
         return readCamera(nameOrFile, bounds, aspectRatio);
-    return fitted(Camera{.azimuth = view->azimuth, .elevation = view->elevation}, bounds, aspectRatio);
+    return zoomed(fitted(Camera{.azimuth = view->azimuth, .elevation = view->elevation}, bounds, aspectRatio), room);
 }
 
 } // namespace tetra

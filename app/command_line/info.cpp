@@ -11,6 +11,7 @@
 #include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
+#include "core/history/value_statistics.h"
 #include "core/verify/curvilinear_cells.h"
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
@@ -53,9 +54,20 @@ std::string provenanceText(const ModelDescription& description)
 {
     std::string text = "built by " + visibleText(description.builder) + " from " + visibleText(description.sourceName);
     for (const auto& [id, value] : description.parameters)
-        if (!value.empty() && !id.starts_with(importPrefix)) // the source's name tells of it
+        if (!value.empty() && !id.starts_with(importPrefix) && !id.starts_with(statisticsPrefix)) // told elsewhere
             text.append(", ").append(visibleText(id)).append(" ").append(visibleText(value));
     return text + "\n";
+}
+
+/// Of a density map, whose isovalues are told by them.
+void addStatistics(const std::optional<ValueStatistics>& found, Outcome& outcome)
+{
+    if (!found)
+        return;
+    outcome.figures["mean"] = found->mean;
+    outcome.figures["standard_deviation"] = found->deviation;
+    outcome.text += "mean " + rounded(found->mean) + ", standard deviation " + rounded(found->deviation) +
+                    ", both of all samples\n";
 }
 
 /// What the file of the dataset offered, as the model keeps it.
@@ -64,6 +76,7 @@ void addSource(const ModelDescription& description, Outcome& outcome)
     for (const auto& [name, figure] : provenanceFigures(description))
         outcome.figures[name] = figure;
     outcome.text += provenanceText(description);
+    addStatistics(keptStatistics(description.parameters), outcome);
     addProvenance(description.taken, description.leftOut, outcome);
 }
 
@@ -384,6 +397,8 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     outcome.figures["source"] = dataset->source.name;
     addArrayName(dataset->source.valueName, outcome.figures);
     outcome.figures["bytes"] = problem ? 0 : bytes;
+    if (isDensityMap(dataset->source.name))
+        addStatistics(statisticsOf(dataset->values), outcome);
     addContents(contents ? *contents : FileContents(), outcome);
     if (const Status estimated = addEstimates(invocation, buildSizeOf(*dataset), &*dataset, outcome); !estimated)
         return estimated.error();

@@ -13,6 +13,7 @@
 #include "core/base/text.h"
 #include "core/data/value_scale.h"
 #include "core/history/error_meaning.h"
+#include "core/history/value_statistics.h"
 #include "core/picture/surface_making.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/file_saving.h"
@@ -32,6 +33,7 @@
 namespace tetra {
 namespace {
 
+/// Numbers of standard deviations count as such, until a model tells what they are (withValuesOfData()).
 Result<std::vector<double>> isovaluesOf(const Arguments& arguments)
 {
     std::vector<double> isovalues;
@@ -40,16 +42,37 @@ Result<std::vector<double>> isovaluesOf(const Arguments& arguments)
         for (std::size_t end = 0; end != std::string_view::npos;) {
             end = rest.find(',');
             const std::string_view given = rest.substr(0, end);
-            const auto value = parseFieldValue(given);
+            const auto deviations = parseDeviations(given);
+            const auto value = deviations ? deviations : parseFieldValue(given);
             if (!value)
                 return Error{ErrorKind::WrongUsage, "'" + std::string(given) +
                                                         "' does not fit '--value': it takes finite numbers, separated "
-                                                        "by commas, and for a model of logarithms log10(V)."};
+                                                        "by commas, standard deviations above the mean like 2.5sd, "
+                                                        "and for a model of logarithms log10(V)."};
             isovalues.push_back(*value);
             rest.remove_prefix(std::min(rest.size(), end == std::string_view::npos ? end : end + 1));
         }
     }
     return isovalues;
+}
+
+/// Isovalues in standard deviations become those of the data, and the query that which they are part of.
+Status toValuesOfData(const Invocation& invocation, const Model& model, std::vector<double>& isovalues,
+                      MeshQuery& query, std::vector<Message>& told)
+{
+    const auto arguments =
+        withValuesOfData(invocation.arguments, "value", model, invocation.progress.withCallback({}), told);
+    if (!arguments)
+        return arguments.error();
+    const auto values = isovaluesOf(*arguments);
+    if (!values)
+        return values.error();
+    isovalues = *values;
+    auto asked = queryOf(*arguments, {.isovalues = isovalues});
+    if (!asked)
+        return asked.error();
+    query = *std::move(asked);
+    return {};
 }
 
 /// How often a tetrahedron is crossed by a surface, which makes one triangle there or two.
@@ -245,8 +268,9 @@ Syntax isosurfaceSyntax(PluginHost& host)
                   .positionals = {{"MODEL", modelExplanation()}},
                   .options = {{.name = "value",
                                .placeholder = "V[,V2...]",
-                               .explanation = "The isovalues, in data units; for a model of logarithms (--scale log) "
-                                              "the logarithms, or log10(V) with the values.",
+                               .explanation = "The isovalues, in data units; 2.5sd is 2.5 standard deviations above "
+                                              "the mean; for a model of logarithms (--scale log) the logarithms, or "
+                                              "log10(V) with the values.",
                                .repeatable = true,
                                .required = true}},
                   .examples = {{"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply",
@@ -271,10 +295,10 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto output = resultDestination(arguments);
     if (!output)
         return output.error();
-    const auto isovalues = isovaluesOf(arguments);
+    auto isovalues = isovaluesOf(arguments);
     if (!isovalues)
         return isovalues.error();
-    const auto query = queryOf(arguments, {.isovalues = *isovalues});
+    auto query = queryOf(arguments, {.isovalues = *isovalues});
     if (!query)
         return query.error();
     const auto wishes = wishesOf(arguments, *query);
@@ -297,6 +321,9 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const std::shared_ptr<const Model>& model = found->model;
     if (const Status warps = checkWarpingOption(arguments, *model); !warps)
         return warps.error();
+    std::vector<Message> deviations;
+    if (const Status known = toValuesOfData(invocation, *model, *isovalues, *query, deviations); !known)
+        return known.error();
     if (const Status safe = checkMeshOutput(output->path, *model); output->stream < 0 && !safe)
         return safe.error();
     MeshExtractor extractor(model);
@@ -367,6 +394,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
                             std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra" + reachedText(figures) +
                             ", in " + rounded(elapsed.count(), 3) + " s\n" + (query->range ? "" : shapes) +
                             guaranteeText(figures)};
+    addRemarks(deviations, outcome);
     tellEmptySurfaces(empty, model->description().range, outcome);
     tellLostSurfaces(surfaces->all, *model, mesh.mesh, outcome);
     if (wishes->deviation)

@@ -3,7 +3,9 @@
 
 #include "app/command_line/table.h"
 #include "core/base/text.h"
+#include "core/history/value_statistics.h"
 
+#include <algorithm>
 #include <type_traits>
 
 namespace tetra {
@@ -30,6 +32,34 @@ Result<T> parseBounded(std::string_view option, std::string_view given, T least,
     return Error{ErrorKind::WrongUsage, "'" + std::string(given) + "' does not fit '--" + std::string(option) +
                                             "': it takes " + std::string(what) + " from " + text(least) + " to " +
                                             text(most) + "."};
+}
+
+/// What a value in standard deviations is, and of what they are.
+std::string deviationsText(const ValueStatistics& statistics, const std::string& given, double value)
+{
+    const char* const of = statistics.of == ValueStatistics::Of::Samples
+                               ? ", both of all samples."
+                               : ", both over the volume of the finest mesh that was read.";
+    return given + " is " + formatNumber(value) + ": the mean is " + rounded(statistics.mean) +
+           " and the standard deviation " + rounded(statistics.deviation) + of;
+}
+
+/// Where the value of an entry of a list ends.
+std::string_view valueIn(std::string_view entry)
+{
+    return entry.substr(0, entry.find(':'));
+}
+
+/// The entries of a list, and what is between them.
+template <class Change> std::string changedEntries(std::string_view list, const Change& change)
+{
+    std::string changed;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        changed += (begin > 0 ? "," : "") + change(list.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return changed;
 }
 
 } // namespace
@@ -147,6 +177,33 @@ Result<Accuracy> accuracyOption(const Arguments& arguments)
     if (!warping)
         return warping.error();
     return Accuracy{.error = *error, .warping = *warping};
+}
+
+Result<Arguments> withValuesOfData(Arguments arguments, std::string_view option, const Model& model,
+                                   const Progress& progress, std::vector<Message>& told)
+{
+    std::optional<ValueStatistics> statistics;
+    for (auto& [name, list] : arguments.options) {
+        if (name != option || list.find("sd") == std::string::npos)
+            continue;
+        if (!statistics) {
+            const auto found = statisticsOf(model, progress);
+            if (!found)
+                return Error{found.error().kind,
+                             "'--" + std::string(option) + " " + list + "': " + found.error().text()};
+            statistics = *found;
+        }
+        list = changedEntries(list, [&](std::string_view entry) {
+            const std::string given(valueIn(entry));
+            const auto deviations = parseDeviations(given);
+            if (!deviations)
+                return std::string(entry);
+            const double value = statistics->valueAt(*deviations);
+            told.emplace_back(deviationsText(*statistics, given, value));
+            return formatNumber(value) + std::string(entry.substr(given.size()));
+        });
+    }
+    return arguments;
 }
 
 Option levelsOption()

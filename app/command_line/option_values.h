@@ -38,6 +38,12 @@ Status checkWarpingOption(const Arguments& arguments, const Model& model);
 Status checkWarpingOption(const Arguments& arguments, const ModelDescription& model, const std::string& place);
 Result<Accuracy> accuracyOption(const Arguments& arguments);
 
+/// The arguments with every "2.5sd" that begins a value of the option's list (separated by commas; what follows a colon
+/// says something else) replaced by the value of the model's data that it is; `told` gets a sentence for each. Errors
+/// as of statisticsOf() the model.
+Result<Arguments> withValuesOfData(Arguments arguments, std::string_view option, const Model& model,
+                                   const Progress& progress, std::vector<Message>& told);
+
 /// --lod, the levels of detail to tell of: errors, or pairs; with --warping all errors have that one.
 Option levelsOption();
 Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments);

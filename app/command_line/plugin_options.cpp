@@ -103,7 +103,9 @@ Option optionOf(const Parameter& parameter)
     if (isOnByDefault(parameter))
         option.explanation = "Turns off what is done by default: " + startingSmall(option.explanation);
     if (isIsovalues(parameter))
-        option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
+        option.explanation +=
+            " V is in data units, or like 2.5sd in standard deviations above the mean. COLOUR is #rrggbb "
+            "or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (isTransferFunction(parameter)) {
         option.explanation += " A file that TAn saved, or a ParaView preset (the manual, 'Files').";
         option.byDefault = "one that fits the data";

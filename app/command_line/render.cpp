@@ -20,6 +20,7 @@
 #include "core/picture/shown_error.h"
 #include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
+#include "core/view/view_value.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/file_saving.h"
@@ -56,6 +57,8 @@ Result<std::unique_ptr<RenderBackend>> makeBackend(const std::string& id)
         return makeGlBackend();
     return makeCpuBackend();
 }
+
+constexpr std::string_view isovalueOption = "isovalue"; ///< of isovaluesId
 
 /// What the options ask to show: planes show themselves.
 std::string modeOf(const Arguments& arguments)
@@ -104,12 +107,12 @@ double aspectRatioOf(const PictureOptions& picture)
     return static_cast<double>(picture.width) / picture.height;
 }
 
-/// As the options say, or `usual`.
+/// As the options say, or `usual`. `room`: roomAroundBox().
 Result<Camera> cameraOf(const Arguments& arguments, const Camera& usual, const Eigen::AlignedBox3d& bounds,
-                        const PictureOptions& picture)
+                        const PictureOptions& picture, double room)
 {
     const auto given = arguments.value("camera");
-    return given ? cameraFor(*given, bounds, aspectRatioOf(picture)) : Result<Camera>(usual);
+    return given ? cameraFor(*given, bounds, aspectRatioOf(picture), room) : Result<Camera>(usual);
 }
 
 /// The values by which the renderer makes its scene: what the options leave open is as the window shows it at first.
@@ -230,17 +233,22 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     view.found = *found;
     view.model = found->model;
     const ModelDescription& data = view.model->description();
+    const auto withValues = withValuesOfData(invocation.arguments, isovalueOption, *view.model,
+                                             invocation.progress.withCallback({}), view.remarks);
+    if (!withValues)
+        return withValues.error();
+    const Arguments& arguments = *withValues;
     // What does not fit is told before the work begins.
     std::vector<Parameter> parameters = renderer.plugin->parameters(roughExtentOf(*view.model));
     for (Parameter& parameter : parameters)
         if (parameter.id == isovaluesId) // one that these data do not have gives an empty surface
             parameter.minimum = parameter.maximum = 0;
-    auto values = pluginValues(invocation.arguments, parameters, data.range);
+    auto values = pluginValues(arguments, parameters, data.range);
     if (!values)
         return values.error();
-    if (const Status used = checkAppearance(invocation.arguments, *view.model, renderer, *values); !used)
+    if (const Status used = checkAppearance(arguments, *view.model, renderer, *values); !used)
         return used.error();
-    if (request.query.range && invocation.arguments.has(boundaryId))
+    if (request.query.range && arguments.has(boundaryId))
         return Error{ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary for "
                                             "'--boundary'. Leave one of the two out."};
     if (faulty && faultyCellCount(*view.model) == 0)
@@ -250,8 +258,13 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
-    const Camera usual = fitted(Camera(), framedPart(data, request.query, *values), aspectRatioOf(request.picture));
-    const auto camera = cameraOf(invocation.arguments, usual, data.bounds, request.picture);
+    const auto annotations = annotationsOf(arguments);
+    if (!annotations)
+        return annotations.error();
+    const double room = roomAroundBox(*annotations);
+    const Eigen::AlignedBox3d part = framedPart(data, request.query, *values);
+    const Camera usual = zoomed(fitted(Camera(), part, aspectRatioOf(request.picture)), room);
+    const auto camera = cameraOf(arguments, usual, data.bounds, request.picture, room);
     if (!camera)
         return camera.error();
     const auto field = extentOf(view.model);
@@ -259,40 +272,37 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return field.error();
     const auto modes = renderingModes(invocation.host);
     ViewValue start = startingView(modes, *view.model, *field);
-    if (wantsBoundaryAlone(invocation.arguments, *values))
+    if (wantsBoundaryAlone(arguments, *values))
         start.isovalues.clear();
     // How large the error is may depend on what is shown, and the opacities to begin with depend on the error.
-    const auto asked = queryOf(invocation.arguments,
-                               presentView(*camera, completed(*values, renderer.plugin->parameters(*field), start)));
+    const auto asked =
+        queryOf(arguments, presentView(*camera, completed(*values, renderer.plugin->parameters(*field), start)));
     if (!asked)
         return asked.error();
     view.field = seenWith(*field, *asked, *view.model);
     start.appearance.transfer = startingAppearance(modes, view.field, data.domain).transfer;
-    if (invocation.arguments.has(std::string(transferId))) {
+    if (arguments.has(std::string(transferId))) {
         // A file of colours alone takes the opacities that the window shows at first; which they are, the mesh tells.
         std::erase_if(parameters, [](const Parameter& one) { return one.id != transferId; });
         for (Parameter& parameter : parameters)
             parameter.defaultValue = start.appearance.transfer;
-        const auto completing = pluginValues(invocation.arguments, parameters, data.range, &view.remarks);
+        const auto completing = pluginValues(arguments, parameters, data.range, &view.remarks);
         if (!completing)
             return completing.error();
         for (const auto& [id, value] : *completing)
             (*values)[id] = value;
     }
     ParameterValues shown = completed(*values, renderer.plugin->parameters(view.field), start);
-    const auto query = queryOf(invocation.arguments, presentView(*camera, shown));
+    const auto query = queryOf(arguments, presentView(*camera, shown));
     if (!query)
         return query.error();
     view.scene = {
         view.model, renderer.plugin, *query, std::move(shown), *camera, request.picture.width, request.picture.height};
     view.scene.faultyCells = faulty;
     view.lens = request.lens;
-    const auto annotations = annotationsOf(invocation.arguments);
-    if (!annotations)
-        return annotations.error();
     view.picture.annotations.state = *annotations;
     view.picture.annotations.camera = *camera;
-    const bool isDark = !invocation.arguments.has("background") && drawsLitVolume(*renderer.plugin, view.scene.values);
+    const bool isDark = !arguments.has("background") && drawsLitVolume(*renderer.plugin, view.scene.values);
     view.picture.annotations.background = isDark ? usualBackground(true) : request.picture.background;
     return view;
 }
@@ -405,8 +415,9 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     view.renderer = *renderer;
     const Eigen::AlignedBox3d& bounds = view.model->description().bounds;
     if (!kept.hasCamera)
-        seen.camera = fitted(seen.camera, bounds, aspectRatioOf(request.picture));
-    const auto camera = cameraOf(invocation.arguments, seen.camera, bounds, request.picture);
+        seen.camera = fittedToBox(seen, bounds, aspectRatioOf(request.picture));
+    const auto camera =
+        cameraOf(invocation.arguments, seen.camera, bounds, request.picture, roomAroundBox(seen.annotations));
     if (!camera)
         return camera.error();
     seen.camera = *camera;

@@ -9,6 +9,7 @@
 #include "core/history/build_facts.h"
 #include "core/history/format.h"
 #include "core/history/model_writer.h"
+#include "core/history/value_statistics.h"
 
 #include <tan/build.h>
 
@@ -228,7 +229,9 @@ template <class Method> Result<BuildReport> buildFile(const Dataset& dataset, co
     const auto taken = takenFor(method, dataset, progress.part(0, 0.05));
     if (!taken)
         return taken.error();
-    return fillFile(*taken, output, provenanceOf(method, *taken),
+    ModelDescription description = provenanceOf(method, *taken);
+    std::ranges::move(statisticsTexts(*taken), std::back_inserter(description.parameters));
+    return fillFile(*taken, output, description,
                     [&](BuildTarget& target) { return buildInto(*taken, method, target, progress.part(0.05, 1)); });
 }
 

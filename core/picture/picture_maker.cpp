@@ -10,6 +10,7 @@
 #include "core/picture/text_file.h"
 #include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
+#include "core/view/view_value.h"
 
 #include <tan/picture.h>
 
@@ -184,8 +185,8 @@ Result<KeptView> PictureMaker::keptView(const std::filesystem::path& file) const
         kept.viewHeight = restored.document.viewSize[1];
     }
     if (!restored.document.hasCamera)
-        kept.view.camera = fitted(kept.view.camera, parts_->model->description().bounds,
-                                  static_cast<double>(kept.viewWidth) / kept.viewHeight);
+        kept.view.camera = fittedToBox(kept.view, parts_->model->description().bounds,
+                                       static_cast<double>(kept.viewWidth) / kept.viewHeight);
     return kept;
 }
 

@@ -182,8 +182,8 @@ JsonValue sessionJson(const SessionDocument& document, const std::filesystem::pa
     JsonObject found = without(document.found, {"background", "camera", "file", "tools", "viewSize"});
     found["model"] = without(objectIn(found, "model"), {relativeKey, absoluteKey});
     found["look"] = without(objectIn(found, "look"), {"transfer", "settings"});
-    found["annotations"] =
-        without(objectIn(found, "annotations"), {"barEnds", "numbers", "quantity", "titleText", "unit"});
+    found["annotations"] = without(objectIn(found, "annotations"), {"barEnds", "boldText", "lengths", "numbers",
+                                                                    "quantity", "textSize", "titleText", "unit"});
     return byName(over(std::move(found), ours));
 }
 

@@ -22,6 +22,9 @@ constexpr std::array annotationTexts{std::pair("titleText", &AnnotationState::ti
                                      std::pair("quantity", &AnnotationState::quantity),
                                      std::pair("unit", &AnnotationState::unit)};
 
+constexpr std::array annotationNumbers{std::pair("numbers", &AnnotationState::numbers),
+                                       std::pair("lengths", &AnnotationState::lengths)};
+
 JsonValue annotationsToJson(const AnnotationState& annotations)
 {
     JsonObject members;
@@ -34,25 +37,41 @@ JsonValue annotationsToJson(const AnnotationState& annotations)
     for (const auto& [name, text] : annotationTexts)
         if (!(annotations.*text).empty())
             members.append(name, annotations.*text);
-    if (annotations.numbers != NumberFormat())
-        members.append("numbers", JsonObject{{"style", jsonName(numberStyleNames, annotations.numbers.style)},
-                                             {"decimals", annotations.numbers.decimals}});
+    for (const auto& [name, format] : annotationNumbers)
+        if (annotations.*format != NumberFormat())
+            members.append(name, JsonObject{{"style", jsonName(numberStyleNames, (annotations.*format).style)},
+                                            {"decimals", (annotations.*format).decimals}});
+    if (annotations.textSize != usualTextSize)
+        members.append("textSize", annotations.textSize);
+    if (annotations.boldText)
+        members.append("boldText", true);
     return members;
 }
 
-/// What is left out is that of the data.
+NumberFormat readNumberFormat(const JsonFields& written)
+{
+    NumberFormat format;
+    double decimals = format.decimals;
+    written.readName("style", numberStyleNames, format.style);
+    written.read("decimals", decimals);
+    format.decimals = static_cast<int>(std::clamp(decimals, 0.0, static_cast<double>(mostDecimals)));
+    return format;
+}
+
+/// What is left out is that of the data, or as usual.
 void readAnnotationTexts(const JsonFields& fields, AnnotationState& annotations)
 {
     for (const auto& [name, text] : annotationTexts) {
         (annotations.*text).clear();
         fields.read(name, annotations.*text);
     }
-    annotations.numbers = {};
-    const JsonFields written = fields.fields("numbers");
-    double decimals = annotations.numbers.decimals;
-    written.readName("style", numberStyleNames, annotations.numbers.style);
-    written.read("decimals", decimals);
-    annotations.numbers.decimals = static_cast<int>(std::clamp(decimals, 0.0, static_cast<double>(mostDecimals)));
+    for (const auto& [name, format] : annotationNumbers)
+        annotations.*format = readNumberFormat(fields.fields(name));
+    annotations.textSize = usualTextSize;
+    fields.read("textSize", annotations.textSize);
+    annotations.textSize = std::clamp(annotations.textSize, smallestTextSize, largestTextSize);
+    annotations.boldText = false;
+    fields.read("boldText", annotations.boldText);
 }
 
 void readAnnotations(const JsonFields& fields, AnnotationState& annotations)

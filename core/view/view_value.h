@@ -2,8 +2,10 @@
 #pragma once
 
 #include <tan/base.h>
+#include <tan/render.h>
 #include <tan/view.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <variant>
@@ -13,6 +15,22 @@ namespace tetra {
 
 /// Of other data: without what was said of these, such as their name.
 TAN_INTERNAL AnnotationState ofOtherData(AnnotationState annotations);
+
+/// How many times as far as where the box just fits the eye is, so that the axes with numbers find room around it: in a
+/// picture as high as most, a margin of two lines. 1 without them.
+inline double roomAroundBox(const AnnotationState& annotations)
+{
+    constexpr double shareOfMargins = 0.16, mostShare = 0.6;
+    if (!annotations[AnnotationKind::BoxAxes].shown)
+        return 1;
+    return 1 / (1 - std::min(mostShare, shareOfMargins * annotations.textSize / usualTextSize));
+}
+
+/// The view's camera fitted to the box of all data, with room for what stands around it.
+inline Camera fittedToBox(const ViewValue& view, const Eigen::AlignedBox3d& box, double aspectRatio)
+{
+    return zoomed(fitted(view.camera, box, aspectRatio), roomAroundBox(view.annotations));
+}
 
 /// Some parts of a view, and no more: what a long history of edits keeps of each.
 class TAN_INTERNAL PartialView {

@@ -6,6 +6,7 @@
 #include "core/base/memory.h"
 #include "core/build/model_build.h"
 #include "core/history/format.h"
+#include "core/history/value_statistics.h"
 #include "plugins/host/interrupted_build.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_values.h"
@@ -122,6 +123,7 @@ Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& d
     description.builder = provided.id;
     description.parameters = usedTexts(builder.parameters(), values, dataset);
     std::ranges::move(importTexts(control.imported), std::back_inserter(description.parameters));
+    std::ranges::move(statisticsTexts(dataset), std::back_inserter(description.parameters));
     constexpr double takenEnd = 0.02; // how far it is then
     const auto taken = builder.taken(dataset, values, progress.part(0, takenEnd));
     if (!taken)

@@ -33,7 +33,15 @@ bool ValueBox::isPlain() const
 /// What was typed, as the box counts.
 double ValueBox::number(const QString& text, bool& isNumber) const
 {
-    const double typed = locale().toDouble(QString(text).remove(suffix()).trimmed(), &isNumber);
+    QString written = QString(text).remove(suffix()).trimmed();
+    if (meanAndDeviation_)
+        for (const QString& unit : {QStringLiteral("sd"), QStringLiteral("σ")})
+            if (written.endsWith(unit)) {
+                written.chop(unit.size());
+                return meanAndDeviation_->first +
+                       meanAndDeviation_->second * locale().toDouble(written.trimmed(), &isNumber);
+            }
+    const double typed = locale().toDouble(written, &isNumber);
     if (!ofLogarithms_ || !isNumber)
         return typed;
     isNumber = typed > 0;

@@ -3,6 +3,9 @@
 
 #include <QDoubleSpinBox>
 
+#include <optional>
+#include <utility>
+
 namespace tetra {
 
 /// A number box for values of any magnitude: plain decimals where they are readable, else scientific notation, both in
@@ -16,6 +19,12 @@ public:
     /// Whether its value, the range and the steps are logarithms to base 10, which are shown and typed as what they are
     /// of. Before setValueRange().
     void setOfLogarithms(bool ofLogarithms) { ofLogarithms_ = ofLogarithms; }
+    /// Mean and standard deviation of the values, if they are known: then "2.5sd" and "2.5σ" can be typed, too, for the
+    /// value that lies so many deviations above the mean. As the box counts.
+    void setDeviations(const std::optional<std::pair<double, double>>& meanAndDeviation)
+    {
+        meanAndDeviation_ = meanAndDeviation;
+    }
 
     /// As wide as its value is written, in the letters of the user: it may be narrow, but never cuts a digit.
     QSize minimumSizeHint() const override;
@@ -29,6 +38,7 @@ private:
 
     double extent_ = 100;
     bool ofLogarithms_ = false;
+    std::optional<std::pair<double, double>> meanAndDeviation_{};
 };
 
 } // namespace tetra

@@ -75,6 +75,27 @@ class PictureFiles(unittest.TestCase):
             self.assertEqual([layer[1:3] for layer in jpeg.layer], [(1, 1)] * 3)  # colours as fine as brightness
             self.assertLess(max(jpeg.quantization[0]), 13)  # quality 95
 
+    def test_axes_with_numbers(self):
+        """The sample goes from -8 to 8: what a reader of PDF finds are its coordinates, and larger letters are larger."""
+        bounds = json.loads(self.tan("info", "c60.tan", "--json"))["bounds"]
+        options = ("--box-axes", "--length-numbers", "plain:1", "--camera", "iso")
+        words = {}
+        for name, more in (("usual.pdf", ()), ("large.pdf", ("--text-size", "24", "--bold-text"))):
+            box = self.pdf("pdftotext", self.drawn(name, *options, *more, size="1024x768"), "-bbox")
+            found = re.findall(r'<word xMin="([0-9.]+)" yMin="([0-9.]+)" xMax="([0-9.]+)" yMax="([0-9.]+)">([^<]*)</word>', box)
+            words[name] = [(text, float(bottom) - float(top)) for _, top, _, bottom, text in found]
+            texts = [text for text, _ in words[name]]
+            self.assertEqual(sorted(text for text in texts if text in "xyz"), ["x", "y", "z"])
+            numbers = [text for text in texts if text not in "xyz"]
+            self.assertGreaterEqual(len(numbers), 6, numbers)
+            self.assertTrue(all(re.fullmatch(r"-?[0-9]+\.[0-9]", text) for text in numbers), numbers)
+            least, most = min(map(float, numbers)), max(map(float, numbers))
+            self.assertTrue(min(bounds[0]) <= least < most <= max(bounds[1]), (numbers, bounds))
+        usual, large = (numpy.median([height for _, height in words[name]]) for name in ("usual.pdf", "large.pdf"))
+        self.assertAlmostEqual(large / usual, 2, delta=0.1)
+        self.assertIn("Bold", self.pdf("pdffonts", self.folder / "large.pdf"))
+        self.assertNotIn("Bold", self.pdf("pdffonts", self.folder / "usual.pdf"))
+
     def test_transparency(self):
         options = ("--mode", "isosurface", "--background", "transparent", "--axes")
         png = self.pixels(self.drawn("t.png", *options), "RGBA")

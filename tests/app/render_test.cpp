@@ -692,6 +692,12 @@ private slots:
         row("a quantity without a bar", {"--bar-quantity", "Density"}, 2, "it needs '--colour-bar'");
         row("a unit without a bar", {"--bar-unit", "HU"}, 2, "it needs '--colour-bar'");
         row("numbers without a bar", {"--bar-numbers", "plain:1"}, 2, "it needs '--colour-bar'");
+        row("lengths without one", {"--length-numbers", "plain:1", "--colour-bar"}, 2, "'--box-axes'");
+        row("lengths of no format", {"--box-axes", "--length-numbers", "short"}, 2, "does not fit '--length-numbers'");
+        row("text of no size", {"--axes", "--text-size", "5"}, 2, "'--text-size'");
+        row("text too large", {"--axes", "--text-size", "49"}, 2, "'--text-size'");
+        row("size of no text", {"--text-size", "20"}, 2, "it needs one");
+        row("bold nothing", {"--bold-text"}, 2, "it needs one");
         for (const char* numbers : {"plain", "plain:", "plain:13", "plain:-1", "powers:x", "short:1", ""})
             QTest::addRow("numbers as '%s'", numbers) << QStringList{"--colour-bar", "--bar-numbers", numbers} << 2
                                                       << QByteArray("does not fit '--bar-numbers'");

@@ -84,7 +84,7 @@ int count(const AnnotationLayout& layout)
 /// Greater for a layout that has something more important, whatever else it lacks.
 int importance(const AnnotationLayout& layout)
 {
-    constexpr std::array weights{16, 4, 8, 2, 1}; // by kind
+    constexpr std::array weights{16, 4, 8, 2, 1, 0}; // by kind
     int sum = 0;
     for (std::size_t i = 0; i < annotationCount; ++i)
         sum += layout.places[i].isEmpty() ? 0 : weights[i];

@@ -49,6 +49,21 @@ class Pictures(ModuleTest):
     def bare(self, **look):
         return self.ball.render(**{"size": (240, 180), "samples": 1, "error": 1, "transparent": True, **BARE, **look})
 
+    def test_axes_with_numbers(self):
+        """They lie around the ball; twice as large letters cover more."""
+        plain = self.bare(zoom=0.6, size=(480, 360))
+        covered = []
+        for look in ({}, {"text_size": 20}):
+            pixels = self.bare(zoom=0.6, size=(480, 360), box_axes=True, **look)
+            changed = (pixels != plain).any(axis=-1)
+            self.assertFalse(changed[seen(plain)].any())
+            covered.append(changed.sum())
+        self.assertGreater(covered[0], 300)
+        self.assertGreater(covered[1], 1.3 * covered[0])
+        for wrong in (5.9, 48.1, float("nan")):
+            with self.assertRaises(tan.WrongUsage):
+                tan.View(text_size=wrong)
+
     def test_all_modes(self):
         modes = [mode for mode, _ in self.ball.modes()]
         self.assertEqual(set(modes) >= {"isosurface", "volume", "hybrid", "slice", "projection"}, True, modes)

@@ -208,7 +208,7 @@ NAMES = {"name": "text", "value_name": "text", "value_unit": "text", "length_uni
 LOOK = {"mode": "mode?", "isovalues": "isovalues?", "transfer": "transfer?", "azimuth": "number?", "elevation": "number?", "roll": "number?",
         "up": "up?",
         "perspective": "truth?", "zoom": "zoom?", "target": "vector?", "background": "colour?", "window": "window?", "settings": "settings?",
-        "axes": "truth?",
+        "axes": "truth?", "box_axes": "truth?",
         "title": "truth?", "colour_bar": "truth?", "error": "amount?", "budget": "budget?", "focus": "looked_into?"}
 DRAWN = {"transparent": "truth", "samples": "samples", "threads": "threads", "frame": "frame?", "backend": "backend", "progress": "progress?", **LOOK}
 BUILT = {"error": "amount", "warping": "warping", "method": "method?", "block": "block?", "ordered_by": "ordered_by?", "weights": "weights?",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/value_statistics.h"
 #include "core/view/accuracy_scale.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
@@ -46,6 +47,7 @@ private slots:
     void oneNumberIsErrorAndWarping();
     void theWarpingIsSetApart();
     void isovaluesAreAddedEditedAndRemoved();
+    void isovaluesOfMapsAreInDeviationsToo();
     void theColourMenuOffersThePalette();
     void aColourIsSeenOnAWindowOfTheSame();
     void deleteRemovesTheRow();
@@ -289,6 +291,34 @@ void PanelsTest::isovaluesAreAddedEditedAndRemoved()
     QTest::mouseClick(&window_->find<QWidget>("isovalue.0.remove"), Qt::LeftButton);
     QVERIFY(window_->find<QLabel>("isovalues.hint").isVisible());
     QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).surfaces.empty());
+}
+
+void PanelsTest::isovaluesOfMapsAreInDeviationsToo()
+{
+    QVERIFY(window_->window.findChild<QDoubleSpinBox*>("isovalue.0.deviations") == nullptr); // of no map
+    const auto path = buildMapModel(*window_->host, 12, window_->folderPath());
+    window_->window.open(QString::fromStdString(path.string()));
+    QTRY_VERIFY(window_->window.findChild<QDoubleSpinBox*>("isovalue.0.deviations") != nullptr && window_->settled());
+    const auto kept = keptStatistics(session().model()->description().parameters);
+    QVERIFY(kept);
+    const auto near = [](double one, double other) { return std::abs(one - other) < 0.01; };
+    auto& deviations = window_->find<QDoubleSpinBox>("isovalue.0.deviations");
+    auto& value = window_->find<QDoubleSpinBox>("isovalue.0.value.box");
+    QVERIFY(near(deviations.value(), kept->deviationsAt(isovalue(0).value)));
+    const double before = isovalue(0).value;
+    deviations.setValue(1.5);
+    QVERIFY(near(isovalue(0).value, kept->valueAt(1.5)));
+    QVERIFY(near(value.value(), kept->valueAt(1.5)));
+    QVERIFY2(deviations.toolTip().contains(QLocale().toString(kept->mean, 'g', 6)), qPrintable(deviations.toolTip()));
+    window_->workbench.session().undoStack().undo();
+    QCOMPARE(isovalue(0).value, before);
+    for (const auto& [text, number] : {std::pair("2.25sd", 2.25), std::pair("-0.5 \u03c3", -0.5)}) {
+        value.selectAll();
+        QTest::keyClicks(&value, QString::fromUtf8(text));
+        QTest::keyClick(&value, Qt::Key_Return);
+        QVERIFY2(near(isovalue(0).value, kept->valueAt(number)), text);
+        QVERIFY(near(deviations.value(), number));
+    }
 }
 
 void PanelsTest::theColourMenuOffersThePalette()

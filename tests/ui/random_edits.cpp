@@ -217,6 +217,9 @@ void RandomEdits::editAnnotations()
         annotations.barEnds = BarEnds{number(-5, -1), number(1, 5)};
     annotations.quantity = below(2) == 0 ? "Density" : "";
     annotations.numbers.decimals = static_cast<int>(below(mostDecimals));
+    annotations.lengths.style = static_cast<NumberFormat::Style>(below(3));
+    annotations.textSize = smallestTextSize + static_cast<double>(below(40));
+    annotations.boldText = below(2) == 0;
     session_.setAnnotations(annotations);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/data/value_scale.h"
 #include "core/history/model_writer.h"
+#include "core/history/value_statistics.h"
 #include "plugins/samples/samples.h"
 
 #include <QtGlobal>
@@ -76,6 +77,15 @@ std::filesystem::path buildLogarithmModel(PluginHost& host, std::uint32_t size, 
     ModelDescription description;
     description.parameters = {{std::string(scaleParameter), scaleText(scale)}};
     return buildRefined(host, require(scaled(sampleDataset(size), scale)), folder / "c60-log.tan", 0, description);
+}
+
+std::filesystem::path buildMapModel(PluginHost& host, std::uint32_t size, const std::filesystem::path& folder)
+{
+    Dataset dataset = sampleDataset(size);
+    dataset.source.name = "c60.map";
+    ModelDescription description;
+    description.parameters = statisticsTexts(dataset);
+    return buildRefined(host, dataset, folder / "c60-map.tan", 0, description);
 }
 
 } // namespace tetra

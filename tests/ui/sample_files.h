@@ -27,4 +27,7 @@ std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset,
 /// A model of the logarithms of that sample, of values below 1 as of 1. Returns its path.
 std::filesystem::path buildLogarithmModel(PluginHost& host, std::uint32_t size, const std::filesystem::path& folder);
 
+/// A model of that sample as a density map's, which keeps mean and standard deviation of its values. Returns its path.
+std::filesystem::path buildMapModel(PluginHost& host, std::uint32_t size, const std::filesystem::path& folder);
+
 } // namespace tetra

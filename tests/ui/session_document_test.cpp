@@ -168,6 +168,9 @@ void SessionDocumentTest::textsOfAnnotationsAreForgotten()
     annotations.quantity = "Density";
     annotations.unit = "HU";
     annotations.numbers = {NumberFormat::Style::Powers, 3};
+    annotations.lengths = {NumberFormat::Style::Plain, 0};
+    annotations.textSize = 20;
+    annotations.boldText = true;
     SessionDocument read = sessionFromText(sessionToText(document, "/place"), "/place").value();
     QVERIFY(read.view.annotations == annotations);
     read.view.annotations = {};

@@ -267,6 +267,20 @@ void SessionTest::aNewModelHasACameraOfItsOwn()
         QVERIFY(session_->view().annotations == annotations);
         session_->setCamera(turned(session_->view().camera, 90, 0));
     }
+    // Fit leaves room for numbers around the box, as long as they are shown, and more for larger ones.
+    AnnotationState withNumbers = annotations;
+    withNumbers[AnnotationKind::BoxAxes].shown = true;
+    session_->setAnnotations(withNumbers);
+    session_->open(model_, {});
+    const double room = session_->view().camera.distance;
+    QVERIFY(room > 1.1 * usual.distance && room < 1.4 * usual.distance);
+    withNumbers.textSize = 24;
+    session_->setAnnotations(withNumbers);
+    session_->fitCamera();
+    QVERIFY(session_->view().camera.distance > 1.1 * room);
+    session_->setAnnotations(annotations);
+    session_->fitCamera();
+    QVERIFY(session_->view().camera == usual);
 }
 
 void SessionTest::nothingIsAcceptedOutsideTheRange()

@@ -2,6 +2,7 @@
 #include "ui/opening/session_opening.h"
 
 #include "core/picture/session_model.h"
+#include "core/view/view_value.h"
 #include "ui/session/files.h"
 
 #include <tan/open.h>
@@ -60,7 +61,7 @@ void SessionOpening::apply(const std::filesystem::path& path, const SessionDocum
     if (!look.hasCamera)
         view.camera = session_.view().camera;
     else if (!restored.document.hasCamera)
-        view.camera = fitted(view.camera, model->description().bounds, session_.shape());
+        view.camera = fittedToBox(view, model->description().bounds, session_.shape());
     view.tools = session_.view().tools; // what was measured in these data is no look
     session_.setView(view, tr("Apply Look"));
     if (!restored.differences.empty())

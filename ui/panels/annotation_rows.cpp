@@ -18,6 +18,7 @@
 #include <QSpinBox>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetra {
 namespace {
@@ -27,6 +28,7 @@ class AnnotationRowTexts {
 };
 
 constexpr int indent = 20; ///< of what belongs to the annotation above
+constexpr std::array formats{&AnnotationState::numbers, &AnnotationState::lengths};
 constexpr std::array texts{&AnnotationState::title, &AnnotationState::quantity, &AnnotationState::unit};
 
 QWidget* indented(QWidget& widget)
@@ -49,6 +51,7 @@ QString annotationText(AnnotationKind kind, bool mnemonic)
     case AnnotationKind::ScaleBar: text = AnnotationRowTexts::tr("&Scale bar"); break;
     case AnnotationKind::Title: text = AnnotationRowTexts::tr("&Title"); break;
     case AnnotationKind::Accuracy: text = AnnotationRowTexts::tr("A&ccuracy"); break;
+    case AnnotationKind::BoxAxes: text = AnnotationRowTexts::tr("Axes with &numbers"); break;
     }
     return mnemonic ? text : text.remove('&');
 }
@@ -66,13 +69,15 @@ QString annotationExplanation(AnnotationKind kind)
     case AnnotationKind::Title: return AnnotationRowTexts::tr("The name of the model, or a text of your own");
     case AnnotationKind::Accuracy:
         return AnnotationRowTexts::tr("The error bound of the displayed mesh, in % of the value range");
+    case AnnotationKind::BoxAxes:
+        return AnnotationRowTexts::tr("Coordinates along the edges of the box around the data, in data units");
     }
     return {};
 }
 
 AnnotationRows::AnnotationRows(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), fixed_(new QCheckBox(tr("Fixed ends"))), least_(new ValueBox),
-      largest_(new ValueBox), numberStyle_(new QComboBox), decimals_(new QSpinBox)
+      largest_(new ValueBox), textSize_(new QSpinBox), boldText_(new QCheckBox(tr("Bold")))
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins({});
@@ -84,14 +89,10 @@ AnnotationRows::AnnotationRows(Session& session, QWidget* parent)
         shown_[i] = new QCheckBox(annotationText(kind));
         shown_[i]->setObjectName(name);
         shown_[i]->setToolTip(annotationExplanation(kind));
-        corners_[i] = new QComboBox;
-        corners_[i]->setObjectName(name + ".corner");
-        corners_[i]->addItems({tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")});
-        corners_[i]->setToolTip(tr("Corner of the picture"));
-        corners_[i]->setAccessibleName(tr("%1: corner").arg(annotationText(kind)));
         const int row = grid->rowCount();
         grid->addWidget(shown_[i], row, 0);
-        grid->addWidget(corners_[i], row, 1);
+        if (isInCorner(kind))
+            grid->addWidget(makeCorner(i), row, 1);
         if (kind == AnnotationKind::ColourBar) {
             grid->addWidget(makeBarEnds(), row + 1, 0, 1, 2);
             grid->addWidget(makeBarTexts(), row + 2, 0, 1, 2);
@@ -101,23 +102,42 @@ AnnotationRows::AnnotationRows(Session& session, QWidget* parent)
                                                tr("The title; if empty, the name of the model"))),
                             row + 1, 0, 1, 2);
         connect(shown_[i], &QCheckBox::clicked, this, [this, i] { edit(i); });
-        connect(corners_[i], &QComboBox::activated, this, [this, i] { edit(i); });
     }
+    grid->addWidget(makeTextLook(), grid->rowCount(), 0, 1, 2);
     const auto follow = [this] { show(session_.view().annotations); };
     connect(&session_, &Session::modelChanged, this, follow);
     session_.whenChanged(ViewPart::Annotations, this, follow);
     show(session_.view().annotations);
 }
 
+QComboBox* AnnotationRows::makeCorner(std::size_t index)
+{
+    const auto kind = static_cast<AnnotationKind>(index);
+    auto* corner = new QComboBox;
+    corner->setObjectName(QString("view.annotation.") + annotationNames[index] + ".corner");
+    corner->addItems({tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")});
+    corner->setToolTip(tr("Corner of the picture"));
+    corner->setAccessibleName(tr("%1: corner").arg(annotationText(kind)));
+    connect(corner, &QComboBox::activated, this, [this, index] { edit(index); });
+    corners_[index] = corner;
+    return corner;
+}
+
 void AnnotationRows::show(const AnnotationState& state)
 {
     for (std::size_t i = 0; i < annotationCount; ++i) {
         shown_[i]->setChecked(state.places[i].shown);
+        if (corners_[i] == nullptr)
+            continue;
         corners_[i]->setCurrentIndex(static_cast<int>(state.places[i].corner));
         corners_[i]->setEnabled(state.places[i].shown);
     }
     showBarEnds(state);
     showTexts(state);
+    showNumbers(state);
+    const QSignalBlocker blocker(textSize_);
+    textSize_->setValue(static_cast<int>(std::lround(state.textSize)));
+    boldText_->setChecked(state.boldText);
 }
 
 QWidget* AnnotationRows::makeBarEnds()
@@ -161,7 +181,7 @@ QWidget* AnnotationRows::makeBarTexts()
     form->addRow(tr("Unit"), makeText(2, "unit", tr("Colour bar: unit"),
                                       tr("The unit of the values, such as HU or K, written in brackets behind the "
                                          "quantity")));
-    form->addRow(tr("Numbers"), makeNumbers());
+    form->addRow(tr("Numbers"), makeNumbers(0));
     return around;
 }
 
@@ -185,32 +205,91 @@ QLineEdit* AnnotationRows::makeText(std::size_t index, const QString& name, cons
     return line;
 }
 
-QWidget* AnnotationRows::makeNumbers()
+/// How the numbers of the colour bar are written, or those of the scale bar and of the axes with numbers.
+QWidget* AnnotationRows::makeNumbers(std::size_t index)
 {
-    numberStyle_->setObjectName("view.numbers.style");
-    numberStyle_->addItems({tr("Automatic"), tr("Plain"), tr("Powers of ten")});
-    numberStyle_->setAccessibleName(tr("Colour bar: format of the numbers"));
-    numberStyle_->setToolTip(tr("How the numbers at the colour bar are written: as short as tells them apart, or with "
-                                "a chosen number of decimals, plain or in powers of ten"));
-    decimals_->setObjectName("view.numbers.decimals");
-    decimals_->setRange(0, mostDecimals);
-    decimals_->setAccessibleName(tr("Colour bar: decimals"));
-    decimals_->setToolTip(tr("Number of digits behind the decimal point"));
+    const bool ofBar = index == 0;
+    const QString name = ofBar ? "view.numbers" : "view.lengths";
+    auto* style = new QComboBox;
+    style->setObjectName(name + ".style");
+    style->addItems({tr("Automatic"), tr("Plain"), tr("Powers of ten")});
+    style->setAccessibleName(ofBar ? tr("Colour bar: format of the numbers") : tr("Lengths: format of the numbers"));
+    style->setToolTip(ofBar ? tr("How the numbers at the colour bar are written: as short as tells them apart, or with "
+                                 "a chosen number of decimals, plain or in powers of ten")
+                            : tr("How the numbers of the scale bar and of the axes are written: as short as tells them "
+                                 "apart, or with a chosen number of decimals, plain or in powers of ten"));
+    auto* decimals = new QSpinBox;
+    decimals->setObjectName(name + ".decimals");
+    decimals->setRange(0, mostDecimals);
+    decimals->setAccessibleName(ofBar ? tr("Colour bar: decimals") : tr("Lengths: decimals"));
+    decimals->setToolTip(tr("Number of digits behind the decimal point"));
     auto* numbers = new QWidget;
     auto* row = new QHBoxLayout(numbers);
     row->setContentsMargins({});
-    row->addWidget(numberStyle_, 1);
-    row->addWidget(decimals_);
-    connect(numberStyle_, &QComboBox::activated, this, &AnnotationRows::editNumbers);
-    new GestureWatcher(decimals_, session_);
-    connect(decimals_, &QSpinBox::valueChanged, this, &AnnotationRows::editNumbers);
+    row->addWidget(style, 1);
+    row->addWidget(decimals);
+    connect(style, &QComboBox::activated, this, [this, index] { editNumbers(index); });
+    new GestureWatcher(decimals, session_);
+    connect(decimals, &QSpinBox::valueChanged, this, [this, index] { editNumbers(index); });
+    numberStyles_[index] = style;
+    decimals_[index] = decimals;
     return numbers;
 }
 
-void AnnotationRows::editNumbers()
+void AnnotationRows::editNumbers(std::size_t index)
 {
     AnnotationState state = session_.view().annotations;
-    state.numbers = {static_cast<NumberFormat::Style>(numberStyle_->currentIndex()), decimals_->value()};
+    state.*formats[index] = {static_cast<NumberFormat::Style>(numberStyles_[index]->currentIndex()),
+                             decimals_[index]->value()};
+    session_.setAnnotations(state);
+}
+
+void AnnotationRows::showNumbers(const AnnotationState& state)
+{
+    const std::array<bool, 2> isUsed{state[AnnotationKind::ColourBar].shown,
+                                     state[AnnotationKind::ScaleBar].shown || state[AnnotationKind::BoxAxes].shown};
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        const NumberFormat& format = state.*formats[i];
+        const QSignalBlocker blocker(decimals_[i]);
+        numberStyles_[i]->setCurrentIndex(static_cast<int>(format.style));
+        numberStyles_[i]->setEnabled(isUsed[i]);
+        decimals_[i]->setValue(format.decimals);
+        decimals_[i]->setEnabled(isUsed[i] && format.style != NumberFormat::Style::Automatic);
+    }
+}
+
+/// What is common to all annotations.
+QWidget* AnnotationRows::makeTextLook()
+{
+    textSize_->setObjectName("view.textSize");
+    textSize_->setRange(static_cast<int>(smallestTextSize), static_cast<int>(largestTextSize));
+    textSize_->setAccessibleName(tr("Annotations: size of the text"));
+    textSize_->setToolTip(tr("How large the texts of all annotations are; bars, arrows and lines grow with them"));
+    boldText_->setObjectName("view.boldText");
+    boldText_->setToolTip(tr("Write all annotations in bold letters"));
+    auto* size = new QWidget;
+    auto* row = new QHBoxLayout(size);
+    row->setContentsMargins({});
+    row->addWidget(textSize_, 1);
+    row->addWidget(boldText_);
+    auto* around = new QWidget;
+    auto* form = new QFormLayout(around);
+    form->setContentsMargins({});
+    form->setVerticalSpacing(4);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("Lengths"), makeNumbers(1));
+    form->addRow(tr("Text size"), size);
+    new GestureWatcher(textSize_, session_);
+    connect(textSize_, &QSpinBox::valueChanged, this, &AnnotationRows::editTextLook);
+    connect(boldText_, &QCheckBox::clicked, this, &AnnotationRows::editTextLook);
+    return around;
+}
+
+void AnnotationRows::editTextLook()
+{
+    AnnotationState state = session_.view().annotations;
+    state.textSize = textSize_->value();
+    state.boldText = boldText_->isChecked();
     session_.setAnnotations(state);
 }
 
@@ -229,11 +308,6 @@ void AnnotationRows::showTexts(const AnnotationState& state)
         texts_[i]->setPlaceholderText(usual[i]);
         texts_[i]->setEnabled(i == 0 ? state[AnnotationKind::Title].shown : hasBar);
     }
-    const QSignalBlocker blocker(decimals_);
-    numberStyle_->setCurrentIndex(static_cast<int>(state.numbers.style));
-    numberStyle_->setEnabled(hasBar);
-    decimals_->setValue(state.numbers.decimals);
-    decimals_->setEnabled(hasBar && state.numbers.style != NumberFormat::Style::Automatic);
 }
 
 /// Boxes step and round as the data's values ask for, and take what lies far beside them: a bar may be that of many
@@ -281,7 +355,9 @@ void AnnotationRows::moveEnd(double BarEnds::*end, double value)
 void AnnotationRows::edit(std::size_t index)
 {
     AnnotationState state = session_.view().annotations;
-    state.places[index] = {shown_[index]->isChecked(), static_cast<Corner>(corners_[index]->currentIndex())};
+    state.places[index].shown = shown_[index]->isChecked();
+    if (corners_[index] != nullptr)
+        state.places[index].corner = static_cast<Corner>(corners_[index]->currentIndex());
     session_.setAnnotations(state);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/panels/isovalue_row.h"
 
 #include "plugins/widgets/colour_button.h"
+#include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/icons.h"
 #include "plugins/widgets/value_box.h"
 #include "ui/session/logarithm_text.h"
@@ -11,6 +12,7 @@
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QToolButton>
 
 namespace tetra {
@@ -21,7 +23,10 @@ IsovalueRow::IsovalueRow(Session& session, int index, QWidget* parent)
 {
     const ValueRange range = session.range();
     const ModelDescription description = session.model() ? session.model()->description() : ModelDescription();
+    statistics_ = keptStatistics(description.parameters);
     value_->box()->setOfLogarithms(logarithmsOf(description).has_value());
+    if (statistics_)
+        value_->box()->setDeviations(std::pair(statistics_->mean, statistics_->deviation));
     value_->setRange(range.minimum, range.maximum);
     value_->setTexts(tr("Isovalue"),
                      tr("Isovalue, in the units of the data: %1 to %2")
@@ -44,6 +49,8 @@ IsovalueRow::IsovalueRow(Session& session, int index, QWidget* parent)
     remove_->setObjectName(name + ".remove");
     value_->rename(name + ".value");
     opacity_->rename(name + ".opacity");
+    if (deviations_ != nullptr)
+        deviations_->setObjectName(name + ".deviations");
     refresh();
     connectControls();
 }
@@ -59,13 +66,36 @@ void IsovalueRow::layOut()
     grid->addWidget(colour_, 0, 1);
     grid->addWidget(value_, 0, 2);
     grid->addWidget(remove_, 0, 3);
-    auto* label = new QLabel(tr("Opacity"));
-    grid->addWidget(label, 1, 0, 1, 2);
-    grid->addWidget(opacity_, 1, 2);
+    if (statistics_)
+        addDeviations(*grid);
+    const int row = grid->rowCount();
+    grid->addWidget(new QLabel(tr("Opacity")), row, 0, 1, 2);
+    grid->addWidget(opacity_, row, 2);
     // Both number boxes as wide as the wider one, so that the sliders above each other end at one line.
     const int width = std::max(value_->box()->sizeHint().width(), opacity_->box()->sizeHint().width());
     value_->box()->setFixedWidth(width);
     opacity_->box()->setFixedWidth(width);
+}
+
+/// The same value once more, as people of density maps tell it.
+void IsovalueRow::addDeviations(QGridLayout& grid)
+{
+    const ValueRange range = session_.range();
+    deviations_ = new ValueBox;
+    deviations_->setSuffix(tr(" sd"));
+    deviations_->setValueRange(statistics_->deviationsAt(range.minimum), statistics_->deviationsAt(range.maximum));
+    deviations_->setAccessibleName(tr("Isovalue in standard deviations above the mean"));
+    deviations_->setToolTip(
+        tr("The isovalue in standard deviations above the mean. The mean of all samples is %1, their "
+           "standard deviation %2. In the box above, 2.5sd can be typed, too.")
+            .arg(locale().toString(statistics_->mean, 'g', 6), locale().toString(statistics_->deviation, 'g', 6)));
+    new GestureWatcher(deviations_, session_);
+    const int row = grid.rowCount();
+    grid.addWidget(new QLabel(tr("Above the mean")), row, 0, 1, 2);
+    grid.addWidget(deviations_, row, 2, Qt::AlignRight);
+    connect(deviations_, &QDoubleSpinBox::valueChanged, this, [this](double deviations) {
+        edit([value = statistics_->valueAt(deviations)](Isovalue& isovalue) { isovalue.value = value; });
+    });
 }
 
 void IsovalueRow::connectControls()
@@ -92,6 +122,10 @@ void IsovalueRow::refresh()
     visible_->setChecked(isovalue().visible);
     colour_->setColour(qtColour({isovalue().red, isovalue().green, isovalue().blue}));
     value_->setValue(isovalue().value);
+    if (deviations_ != nullptr) {
+        const QSignalBlocker blocker(deviations_);
+        deviations_->setValue(statistics_->deviationsAt(isovalue().value));
+    }
     opacity_->setValue(isovalue().opacity * 100.0);
 }
 

@@ -216,7 +216,7 @@ void Session::start(std::shared_ptr<const Model> model, ViewValue view, bool has
     shown_.reset();
     fitted_.reset();
     if (!hasCamera) {
-        view.camera = fitted(view.camera, model_->description().bounds, shape_);
+        view.camera = fittedToBox(view, model_->description().bounds, shape_);
         fitted_ = view.camera;
     }
     const ViewValue usual{
@@ -267,7 +267,7 @@ void Session::setShape(double aspectRatio)
     if (!model_ || fitted_ != view_.camera)
         return;
     ViewValue view = view_;
-    view.camera = fitted(view.camera, model_->description().bounds, shape_);
+    view.camera = fittedToBox(view, model_->description().bounds, shape_);
     fitted_ = view.camera;
     show(std::move(view));
 }
@@ -431,7 +431,9 @@ void Session::fitCamera()
 {
     if (!model_)
         return;
-    const Camera camera = fitted(view_.camera, shownBounds(), shape_);
+    const Eigen::AlignedBox3d shown = shownBounds(), &whole = model_->description().bounds;
+    const bool isWhole = shown.min() == whole.min() && shown.max() == whole.max();
+    const Camera camera = isWhole ? fittedToBox(view_, whole, shape_) : fitted(view_.camera, shown, shape_);
     if (camera == view_.camera)
         return fitCameraToWhole();
     setCamera(camera);
@@ -440,7 +442,7 @@ void Session::fitCamera()
 void Session::fitCameraToWhole()
 {
     if (model_)
-        setCamera(fitted(view_.camera, model_->description().bounds, shape_));
+        setCamera(fittedToBox(view_, model_->description().bounds, shape_));
 }
 
 void Session::setBackground(const std::optional<Colour>& background)

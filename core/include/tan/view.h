@@ -198,11 +198,16 @@ struct Appearance {
 };
 
 /// What can be written over a picture.
-enum class AnnotationKind { ColourBar, Axes, ScaleBar, Title, Accuracy };
-inline constexpr std::size_t annotationCount = 5;
+enum class AnnotationKind { ColourBar, Axes, ScaleBar, Title, Accuracy, BoxAxes };
+inline constexpr std::size_t annotationCount = 6;
 /// As files and object names call them, in the order of AnnotationKind.
-inline constexpr std::array<const char*, annotationCount> annotationNames{"colourBar", "axes", "scaleBar", "title",
-                                                                          "accuracy"};
+inline constexpr std::array<const char*, annotationCount> annotationNames{"colourBar", "axes",     "scaleBar",
+                                                                          "title",     "accuracy", "boxAxes"};
+/// Whether it stands in a corner of the picture: the axes with numbers lie along the edges of the data's box.
+constexpr bool isInCorner(AnnotationKind kind)
+{
+    return kind != AnnotationKind::BoxAxes;
+}
 
 enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 inline constexpr std::array<const char*, 4> cornerNames{"topLeft", "topRight", "bottomLeft", "bottomRight"};
@@ -223,7 +228,7 @@ struct BarEnds {
 /// Whether a bar can go from one to the other: two finite numbers, in their order.
 TAN_API bool isUsable(const BarEnds& ends);
 
-/// How the numbers at a colour bar are written.
+/// How the numbers of an annotation are written.
 struct NumberFormat {
     enum class Style { Automatic, Plain, Powers };
     Style style = Style::Automatic; ///< as each needs it; plain; or in powers of ten
@@ -234,11 +239,17 @@ inline constexpr int mostDecimals = 12;
 /// As files call them, in the order of NumberFormat::Style.
 inline constexpr std::array<const char*, 3> numberStyleNames{"automatic", "plain", "powers"};
 
+/// How large the texts of annotations are, in the units of the picture; all else about them grows alike.
+inline constexpr double usualTextSize = 12;
+inline constexpr double smallestTextSize = 6;
+inline constexpr double largestTextSize = 48;
+
 /// Which annotations are shown, and in which corner of the picture: a value. Texts are UTF-8.
 struct AnnotationState {
     std::array<AnnotationPlace, annotationCount> places{{{true, Corner::TopRight},
                                                          {true, Corner::BottomLeft},
                                                          {false, Corner::BottomRight},
+                                                         {false, Corner::TopLeft},
                                                          {false, Corner::TopLeft},
                                                          {false, Corner::TopLeft}}};
     std::optional<BarEnds> barEnds{}; ///< usable ones; none: those of the data's values
@@ -246,6 +257,9 @@ struct AnnotationState {
     std::string quantity{};           ///< what the colour bar shows; empty: the name of the data's values
     std::string unit{};               ///< of that, in brackets behind it; empty: none
     NumberFormat numbers{};           ///< of the colour bar
+    NumberFormat lengths{};           ///< of the scale bar and of the axes with numbers
+    double textSize = usualTextSize;  ///< within its limits
+    bool boldText = false;            ///< all of it, not the title alone
     bool operator==(const AnnotationState&) const = default;
 
     AnnotationPlace& operator[](AnnotationKind kind) { return places[static_cast<std::size_t>(kind)]; }
@@ -431,7 +445,8 @@ TAN_API ViewValue viewAtFrame(const ViewValue& view, int frame);
 ///
 ///     {"mesh": {"error": 1, "focus": {...}, ...}, "look": {"mode": "volume", "transfer": {...}, "settings": {...}},
 ///      "isovalues": [...], "annotations": {"axes": {"shown": true, "corner": "bottomLeft"}, ...,
-///      "titleText": "Skull", "quantity": "Density", "unit": "HU", "numbers": {"style": "plain", "decimals": 1}},
+///      "titleText": "Skull", "quantity": "Density", "unit": "HU", "numbers": {"style": "plain", "decimals": 1},
+///      "lengths": {"style": "plain", "decimals": 0}, "textSize": 16, "boldText": true},
 ///      "animation": {...}, "camera": {...}, "background": [0, 0, 0.5],
 ///      "lens": {"shape": "circle", "x": 0.5, "y": 0.5, "radius": 0.25, "magnification": 3, "error": 0.25},
 ///      "tools": {"ruler": "..."}}
@@ -439,7 +454,8 @@ TAN_API ViewValue viewAtFrame(const ViewValue& view, int frame);
 /// Cameras and transfer functions are in the forms that their own files have. Settings keep their type:
 /// {"integer": 3}, {"number": 0.5}, true, "text". A background that nobody chose is left out, and so are tools that
 /// keep nothing. Members are in the order of their names, numbers the shortest that are read as the same again,
-/// whatever the locale. Texts of annotations that are those of the data are left out.
+/// whatever the locale. Of annotations, texts that are those of the data and how numbers and texts look are left out
+/// where they are as usual.
 TAN_API std::string viewToText(const ViewValue& view);
 
 /// What the text leaves open is as in `usual`; of a camera, what fits a box of side 1. Members that are not known are

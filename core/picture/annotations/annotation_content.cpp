@@ -46,6 +46,7 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
     if (description.space.find_first_not_of("RLAPSI") == std::string::npos)
         content.space = description.space;
     content.lengthUnit = visibleText(description.lengthUnit);
+    content.box = description.bounds;
     content.title = usualTitle(model);
     content.accuracy = accuracy;
     content.state = view.annotations;

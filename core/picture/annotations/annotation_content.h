@@ -11,6 +11,8 @@
 #include <tan/transfer.h>
 #include <tan/view.h>
 
+#include <Eigen/Geometry>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,11 +30,12 @@ struct AnnotationContent {
     std::optional<std::vector<Isovalue>> isovalues{}; ///< that are seen; none where the picture has no surfaces
     /// The values are logarithms to base 10: the bar's axis tells what they are of, and `field` names that.
     bool logarithms = false;
-    std::string field{};      ///< name of the values, unless the state has another one
-    std::string space{};      ///< ModelDescription::space: the letters of the axes, if there are three
-    std::string lengthUnit{}; ///< ModelDescription::lengthUnit; empty if it is not known
-    std::string title{};      ///< unless the state has another one
-    std::string accuracy{};   ///< empty if nothing is known
+    std::string field{};       ///< name of the values, unless the state has another one
+    std::string space{};       ///< ModelDescription::space: the letters of the axes, if there are three
+    std::string lengthUnit{};  ///< ModelDescription::lengthUnit; empty if it is not known
+    Eigen::AlignedBox3d box{}; ///< of all points of the data; empty: there is nothing to put axes along
+    std::string title{};       ///< unless the state has another one
+    std::string accuracy{};    ///< empty if nothing is known
     Camera camera{};
     Colour background{};                  ///< the ink is dark or light after it
     AnnotationLanguage language{};        ///< of the words and numbers that are none of the texts above

@@ -125,10 +125,10 @@ std::optional<Places> withHighestBar(const AnnotationContent& content, const Bar
 Places placesOf(const AnnotationContent& content, const BarAxis& axis, const Size& picture, const TextMeasure& measure)
 {
     const Sizes sizes = sizesOf(content, picture, measure);
-    for (unsigned dropped = 0; dropped < (1U << annotationCount); ++dropped) {
+    for (unsigned dropped = 0; dropped < (1U << leastFirst.size()); ++dropped) {
         Sizes kept = sizes;
         bool bar = content.state[AnnotationKind::ColourBar].shown;
-        for (std::size_t i = 0; i < annotationCount; ++i)
+        for (std::size_t i = 0; i < leastFirst.size(); ++i)
             if ((dropped >> i & 1U) != 0) {
                 kept[indexOf(leastFirst[i])] = {};
                 bar = bar && leastFirst[i] != AnnotationKind::ColourBar;
@@ -163,6 +163,8 @@ AnnotationLayout layOutAnnotations(const AnnotationContent& content, const Size&
         layout.title = textAt(AnnotationKind::Title, titleOf(content), inBold(measure));
     if (has(AnnotationKind::Accuracy))
         layout.accuracy = textAt(AnnotationKind::Accuracy, content.accuracy, measure);
+    if (content.state[AnnotationKind::BoxAxes].shown)
+        layout.boxAxes = layOutBoxAxes(content, picture, {layout.places.begin(), layout.places.end()}, measure);
     return layout;
 }
 

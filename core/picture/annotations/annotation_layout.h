@@ -61,6 +61,22 @@ struct ScaleBarLayout {
     PlacedText label{};
 };
 
+/// A value on an axis along the box, and its place in the picture.
+struct BoxTick {
+    double value = 0;
+    Eigen::Vector2d place{0, 0};
+    PlacedText label{}; ///< an empty text where there is no room for one
+};
+
+/// An edge of the data's box that has numbers.
+struct BoxAxisLayout {
+    std::size_t axis = 0;                 ///< x, y, z
+    Eigen::Vector2d from{0, 0}, to{0, 0}; ///< what is in the picture of it, towards larger values
+    Eigen::Vector2d outwards{0, 0};       ///< away from the box, 1 long
+    std::vector<BoxTick> ticks{};         ///< rising, those that are in the picture
+    PlacedText name{};                    ///< with the unit of length
+};
+
 /// Where annotations stand in a picture. Those that are switched off, have nothing to say or find no room are missing.
 struct AnnotationLayout {
     std::array<Rectangle, annotationCount> places{}; ///< by kind; empty if missing
@@ -69,10 +85,12 @@ struct AnnotationLayout {
     std::optional<ScaleBarLayout> scaleBar{};
     std::optional<PlacedText> title{};
     std::optional<PlacedText> accuracy{};
+    std::vector<BoxAxisLayout> boxAxes{}; ///< at most one of each direction
 };
 
 /// Stacks what is in one corner, from the corner on. Nothing overlaps or leaves the picture: the colour bar becomes
-/// shorter first, then what matters least goes. Sizes are for text of 12 units or so.
+/// shorter first, then what matters least goes. The axes with numbers take what room is left. Sizes are for text of 12
+/// units or so.
 AnnotationLayout layOutAnnotations(const AnnotationContent& content, const Size& picture, const TextMeasure& measure);
 
 } // namespace tetra

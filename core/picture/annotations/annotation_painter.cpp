@@ -24,12 +24,12 @@ struct Brush {
     const PixelCanvas& canvas;
     const Fonts& fonts;
     AnnotationInk ink;
+    TextStyle text = annotationText;
 };
 
-void paintLabel(const Brush& brush, const PlacedText& label, TextAlignment alignment = TextAlignment::Left,
-                const TextStyle& style = annotationText)
+void paintLabel(const Brush& brush, const PlacedText& label, TextAlignment alignment = TextAlignment::Left)
 {
-    paintPlacedText(brush.canvas, brush.fonts, label.text, label.place, brush.ink, alignment, style);
+    paintPlacedText(brush.canvas, brush.fonts, label.text, label.place, brush.ink, alignment, brush.text);
 }
 
 void paintLine(const Brush& brush, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const PixelInk& ink,
@@ -189,8 +189,27 @@ void paintScaleBar(const Brush& brush, const ScaleBarLayout& layout)
     paintLabel(brush, layout.label, TextAlignment::Centre);
 }
 
+/// Lines first, so that no number is crossed by one.
+void paintBoxAxes(const Brush& brush, const std::vector<BoxAxisLayout>& axes)
+{
+    constexpr double tickLength = 5;
+    for (const BoxAxisLayout& axis : axes) {
+        paintLine(brush, axis.from, axis.to, brush.ink.line, 1);
+        for (const BoxTick& tick : axis.ticks)
+            paintLine(brush, tick.place, tick.place + axis.outwards * tickLength, brush.ink.line, 1);
+    }
+    for (const BoxAxisLayout& axis : axes) {
+        for (const BoxTick& tick : axis.ticks)
+            paintLabel(brush, tick.label, TextAlignment::Centre);
+        Brush coloured = brush;
+        coloured.ink.line = axisInk(axis.axis, brush.ink.dark);
+        paintLabel(coloured, axis.name, TextAlignment::Centre);
+    }
+}
+
 void paintLayout(const Brush& brush, const AnnotationContent& content, const AnnotationLayout& layout)
 {
+    paintBoxAxes(brush, layout.boxAxes);
     if (layout.colourBar)
         paintColourBar(brush, content, *layout.colourBar);
     if (layout.axes)
@@ -199,8 +218,51 @@ void paintLayout(const Brush& brush, const AnnotationContent& content, const Ann
         paintScaleBar(brush, *layout.scaleBar);
     if (layout.accuracy)
         paintLabel(brush, *layout.accuracy);
-    if (layout.title)
-        paintLabel(brush, *layout.title, TextAlignment::Left, annotationTitle);
+    if (layout.title) {
+        Brush bold = brush;
+        bold.text = annotationTitle;
+        paintLabel(bold, *layout.title);
+    }
+}
+
+void grow(Path& path, double factor)
+{
+    for (PathPoint& point : path)
+        point.place *= factor;
+}
+
+/// Drawings are in units, whatever they are scaled by: those of larger texts become those of the others.
+struct Growing {
+    double factor;
+
+    void operator()(FilledPath& shape) const { grow(shape.path, factor); }
+    void operator()(StrokedPath& shape) const
+    {
+        grow(shape.path, factor);
+        shape.width *= factor;
+    }
+    void operator()(ColourColumn& shape) const
+    {
+        const Rectangle& place = shape.place;
+        shape.place = {place.left * factor, place.top * factor, place.width * factor, place.height * factor};
+    }
+    void operator()(WrittenText& shape) const
+    {
+        shape.rimWidth *= factor;
+        for (GlyphRun& run : shape.runs) {
+            run.size *= factor;
+            for (GlyphRun::Glyph& glyph : run.glyphs)
+                glyph.place *= factor;
+        }
+    }
+};
+
+/// In units that are as much larger as the texts are to be.
+void paintInOwnUnits(const PixelCanvas& canvas, const Fonts& fonts, const AnnotationContent& content)
+{
+    const TextStyle text = content.state.boldText ? annotationTitle : annotationText;
+    const AnnotationLayout layout = layOutAnnotations(content, canvas.size(), textMeasure(fonts, text));
+    paintLayout({canvas, fonts, annotationInk(content.background), text}, content, layout);
 }
 
 } // namespace
@@ -219,8 +281,17 @@ Status paintAnnotations(const PixelCanvas& canvas, const AnnotationContent& cont
     const auto fonts = content.fonts ? Result(content.fonts) : openFonts();
     if (!fonts)
         return fonts.error();
-    const AnnotationLayout layout = layOutAnnotations(content, canvas.size(), textMeasure(**fonts));
-    paintLayout({canvas, **fonts, annotationInk(content.background)}, content, layout);
+    const double factor = content.state.textSize / annotationText.size, scale = canvas.scale() * factor;
+    if (canvas.drawing() == nullptr) {
+        paintInOwnUnits(PixelCanvas(canvas.pixels(), scale), **fonts, content);
+        return {};
+    }
+    VectorDrawing drawing;
+    paintInOwnUnits(PixelCanvas(drawing, canvas.pixels().width, canvas.pixels().height, scale), **fonts, content);
+    for (DrawnShape& shape : drawing) {
+        std::visit(Growing{factor}, shape);
+        canvas.drawing()->push_back(std::move(shape));
+    }
     return {};
 }
 

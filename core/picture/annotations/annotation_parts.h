@@ -22,6 +22,11 @@ Size scaleBarSize(const AnnotationContent& content, const Size& picture, const T
 ScaleBarLayout layOutScaleBar(const AnnotationContent& content, const Size& picture, const Rectangle& place,
                               const TextMeasure& measure);
 
+/// On the outline of the box, outside of which all texts stand: they touch neither each other nor `others`. None where
+/// the eye is in the box.
+std::vector<BoxAxisLayout> layOutBoxAxes(const AnnotationContent& content, const Size& picture,
+                                         const std::vector<Rectangle>& others, const TextMeasure& measure);
+
 /// Of one line, not wider than `most`: the text is cut in the middle, with an ellipsis.
 PlacedText fittedText(const std::string& text, double most, const TextMeasure& measure);
 

@@ -20,11 +20,11 @@ AnnotationInk annotationInk(const Colour& background)
     return ink;
 }
 
-TextMeasure textMeasure(const Fonts& fonts)
+TextMeasure textMeasure(const Fonts& fonts, const TextStyle& style)
 {
-    return {[&fonts](const std::string& text) { return measured(fonts, text, annotationText).advance; },
+    return {[&fonts, style](const std::string& text) { return measured(fonts, text, style).advance; },
             [&fonts](const std::string& text) { return measured(fonts, text, annotationTitle).advance; },
-            std::round(measured(fonts, {}, annotationText).height())};
+            std::round(measured(fonts, {}, style).height())};
 }
 
 void paintPlacedText(const PixelCanvas& canvas, const Fonts& fonts, const std::string& text, const Rectangle& place,

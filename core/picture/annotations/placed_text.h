@@ -24,8 +24,8 @@ inline constexpr TextStyle annotationText{.size = 12};
 inline constexpr TextStyle annotationTitle{.size = 12, .bold = true};
 
 /// For layOutAnnotations(), as long as the fonts are there. The height is a whole number, so that lines of pictures
-/// lie on their pixels whatever the font.
-TextMeasure textMeasure(const Fonts& fonts);
+/// lie on their pixels whatever the font. `style`: of all but titles.
+TextMeasure textMeasure(const Fonts& fonts, const TextStyle& style = annotationText);
 
 enum class TextAlignment { Left, Centre };
 

@@ -49,12 +49,15 @@ double barUnits(const AnnotationContent& content, const Size& picture)
 
 std::string barText(const AnnotationContent& content, double units)
 {
-    const std::string number = shortNumber(units, content.language.numbers);
+    const NumberFormat& format = content.state.lengths;
+    const bool isAutomatic = format.style == NumberFormat::Style::Automatic;
+    const std::string number = isAutomatic ? shortNumber(units, content.language.numbers)
+                                           : formattedNumber(units, format, content.language.numbers);
     const bool atTarget = content.camera.perspective;
     if (!content.lengthUnit.empty())
         return atTarget ? content.language.say(Message::say("%1 %2 at the target", number, content.lengthUnit))
                         : number + " " + content.lengthUnit;
-    if (units == 1)
+    if (units == 1 && isAutomatic)
         return content.language.say(atTarget ? Message::say("1 unit at the target") : Message::say("1 unit"));
     return content.language.say(atTarget ? Message::say("%1 units at the target", number)
                                          : Message::say("%1 units", number));

@@ -137,6 +137,11 @@ ViewValue anyView(Random& random)
     if (random() % 2 == 0)
         view.annotations.numbers = {static_cast<NumberFormat::Style>(1 + random() % 2),
                                     static_cast<int>(random() % (mostDecimals + 1))};
+    if (random() % 2 == 0)
+        view.annotations.lengths = {static_cast<NumberFormat::Style>(1 + random() % 2),
+                                    static_cast<int>(random() % (mostDecimals + 1))};
+    view.annotations.textSize = smallestTextSize + static_cast<double>(random() % 300) / 10;
+    view.annotations.boldText = random() % 2 == 0;
     view.animation.kind = static_cast<Animation::Kind>(random() % 2);
     view.animation.framesPerSecond = static_cast<double>(10 + random() % 1000) / 10;
     view.animation.turntable = {static_cast<Turntable::Axis>(random() % 2), static_cast<double>(random() % 720),
@@ -204,7 +209,8 @@ private slots:
         Random random(2);
         for (int round = 0; round < 200; ++round) {
             ViewValue view = anyView(random);
-            view.appearance.settings.erase("name"); // Qt has a shorter word for the line feed in it
+            view.appearance.settings.erase("name");                  // Qt has a shorter word for the line feed in it
+            view.appearance.settings["count"] = std::int64_t(round); // a large one may be taken for a double
             const QByteArray text = QByteArray::fromStdString(viewToText(view));
             const QJsonValue read = asDoubles(QJsonDocument::fromJson(text).object());
             QCOMPARE(text, QJsonDocument(read.toObject()).toJson());
@@ -263,13 +269,22 @@ private slots:
         ViewValue withEnds;
         withEnds.annotations.barEnds = BarEnds{};
         QVERIFY(*viewFromText(R"({"annotations": {}})", withEnds) == ViewValue());
-        withEnds.annotations = {.title = "a", .quantity = "b", .unit = "c", .numbers = {NumberFormat::Style::Plain, 1}};
+        withEnds.annotations = {.title = "a",
+                                .quantity = "b",
+                                .unit = "c",
+                                .numbers = {NumberFormat::Style::Plain, 1},
+                                .lengths = {NumberFormat::Style::Powers, 0},
+                                .textSize = 20,
+                                .boldText = true};
         QVERIFY(*viewFromText(R"({"annotations": {}})", withEnds) == ViewValue());
         const std::string usualText = viewToText(ViewValue());
-        for (const char* name : {"titleText", "quantity", "\"unit\"", "numbers"}) // earlier programs know none of them
+        for (const char* name : {"titleText", "quantity", "\"unit\"", "numbers", "lengths", "textSize",
+                                 "boldText"}) // earlier programs know none of them
             QVERIFY(usualText.find(name) == std::string::npos);
         const auto many = viewFromText(R"({"annotations": {"numbers": {"style": "powers", "decimals": 1e9}}})");
         QCOMPARE(many->annotations.numbers.decimals, mostDecimals);
+        QCOMPARE(viewFromText(R"({"annotations": {"textSize": 1e9}})")->annotations.textSize, largestTextSize);
+        QCOMPARE(viewFromText(R"({"annotations": {"textSize": -1}})")->annotations.textSize, smallestTextSize);
         QVERIFY(!viewFromText(R"({"annotations": {"numbers": {"style": "roman"}}})").ok());
     }
 

@@ -286,6 +286,8 @@ Drivers annotationControls()
                 view.annotations.places[i].shown = !view.annotations.places[i].shown;
             },
             inDock("dock.view")));
+        if (!isInCorner(static_cast<AnnotationKind>(i)))
+            continue;
         drivers.push_back(edit(
             name + ".corner",
             [i](ViewValue& view, const DrivenWindow&) {
@@ -350,6 +352,15 @@ Driver annotationText(const QString& name, std::string AnnotationState::*text, A
         });
 }
 
+/// Numbers of lengths are written.
+void showBoxAxes(DrivenWindow& window)
+{
+    AnnotationState state = window.session().view().annotations;
+    state[AnnotationKind::BoxAxes].shown = true;
+    window.session().setAnnotations(state);
+    window.raise("dock.view");
+}
+
 Drivers annotationTextControls()
 {
     return {
@@ -368,6 +379,25 @@ Drivers annotationTextControls()
                 window.session().setAnnotations(state);
                 window.raise("dock.view");
             }),
+        edit(
+            "view.lengths.style",
+            [](ViewValue& view, const DrivenWindow&) { view.annotations.lengths.style = NumberFormat::Style::Plain; },
+            &showBoxAxes),
+        edit(
+            "view.lengths.decimals", [](ViewValue& view, const DrivenWindow&) { ++view.annotations.lengths.decimals; },
+            [](DrivenWindow& window) {
+                AnnotationState state = window.session().view().annotations;
+                state.lengths.style = NumberFormat::Style::Powers;
+                window.session().setAnnotations(state);
+                showBoxAxes(window);
+            }),
+        edit(
+            "view.textSize", [](ViewValue& view, const DrivenWindow&) { ++view.annotations.textSize; },
+            inDock("dock.view")),
+        edit(
+            "view.boldText",
+            [](ViewValue& view, const DrivenWindow&) { view.annotations.boldText = !view.annotations.boldText; },
+            inDock("dock.view")),
     };
 }
 
