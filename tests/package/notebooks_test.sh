@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # notebooks_test.sh FOLDER: the notebooks of the manual, each run by nbconvert from its first cell to its last in a Debian with the
-# packages of FOLDER and what the notebooks say they need. No part of all.sh: ./dev soak runs the same cells with the build's module.
+# packages of FOLDER and what the notebooks say they need. No part of all.sh: ./dev soak runs the same cells with the build's module. The
+# system takes some 2.5 GB.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "$0")/../.." && pwd)
 . "$root/tests/package/clean_debian.sh"
