@@ -344,7 +344,7 @@ private slots:
             sized.state.textSize = textSize;
             std::vector<DrawnShape> drawn;
             double size = 0;
-            if (paintAnnotations(PixelCanvas(drawn, 800, 600, 3), sized))
+            if (paintAnnotations(PixelCanvas(drawn, 2400, 1800, 3), sized))
                 for (const DrawnShape& shape : drawn)
                     if (const auto* text = std::get_if<WrittenText>(&shape))
                         for (const GlyphRun& run : text->runs)
@@ -352,7 +352,7 @@ private slots:
             return size;
         };
         QCOMPARE(largest(usualTextSize), usualTextSize);
-        QCOMPARE(largest(30), 30.0);
+        QCOMPARE(largest(24), 24.0);
     }
 
     /// All of a picture's annotations grow with their texts, as on a screen with more pixels.
