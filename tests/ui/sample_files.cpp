@@ -38,9 +38,9 @@ Dataset sampleDataset(std::uint32_t size)
     return require(makeSample(request));
 }
 
-std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::path& folder)
+std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::path& folder, const std::string& name)
 {
-    const std::filesystem::path path = folder / "c60.nrrd";
+    const std::filesystem::path path = folder / name;
     std::ofstream file(path, std::ios::binary);
     const auto& size = dataset.lattice.size;
     file << "NRRD0004\ntype: " << sampleTypeName(dataset.values.type()) << "\ndimension: 3\nsizes: " << size[0] << ' '

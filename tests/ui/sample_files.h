@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace tetra {
 
@@ -18,7 +19,8 @@ std::unique_ptr<PluginHost> hostOfThisBuild();
 Dataset sampleDataset(std::uint32_t size);
 
 /// Writes the dataset as an NRRD file with its samples inside. Returns its path.
-std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::path& folder);
+std::filesystem::path writeNrrd(const Dataset& dataset, const std::filesystem::path& folder,
+                                const std::string& name = "c60.nrrd");
 
 /// Builds the dataset's model by the refinement builder, down to `errorPercent`. Returns its path.
 std::filesystem::path buildSampleModel(PluginHost& host, const Dataset& dataset, const std::filesystem::path& folder,

@@ -32,7 +32,9 @@ void DrivingTest::makeFiles(const char* application)
     QLocale::setDefault(QLocale::c());
     QSettings().clear();
     const std::filesystem::path folder = folder_.path().toStdString();
-    model_ = QString::fromStdString(buildSampleModel(*hostOfThisBuild(), positiveSample(10), folder).string());
+    const Dataset data = positiveSample(10);
+    model_ = QString::fromStdString(buildSampleModel(*hostOfThisBuild(), data, folder).string());
+    writeNrrd(data, folder, data.source.name); // where the model's data are looked for
     volume_ = QString::fromStdString(writeNrrd(sampleDataset(8), folder).string());
 }
 

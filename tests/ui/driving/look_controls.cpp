@@ -139,6 +139,7 @@ Drivers renderingControls()
             inDock("dock.rendering")),
         setting("shaded", false, [](const SceneFacts& scene) { return !scene.shaded; }),
         setting("order", std::string("with-cell"), [](const SceneFacts& scene) { return scene.withCell; }),
+        setting("show", std::string("data"), [](const SceneFacts& scene) { return scene.hasSamples; }),
         shows(),
         projection(),
         setting("outline", false, [](const SceneFacts& scene) { return scene.lines == 0; }),

@@ -13,6 +13,7 @@ namespace tetra {
 /// What the settings of the renderers make of a scene.
 struct SceneFacts {
     bool hasVolume = false;
+    bool hasSamples = false; ///< in its place
     bool shaded = false;
     bool withCell = false; ///< surfaces and volume in the order of the paper
     std::size_t lines = 0;
@@ -31,6 +32,7 @@ inline SceneFacts factsOf(const Scene& scene)
     const testing::SceneParts parts = testing::partsOf(scene);
     SceneFacts facts;
     facts.hasVolume = parts.volume.has_value();
+    facts.hasSamples = !shapesOf<SampledVolume>(scene).empty();
     facts.shaded = parts.volume && parts.volume->shaded;
     facts.withCell = parts.wholeCells;
     facts.lines = parts.lines.size();
