@@ -302,13 +302,14 @@ void PanelsTest::isovaluesOfMapsAreInDeviationsToo()
     const auto kept = keptStatistics(session().model()->description().parameters);
     QVERIFY(kept);
     const auto near = [](double one, double other) { return std::abs(one - other) < 0.01; };
+    const auto asShown = [](double one, double other) { return std::abs(one - other) < 0.06; }; // with one decimal
     auto& deviations = window_->find<QDoubleSpinBox>("isovalue.0.deviations");
     auto& value = window_->find<QDoubleSpinBox>("isovalue.0.value.box");
     QVERIFY(near(deviations.value(), kept->deviationsAt(isovalue(0).value)));
     const double before = isovalue(0).value;
     deviations.setValue(1.5);
     QVERIFY(near(isovalue(0).value, kept->valueAt(1.5)));
-    QVERIFY(near(value.value(), kept->valueAt(1.5)));
+    QVERIFY(asShown(value.value(), kept->valueAt(1.5)));
     QVERIFY2(deviations.toolTip().contains(QLocale().toString(kept->mean, 'g', 6)), qPrintable(deviations.toolTip()));
     window_->workbench.session().undoStack().undo();
     QCOMPARE(isovalue(0).value, before);
@@ -316,7 +317,7 @@ void PanelsTest::isovaluesOfMapsAreInDeviationsToo()
         value.selectAll();
         QTest::keyClicks(&value, QString::fromUtf8(text));
         QTest::keyClick(&value, Qt::Key_Return);
-        QVERIFY2(near(isovalue(0).value, kept->valueAt(number)), text);
+        QVERIFY2(asShown(isovalue(0).value, kept->valueAt(number)), text);
         QVERIFY(near(deviations.value(), number));
     }
 }
