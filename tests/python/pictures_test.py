@@ -51,10 +51,10 @@ class Pictures(ModuleTest):
 
     def test_axes_with_numbers(self):
         """They lie around the ball; twice as large letters cover more."""
-        plain = self.bare(zoom=0.6, size=(480, 360))
+        plain = self.bare(zoom=0.75, size=(960, 720))
         covered = []
         for look in ({}, {"text_size": 20}):
-            pixels = self.bare(zoom=0.6, size=(480, 360), box_axes=True, **look)
+            pixels = self.bare(zoom=0.75, size=(960, 720), box_axes=True, **look)
             changed = (pixels != plain).any(axis=-1)
             self.assertFalse(changed[seen(plain)].any())
             covered.append(changed.sum())

@@ -186,7 +186,7 @@ class Files(ModuleTest):
         self.refused(OSError, "none.nrrd.*does not exist", tan.build, self.folder / "none.nrrd", self.folder / "x.tan")
         (self.folder / "text.nrrd").write_text("nothing")
         self.refused(tan.BadInput, "text.nrrd", tan.build, self.folder / "text.nrrd", self.folder / "x.tan")
-        (self.folder / "red.bov").write_bytes(b"DATA_FILE: red\x1b[31m.raw\nDATA SIZE: 4 4 4\nDATA FORMAT: FLOAT\nVARIABLE: a\n")
+        (self.folder / "red.bov").write_bytes(b"DATA_FILE: red\x1b[31m.raw\nDATA_SIZE: 4 4 4\nDATA_FORMAT: FLOAT\nVARIABLE: a\n")
         self.assertNotIn("\x1b", str(self.refused(tan.BadInput, r"red\\x1b\[31m.raw", tan.build, self.folder / "red.bov", self.folder / "x.tan")))
         self.refused(tan.WrongUsage, "magic", tan.build, self.file, self.folder / "x.tan", method="magic")
         self.refused(tan.WrongUsage, "nothing", tan.build, self.file, self.folder / "x.tan", options={"nothing": 1})

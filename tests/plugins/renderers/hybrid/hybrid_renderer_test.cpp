@@ -20,9 +20,10 @@ private slots:
     {
         const auto parameters = rendererNamed("hybrid").parameters({{-10, 30}, unitBox});
         for (const char* id : {"transfer", "isovalues", "shaded", "order", "boundary", "boundary-opacity",
-                               "boundary-far-side", "lit", "clip", "outline"})
+                               "boundary-far-side", "lit", "clip", "outline", "show"})
             QVERIFY2(std::ranges::count(parameters, id, &Parameter::id) == 1, id);
-        QCOMPARE(parameters.size(), std::size_t(10));
+        QCOMPARE(parameters.size(), std::size_t(11));
+        QCOMPARE(rendererNamed("hybrid").parameters({.hasSamples = false}).size(), std::size_t(10));
         const auto order = std::ranges::find(parameters, "order", &Parameter::id);
         QCOMPARE(order->choices, (std::vector<std::string>{"exact", "with-cell"}));
         QCOMPARE(std::get<std::string>(order->defaultValue), std::string("exact"));
