@@ -75,7 +75,8 @@ void scaleLines(Scene& scene, double factor)
 bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
 {
     if (one.model != other.model || one.renderer != other.renderer || !(one.query == other.query) ||
-        one.values != other.values || one.faultyCells != other.faultyCells)
+        one.values != other.values || one.faultyCells != other.faultyCells ||
+        asksForSamples(one) != asksForSamples(other))
         return false;
     return one.renderer == nullptr || !one.renderer->needs().view ||
            (one.camera == other.camera && one.width == other.width && one.height == other.height);
@@ -241,6 +242,11 @@ ShownField shownFieldOf(const SceneRequest& request)
 }
 
 } // namespace
+
+bool asksForSamples(const SceneRequest& request)
+{
+    return shownFieldOf(request) != ShownField::Mesh;
+}
 
 SceneRequest withMesh(SceneRequest request)
 {

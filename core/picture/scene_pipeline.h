@@ -36,6 +36,8 @@ struct SceneRequest {
     std::function<Result<std::shared_ptr<const Dataset>>(const Model& model, const Progress& progress)> samples{};
 };
 
+/// Whether the samples are to be seen in the place of the mesh, or what both differ in.
+bool asksForSamples(const SceneRequest& request);
 /// The same that shows the mesh, whatever was asked for.
 SceneRequest withMesh(SceneRequest request);
 

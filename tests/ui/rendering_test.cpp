@@ -19,6 +19,9 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include <filesystem>
+#include <string>
+
 using namespace tetra;
 
 /// Rendering modes and the camera in numbers (R27), by object names.
@@ -31,6 +34,7 @@ private slots:
     void theModeChangesWithoutAnotherMesh();
     void settingsStayWhenTheModeChanges();
     void litVolumesHaveADarkGround();
+    void whereTheDataAreMissingTheMeshIsShown();
     void aDefaultThatIsConfirmedIsNoEdit();
     void whatCouldNotBeDrawnIsForgottenWithTheNextPicture();
     void aSettingOfAnotherTypeIsLeftOut();
@@ -141,6 +145,29 @@ void RenderingTest::settingsStayWhenTheModeChanges()
     undo();
     QTRY_VERIFY(!testing::partsOf(*window_->viewport().scene()).wholeCells);
     QCOMPARE(order.currentIndex(), 0);
+}
+
+/// It is said once, and the data are seen when they are there.
+void RenderingTest::whereTheDataAreMissingTheMeshIsShown()
+{
+    const Dataset data = sampleDataset(16);
+    const auto file = folder_.path().toStdString() + "/" + data.source.name;
+    std::filesystem::remove(file);
+    showVolume();
+    QSignalSpy missed(&window_->workbench.scenes().sceneBuilder(), &SceneBuilder::samplesMissed);
+    session().setSetting("show", std::string("data"));
+    QTRY_COMPARE(missed.count(), 1);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
+    session().setSetting("shaded", false);
+    QTRY_VERIFY(window_->settled() && !testing::partsOf(*window_->viewport().scene()).volume->shaded);
+    QCOMPARE(missed.count(), 1);
+    QCOMPARE(session().shown()->shown, ShownField::Mesh);
+    writeNrrd(data, folder_.path().toStdString(), data.source.name);
+    session().setSetting("show", std::string("mesh"));
+    session().setSetting("show", std::string("data"));
+    QTRY_VERIFY(window_->settled() && !shapesOf<SampledVolume>(*window_->viewport().scene()).empty());
+    QCOMPARE(session().shown()->shown, ShownField::Data);
+    QCOMPARE(missed.count(), 1);
 }
 
 /// Behind a lit volume the ground is dark, unless another one was chosen; behind all else it fits the window.

@@ -105,11 +105,23 @@ void SceneBuilder::request(SceneRequest request)
     setBusy(true);
     job_.submit(
         [this, number = ++newest_, pipeline = pipeline_, request = std::move(request)](const std::stop_token& stop) {
-            Result<BuiltScene> result = pipeline->make(request, Progress(stop, {}));
+            Made made = make(*pipeline, request, Progress(stop, {}));
             QMetaObject::invokeMethod(
-                this, [this, number, result = std::move(result)] { arrived(number, result); }, Qt::QueuedConnection);
+                this, [this, number, made = std::move(made)] { arrived(number, made); }, Qt::QueuedConnection);
         },
         patience_);
+}
+
+/// Where the samples that are asked for cannot be had, the mesh is better than nothing.
+SceneBuilder::Made SceneBuilder::make(ScenePipeline& pipeline, const SceneRequest& request, const Progress& progress)
+{
+    Result<BuiltScene> scene = pipeline.make(request, progress);
+    if (scene || scene.error().kind == ErrorKind::Cancelled || !asksForSamples(request))
+        return {std::move(scene)};
+    Result<BuiltScene> ofMesh = pipeline.make(withMesh(request), progress);
+    if (!ofMesh)
+        return {std::move(ofMesh)};
+    return {std::move(ofMesh), scene.error()};
 }
 
 std::shared_ptr<const ExtractedMesh> SceneBuilder::mesh() const
@@ -126,8 +138,16 @@ void SceneBuilder::clear()
     setBusy(false);
 }
 
-void SceneBuilder::arrived(quint64 number, const Result<BuiltScene>& result)
+void SceneBuilder::tellMissed(const std::optional<Error>& missed)
 {
+    const std::string text = missed ? missed->text() : std::string();
+    if (text != std::exchange(lastMissed_, text) && missed)
+        emit samplesMissed(*missed);
+}
+
+void SceneBuilder::arrived(quint64 number, const Made& made)
+{
+    const Result<BuiltScene>& result = made.scene;
     if (number <= cleared_)
         return;
     if (number == newest_)
@@ -137,6 +157,7 @@ void SceneBuilder::arrived(quint64 number, const Result<BuiltScene>& result)
     if (result) {
         last_ = *result;
         emit sceneReady(*result);
+        tellMissed(made.missed);
         return;
     }
     if (number == newest_)

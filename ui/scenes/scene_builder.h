@@ -9,6 +9,8 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -34,16 +36,27 @@ public:
 signals:
     void sceneReady(const tetra::BuiltScene& scene);
     void failed(const tetra::Error& error);
+    /// The samples that were asked for are not there, so that the last scene shows the mesh; told once.
+    void samplesMissed(const tetra::Error& error);
     void busyChanged(bool busy);
 
 private:
-    void arrived(quint64 number, const Result<BuiltScene>& result);
+    /// What a worker made of a request.
+    struct Made {
+        Result<BuiltScene> scene;
+        std::optional<Error> missed{}; ///< why it is of the mesh
+    };
+
+    static Made make(ScenePipeline& pipeline, const SceneRequest& request, const Progress& progress);
+    void arrived(quint64 number, const Made& made);
+    void tellMissed(const std::optional<Error>& missed);
     void setBusy(bool busy);
 
     quint64 newest_ = 0;
     quint64 cleared_ = 0; ///< requests up to this number are dropped
     bool busy_ = false;
     std::optional<BuiltScene> last_;
+    std::string lastMissed_; ///< what was told last of samples that are not there; empty if they are
     std::chrono::milliseconds patience_;
     std::shared_ptr<ScenePipeline> pipeline_;
     LatestJob job_;

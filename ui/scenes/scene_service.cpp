@@ -31,6 +31,8 @@ SceneService::SceneService(PluginHost& host, Session& session)
     connect(&settling_, &QTimer::timeout, this, &SceneService::requestScene);
     connect(&sceneBuilder_, &SceneBuilder::failed, this,
             [this](const Error& error) { emit failed(translatedMessage(error.message)); });
+    connect(&sceneBuilder_, &SceneBuilder::samplesMissed, this,
+            [this](const Error& error) { emit failed(translatedMessage(error.message)); });
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
             [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &errors_, &ErrorMeasuring::look);
