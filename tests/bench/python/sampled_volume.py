@@ -5,6 +5,7 @@ them, against VTK's vtkFixedPointVolumeRayCastMapper (linear, distance 1, one ra
 medians, taken by turns, and what 600 rays are off numpy's integral of the trilinear field, each program by its own definition of opacities
 between points. A function that fills the volume and a sparse one, unlit and lit. Needs a display for VTK (xvfb-run). Pin it to quiet processors."""
 import argparse
+import gzip
 import json
 import pathlib
 import statistics
@@ -14,7 +15,7 @@ import time
 
 import numpy
 import vtkmodules.all as vtk
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 arguments = argparse.ArgumentParser(description=__doc__)
 arguments.add_argument("build", type=pathlib.Path)
@@ -23,6 +24,7 @@ arguments.add_argument("--sizes", type=int, nargs="+", default=[512])
 arguments.add_argument("--threads", type=int, nargs="+", default=[1])
 arguments.add_argument("--rounds", type=int, default=5)
 asked = arguments.parse_args()
+asked.build = asked.build.resolve()
 
 RAYS, STEPS = 600, 24  # of a cell
 COLOURS = [(0, (0, 0, 1)), (0.25, (0, 1, 1)), (0.5, (0, 1, 0)), (0.75, (1, 1, 0)), (1, (1, 0, 0))]
@@ -152,6 +154,18 @@ def tan(folder, *words):
     return json.loads(done.stdout)
 
 
+def read_nrrd(path):
+    """Of attached samples along the axes, packed or not."""
+    header, samples = path.read_bytes().split(b"\n\n", 1)
+    said = dict(line.split(": ", 1) for line in header.decode().splitlines() if ": " in line)
+    samples = gzip.decompress(samples) if said["encoding"] == "gzip" else samples
+    image = vtk.vtkImageData()
+    image.SetDimensions(*map(int, said["sizes"].split()))
+    image.SetSpacing(*map(float, said.get("spacings", "1 1 1").split()))
+    image.GetPointData().SetScalars(numpy_to_vtk(numpy.frombuffer(samples, {"float": "f4", "double": "f8"}.get(said["type"], said["type"])), deep=1))
+    return image
+
+
 def read_png(path):
     reader = vtk.vtkPNGReader()
     reader.SetFileName(str(path))
@@ -195,9 +209,6 @@ def measure(folder, name, image):
 for data in asked.data:
     with tempfile.TemporaryDirectory() as made:
         place = pathlib.Path(made)
-        nrrd = vtk.vtkNrrdReader()
-        nrrd.SetFileName(str(data))
-        nrrd.Update()
         (place / data.name).symlink_to(data.resolve())
         tan(place, "build", data.name, "-o", "model.tan", "--error", 40)
-        measure(place, data.name.split("_")[0], nrrd.GetOutput())
+        measure(place, data.name.split("_")[0], read_nrrd(data))
