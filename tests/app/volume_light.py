@@ -249,7 +249,7 @@ class Tally:
 class LightTest(unittest.TestCase):
     """Compares pictures with what is seen of pieces of rays."""
 
-    tolerances, pieces, options, top = TOLERANCES, Pieces, (), 0
+    tolerances, pieces, options, top, fewest = TOLERANCES, Pieces, (), 0, 250
 
     @classmethod
     def setUpClass(cls):
@@ -290,7 +290,7 @@ class LightTest(unittest.TestCase):
                 self.compare(mesh, Camera(VIEWS[view], mesh), Function(FUNCTIONS[function], mesh), tallies, f"{kind}, {view}, {function}")
         for name, tally in tallies.items():
             print(f"{kind}, {name}: {tally.rays} rays through the volume, off by {tally.largest:.2f} of 255 at most, {tally.doubtful} doubtful")
-            self.assertGreater(tally.rays, 250)
+            self.assertGreater(tally.rays, self.fewest)
             self.assertLess(tally.doubtful, 0.05 * tally.rays)
         self.assertGreater(tallies["lit"].by_light, 20)
 
