@@ -12562,10 +12562,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Quelle</translation>
     </message>
     <message>
-        <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference of the two pictures, made brighter. A moving picture, a focus and a range of accuracies always show the mesh.</source>
-        <translation>Woraus das Volumen gezeichnet wird: aus dem Netz; aus den Abtastwerten der Daten selbst, sodass Sie sehen, was das Netz weglässt; oder der Unterschied der beiden Bilder, aufgehellt. Ein bewegtes Bild, ein Fokus und ein Bereich von Genauigkeiten zeigen immer das Netz.</translation>
-    </message>
-    <message>
         <source>the data themselves</source>
         <translation>die Daten selbst</translation>
     </message>
@@ -12584,6 +12580,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Not enough memory for the mean of the values. Give a value of the data.</source>
         <translation>Der Speicher reicht nicht für den Mittelwert der Werte. Geben Sie einen Wert der Daten an.</translation>
+    </message>
+    <message>
+        <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference between the two pictures, made brighter. A moving picture always shows the mesh, and so does one with a focus, a crop box, a filter of values or a range of accuracies.</source>
+        <translation>Woraus das Volumen gezeichnet wird: aus dem Netz; aus den Abtastwerten der Daten selbst, sodass Sie sehen, was das Netz weglässt; oder der Unterschied zwischen den beiden Bildern, aufgehellt. Ein bewegtes Bild zeigt immer das Netz, ebenso eines mit einem Fokus, einem Ausschnitt, einem Wertefilter oder einem Bereich von Genauigkeiten.</translation>
     </message>
 </context>
 <context>

@@ -12562,10 +12562,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Origine</translation>
     </message>
     <message>
-        <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference of the two pictures, made brighter. A moving picture, a focus and a range of accuracies always show the mesh.</source>
-        <translation>Da che cosa è disegnato il volume: dalla mesh; dai campioni dei dati stessi, così da vedere ciò che la mesh tralascia; oppure la differenza delle due immagini, resa più luminosa. Un&apos;immagine in movimento, un fuoco e un intervallo di accuratezze mostrano sempre la mesh.</translation>
-    </message>
-    <message>
         <source>the data themselves</source>
         <translation>i dati stessi</translation>
     </message>
@@ -12584,6 +12580,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Not enough memory for the mean of the values. Give a value of the data.</source>
         <translation>La memoria non basta per la media dei valori. Indicare un valore dei dati.</translation>
+    </message>
+    <message>
+        <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference between the two pictures, made brighter. A moving picture always shows the mesh, and so does one with a focus, a crop box, a filter of values or a range of accuracies.</source>
+        <translation>Da che cosa è disegnato il volume: dalla mesh; dai campioni dei dati stessi, così da vedere ciò che la mesh tralascia; oppure la differenza tra le due immagini, resa più luminosa. Un&apos;immagine in movimento mostra sempre la mesh, e così una con un fuoco, un ritaglio, un filtro di valori o un intervallo di accuratezze.</translation>
     </message>
 </context>
 <context>

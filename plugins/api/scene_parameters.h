@@ -92,10 +92,11 @@ inline Parameter shownParameter()
     Parameter parameter;
     parameter.id = shownId;
     parameter.label = Message::marked("Source");
-    parameter.explanation =
-        Message::marked("What the volume is drawn from: the mesh; the samples of the data themselves, so that you see "
-                        "what the mesh leaves out; or the difference of the two pictures, made brighter. A moving "
-                        "picture, a focus and a range of accuracies always show the mesh.");
+    parameter.explanation = Message::marked(
+        "What the volume is drawn from: the mesh; the samples of the data themselves, so that you see "
+        "what the mesh leaves out; or the difference between the two pictures, made brighter. A moving "
+        "picture always shows the mesh, and so does one with a focus, a crop box, a filter of values or "
+        "a range of accuracies.");
     parameter.defaultValue = std::string(shownMesh);
     parameter.choices = {shownMesh, shownData, shownDifference};
     return parameter;
