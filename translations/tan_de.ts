@@ -12583,7 +12583,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference between the two pictures, made brighter. A moving picture always shows the mesh, and so does one with a focus, a crop box, a filter of values or a range of accuracies.</source>
-        <translation>Woraus das Volumen gezeichnet wird: aus dem Netz; aus den Abtastwerten der Daten selbst, sodass Sie sehen, was das Netz weglässt; oder der Unterschied zwischen den beiden Bildern, aufgehellt. Ein bewegtes Bild zeigt immer das Netz, ebenso eines mit einem Fokus, einem Ausschnitt, einem Wertefilter oder einem Bereich von Genauigkeiten.</translation>
+        <translation>Woraus das Volumen gezeichnet wird: aus dem Netz; aus den Abtastwerten der Daten selbst, sodass Sie sehen, was das Netz weglässt; oder der Unterschied zwischen den beiden Bildern, aufgehellt. Ein bewegtes Bild zeigt immer das Netz, ebenso eines mit einem Fokus, einem Fenster, einem Bereich von Werten oder einem Bereich von Genauigkeiten.</translation>
     </message>
 </context>
 <context>

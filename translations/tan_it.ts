@@ -12583,7 +12583,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference between the two pictures, made brighter. A moving picture always shows the mesh, and so does one with a focus, a crop box, a filter of values or a range of accuracies.</source>
-        <translation>Da che cosa è disegnato il volume: dalla mesh; dai campioni dei dati stessi, così da vedere ciò che la mesh tralascia; oppure la differenza tra le due immagini, resa più luminosa. Un&apos;immagine in movimento mostra sempre la mesh, e così una con un fuoco, un ritaglio, un filtro di valori o un intervallo di accuratezze.</translation>
+        <translation>Da che cosa è disegnato il volume: dalla mesh; dai campioni dei dati stessi, così da vedere ciò che la mesh tralascia; oppure la differenza tra le due immagini, resa più luminosa. Un&apos;immagine in movimento mostra sempre la mesh, e così una con un fuoco, una finestra, un intervallo di valori o un intervallo di accuratezze.</translation>
     </message>
 </context>
 <context>
