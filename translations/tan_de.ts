@@ -12585,6 +12585,22 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference between the two pictures, made brighter. A moving picture always shows the mesh, and so does one with a focus, a crop box, a filter of values or a range of accuracies.</source>
         <translation>Woraus das Volumen gezeichnet wird: aus dem Netz; aus den Abtastwerten der Daten selbst, sodass Sie sehen, was das Netz weglässt; oder der Unterschied zwischen den beiden Bildern, aufgehellt. Ein bewegtes Bild zeigt immer das Netz, ebenso eines mit einem Fokus, einem Fenster, einem Bereich von Werten oder einem Bereich von Genauigkeiten.</translation>
     </message>
+    <message>
+        <source>%1; data are not shown with a range of accuracies</source>
+        <translation>%1; mit einem Bereich von Genauigkeiten werden keine Daten gezeigt</translation>
+    </message>
+    <message>
+        <source>%1; data are not shown with a crop box</source>
+        <translation>%1; mit einem Fenster werden keine Daten gezeigt</translation>
+    </message>
+    <message>
+        <source>%1; data are not shown with a filter of values</source>
+        <translation>%1; mit einem Bereich von Werten werden keine Daten gezeigt</translation>
+    </message>
+    <message>
+        <source>%1; data are not shown with a focus</source>
+        <translation>%1; mit einem Fokus werden keine Daten gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

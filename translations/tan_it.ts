@@ -12585,6 +12585,22 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>What the volume is drawn from: the mesh; the samples of the data themselves, so that you see what the mesh leaves out; or the difference between the two pictures, made brighter. A moving picture always shows the mesh, and so does one with a focus, a crop box, a filter of values or a range of accuracies.</source>
         <translation>Da che cosa è disegnato il volume: dalla mesh; dai campioni dei dati stessi, così da vedere ciò che la mesh tralascia; oppure la differenza tra le due immagini, resa più luminosa. Un&apos;immagine in movimento mostra sempre la mesh, e così una con un fuoco, una finestra, un intervallo di valori o un intervallo di accuratezze.</translation>
     </message>
+    <message>
+        <source>%1; data are not shown with a range of accuracies</source>
+        <translation>%1; con un intervallo di accuratezze i dati non sono mostrati</translation>
+    </message>
+    <message>
+        <source>%1; data are not shown with a crop box</source>
+        <translation>%1; con una finestra i dati non sono mostrati</translation>
+    </message>
+    <message>
+        <source>%1; data are not shown with a filter of values</source>
+        <translation>%1; con un intervallo di valori i dati non sono mostrati</translation>
+    </message>
+    <message>
+        <source>%1; data are not shown with a focus</source>
+        <translation>%1; con un fuoco i dati non sono mostrati</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

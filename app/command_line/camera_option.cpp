@@ -54,13 +54,13 @@ std::string cameraNames()
     return names;
 }
 
-Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds, double aspectRatio,
-                         double room)
+Result<Camera> cameraFor(const std::string& nameOrFile, const Framing& framing, const Eigen::AlignedBox3d& bounds,
+                         double aspectRatio)
 {
     const auto view = std::ranges::find(views, nameOrFile, &NamedView::name);
     if (view == views.end())
         return readCamera(nameOrFile, bounds, aspectRatio);
-    return zoomed(fitted(Camera{.azimuth = view->azimuth, .elevation = view->elevation}, bounds, aspectRatio), room);
+    return framing(Camera{.azimuth = view->azimuth, .elevation = view->elevation});
 }
 
 } // namespace tetra

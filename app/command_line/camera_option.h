@@ -4,15 +4,19 @@
 #include <tan/base.h>
 #include <tan/render.h>
 
+#include <functional>
 #include <string>
 
 namespace tetra {
 
+/// A camera of the same direction that shows whole what a picture is to show.
+using Framing = std::function<Camera(const Camera&)>;
+
 /// The camera that `--camera` asks for: a named view (front, back, left, right, top, bottom, iso), or a JSON file with
-/// any of the keys that tan/render.h has. What is left open fits `bounds` into a picture of this
-/// width / height; named views are `room` times as far as that.
-Result<Camera> cameraFor(const std::string& nameOrFile, const Eigen::AlignedBox3d& bounds, double aspectRatio,
-                         double room);
+/// any of the keys that tan/render.h has. How near a named view is, `framing` says; what a file leaves open fits
+/// `bounds` into a picture of this width / height.
+Result<Camera> cameraFor(const std::string& nameOrFile, const Framing& framing, const Eigen::AlignedBox3d& bounds,
+                         double aspectRatio);
 
 /// "front, back, ...".
 std::string cameraNames();

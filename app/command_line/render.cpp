@@ -108,11 +108,12 @@ double aspectRatioOf(const PictureOptions& picture)
 }
 
 /// As the options say, or `usual`. `room`: roomAroundBox().
-Result<Camera> cameraOf(const Arguments& arguments, const Camera& usual, const Eigen::AlignedBox3d& bounds,
-                        const PictureOptions& picture, double room)
+/// The camera that is asked for, or else this one.
+Result<Camera> cameraOf(const Arguments& arguments, const Camera& usual, const Framing& framing,
+                        const Eigen::AlignedBox3d& bounds, const PictureOptions& picture)
 {
     const auto given = arguments.value("camera");
-    return given ? cameraFor(*given, bounds, aspectRatioOf(picture), room) : Result<Camera>(usual);
+    return given ? cameraFor(*given, framing, bounds, aspectRatioOf(picture)) : Result<Camera>(usual);
 }
 
 /// The values by which the renderer makes its scene: what the options leave open is as the window shows it at first.
@@ -200,15 +201,21 @@ MeshQuery finestQuery(const RenderRequest& request)
     return query;
 }
 
-/// What fills the picture if no camera is given: a window alone, unless the outline of the domain is drawn around it.
-Eigen::AlignedBox3d framedPart(const ModelDescription& data, const MeshQuery& query, const ParameterValues& given)
+/// What fills the picture if no camera is given: what there is to see of the data; a window alone, unless the outline
+/// of the domain is drawn around it.
+Framing framingOf(const FieldExtent& field, const MeshQuery& query, const ParameterValues& given,
+                  const AnnotationState& annotations, double aspectRatio)
 {
     const auto outline = given.find(outlineId);
     const bool hasOutline = outline == given.end() || outline->second != ParameterValue(false);
-    if (hasOutline || !query.window)
-        return data.bounds;
-    const Eigen::AlignedBox3d window = data.bounds.intersection({query.window->box.least, query.window->box.largest});
-    return window.isEmpty() ? data.bounds : window;
+    const Eigen::AlignedBox3d& whole = field.bounds;
+    return [=, object = query.window ? decltype(field.object)() : field.object](const Camera& camera) {
+        Eigen::AlignedBox3d part = whole;
+        if (query.window && !hasOutline)
+            part = part.intersection({query.window->box.least, query.window->box.largest});
+        return framed({.annotations = annotations, .camera = camera}, part.isEmpty() ? whole : part, object,
+                      aspectRatio);
+    };
 }
 
 /// Whether values on the boundary are asked for, and neither a mode nor isovalues.
@@ -261,15 +268,13 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto annotations = annotationsOf(arguments);
     if (!annotations)
         return annotations.error();
-    const double room = roomAroundBox(*annotations);
-    const Eigen::AlignedBox3d part = framedPart(data, request.query, *values);
-    const Camera usual = zoomed(fitted(Camera(), part, aspectRatioOf(request.picture)), room);
-    const auto camera = cameraOf(arguments, usual, data.bounds, request.picture, room);
-    if (!camera)
-        return camera.error();
     const auto field = extentOf(view.model);
     if (!field)
         return field.error();
+    const Framing framing = framingOf(*field, request.query, *values, *annotations, aspectRatioOf(request.picture));
+    const auto camera = cameraOf(arguments, framing(Camera()), framing, data.bounds, request.picture);
+    if (!camera)
+        return camera.error();
     const auto modes = renderingModes(invocation.host);
     ViewValue start = startingView(modes, *view.model, *field);
     if (wantsBoundaryAlone(arguments, *values))
@@ -415,9 +420,12 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     view.renderer = *renderer;
     const Eigen::AlignedBox3d& bounds = view.model->description().bounds;
     if (!kept.hasCamera)
-        seen.camera = fittedToBox(seen, bounds, aspectRatioOf(request.picture));
-    const auto camera =
-        cameraOf(invocation.arguments, seen.camera, bounds, request.picture, roomAroundBox(seen.annotations));
+        seen.camera = framed(seen, bounds, field->object, aspectRatioOf(request.picture));
+    const Framing framing = [&](const Camera& camera) {
+        return framed({.annotations = seen.annotations, .camera = camera}, bounds, field->object,
+                      aspectRatioOf(request.picture));
+    };
+    const auto camera = cameraOf(invocation.arguments, seen.camera, framing, bounds, request.picture);
     if (!camera)
         return camera.error();
     seen.camera = *camera;

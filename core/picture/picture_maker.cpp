@@ -171,6 +171,11 @@ ViewValue PictureMaker::startingView(double aspectRatio) const
     return tetra::startingView(parts_->modes, *parts_->model, parts_->field, aspectRatio);
 }
 
+Camera PictureMaker::framed(const ViewValue& view, double aspectRatio) const
+{
+    return tetra::framed(view, parts_->field.bounds, parts_->field.object, aspectRatio);
+}
+
 Result<KeptView> PictureMaker::keptView(const std::filesystem::path& file) const
 {
     auto document = readSession(file);
@@ -185,8 +190,7 @@ Result<KeptView> PictureMaker::keptView(const std::filesystem::path& file) const
         kept.viewHeight = restored.document.viewSize[1];
     }
     if (!restored.document.hasCamera)
-        kept.view.camera = fittedToBox(kept.view, parts_->model->description().bounds,
-                                       static_cast<double>(kept.viewWidth) / kept.viewHeight);
+        kept.view.camera = framed(kept.view, static_cast<double>(kept.viewWidth) / kept.viewHeight);
     return kept;
 }
 

@@ -227,18 +227,32 @@ Status ScenePipeline::outlineFaultyCells(BuiltScene& built)
 
 namespace {
 
-/// What is to be seen in place of the mesh; the mesh where no samples can stand for it: they are everywhere alike.
-ShownField shownFieldOf(const SceneRequest& request)
+/// What is asked for in place of the mesh.
+ShownField wantedFieldOf(const SceneRequest& request)
 {
     const auto found = request.values.find(shownId);
     const auto* shown = found != request.values.end() ? std::get_if<std::string>(&found->second) : nullptr;
-    const MeshQuery& query = request.query;
-    if (shown == nullptr || !request.samples || query.range || query.window || !query.values.empty() ||
-        !query.error.isConstant())
+    if (shown == nullptr || !request.samples)
         return ShownField::Mesh;
     return *shown == shownData         ? ShownField::Data
            : *shown == shownDifference ? ShownField::Difference
                                        : ShownField::Mesh;
+}
+
+/// What of a query samples cannot answer, which are everywhere alike.
+MeshInstead meshInstead(const MeshQuery& query)
+{
+    return query.range                 ? MeshInstead::OfRange
+           : query.window              ? MeshInstead::OfWindow
+           : !query.values.empty()     ? MeshInstead::OfValues
+           : !query.error.isConstant() ? MeshInstead::OfFocus
+                                       : MeshInstead::No;
+}
+
+/// What is to be seen in place of the mesh; the mesh where no samples can stand for it.
+ShownField shownFieldOf(const SceneRequest& request)
+{
+    return meshInstead(request.query) == MeshInstead::No ? wantedFieldOf(request) : ShownField::Mesh;
 }
 
 } // namespace
@@ -330,6 +344,8 @@ try {
         if (const Status outlined = outlineFaultyCells(built); !outlined)
             return outlined.error();
     built.mesh = shownMesh(*request.model, request.query);
+    if (wantedFieldOf(request) != ShownField::Mesh)
+        built.mesh.instead = meshInstead(request.query);
     if (const Status shown = showSamples(request, built, progress.part(prepared, 1)); !shown)
         return shown.error();
     built.triangles = triangleCount(*built.scene);

@@ -91,7 +91,15 @@ Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs)
                             errorOfMesh(mesh, signs));
     case ShownField::Mesh: break;
     }
-    return errorOfMesh(mesh, signs);
+    const Message error = errorOfMesh(mesh, signs);
+    switch (mesh.instead) {
+    case MeshInstead::OfRange: return Message::say("%1; data are not shown with a range of accuracies", error);
+    case MeshInstead::OfWindow: return Message::say("%1; data are not shown with a crop box", error);
+    case MeshInstead::OfValues: return Message::say("%1; data are not shown with a filter of values", error);
+    case MeshInstead::OfFocus: return Message::say("%1; data are not shown with a focus", error);
+    case MeshInstead::No: break;
+    }
+    return error;
 }
 
 std::string accuracyText(const ShownMesh& mesh, const AnnotationLanguage& language)

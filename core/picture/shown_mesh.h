@@ -25,6 +25,9 @@ enum class ShownField {
     Difference, ///< of the pictures of both
 };
 
+/// For what the mesh is shown where data were asked for.
+enum class MeshInstead { No, OfRange, OfWindow, OfValues, OfFocus };
+
 /// What is known of the mesh that a picture shows.
 struct ShownMesh {
     MeshQuery query;            ///< that it answers
@@ -35,8 +38,9 @@ struct ShownMesh {
     std::uint64_t keptSites = 0; ///< of what is drawn, as in ExtractedMesh
     std::uint64_t keptTetrahedra = 0;
     ShownField shown = ShownField::Mesh; ///< what is in the picture in its place
-    bool isBlended = false;              ///< of two meshes, both are counted; the whole one is that outside the focus
-    double scale = 1;                    ///< as in ExtractedMesh
+    MeshInstead instead = MeshInstead::No;
+    bool isBlended = false; ///< of two meshes, both are counted; the whole one is that outside the focus
+    double scale = 1;       ///< as in ExtractedMesh
     ErrorMeaning errorMeaning = ErrorMeaning::Only;
     std::optional<double> errorInSpace{};   ///< the largest one, %, where it was measured beside one in the grid
     std::optional<ValueRange> logarithms{}; ///< the model's range, if its values are logarithms: errors are factors
@@ -58,7 +62,7 @@ Message errorNumber(double percent, const std::optional<ValueRange>& logarithms,
 
 /// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside", in the words for which error it is, with
 /// the one in space beside that in the grid where it was measured, and of logarithms with the factor that each is.
-/// Where data are seen in the place of the mesh, that.
+/// Where data are seen in the place of the mesh, that; and where they were asked for and are not, why.
 Message errorMessage(const ShownMesh& mesh, const NumberSigns& signs = {});
 
 /// The same as a text that stands alone, in a language: as annotations tell it.

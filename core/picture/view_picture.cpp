@@ -10,6 +10,7 @@
 #include "core/picture/shown_error.h"
 #include "core/picture/tool_painter.h"
 #include "core/view/appearance.h"
+#include "core/view/view_value.h"
 #include "plugins/api/scene_parameters.h"
 
 #include <tan/query.h>
@@ -70,6 +71,8 @@ Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Pr
             return mesh.error();
         field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
         field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
+        field.object = model->description().domain == DomainClass::Irregular ? meshOutline(**mesh)
+                                                                             : objectOutline(**mesh, field.volumes);
         return field;
     };
     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), look,
@@ -92,10 +95,11 @@ ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model
                        double aspectRatio)
 {
     const QueryState query = startingQuery(model, startingError(model));
-    return {.query = query,
-            .appearance = startingAppearance(modes, seenWith(field, query, model), model.description().domain),
-            .isovalues = startingIsovalues(modes, field),
-            .camera = fitted(Camera(), model.description().bounds, aspectRatio)};
+    ViewValue view{.query = query,
+                   .appearance = startingAppearance(modes, seenWith(field, query, model), model.description().domain),
+                   .isovalues = startingIsovalues(modes, field)};
+    view.camera = framed(view, field.bounds, field.object, aspectRatio);
+    return view;
 }
 
 const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id)

@@ -91,22 +91,18 @@ DepthRange depthRange(const Camera& camera, const Eigen::AlignedBox3d& bounds)
     return {std::max(range.nearest, nearest), range.farthest};
 }
 
-} // namespace
-
-Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds, double aspectRatio)
+/// The camera that looks at the middle of a box, so that places, which are given from there, are seen.
+Camera fittedAround(const Camera& camera, const Eigen::AlignedBox3d& bounds, std::span<const Eigen::Vector3d> places,
+                    double aspectRatio)
 {
-    if (bounds.isEmpty())
-        return camera;
-    const Eigen::Vector3d half = bounds.sizes() / 2;
     const double diagonal = bounds.sizes().norm() > 0 ? bounds.sizes().norm() : 1;
     const Eigen::Matrix3d eyeFromWorld = eyeAxes(camera).transpose();
     // How far a place beside the target may lie from it, in distances from the eye.
     const Eigen::Array2d reach = fittedShare * tangentOfHalfField(camera) *
                                  Eigen::Array2d(std::max(1.0, aspectRatio), std::max(1.0, 1 / aspectRatio));
     double distance = leastFittedDistance * diagonal;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        const Eigen::Vector3d seen = eyeFromWorld * half.cwiseProduct(signs);
+    for (const Eigen::Vector3d& place : places) {
+        const Eigen::Vector3d seen = eyeFromWorld * place;
         const double wanted = (seen.head<2>().array().abs() / reach).maxCoeff();
         const double before = camera.perspective ? seen.z() : 0;
         distance = std::max({distance, before + wanted, before + leastFittedDistance * diagonal});
@@ -115,6 +111,33 @@ Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds, double as
     result.target = bounds.center();
     result.distance = 1;
     return zoomed(result, distance);
+}
+
+} // namespace
+
+Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds, double aspectRatio)
+{
+    if (bounds.isEmpty())
+        return camera;
+    const Eigen::Vector3d half = bounds.sizes() / 2;
+    std::array<Eigen::Vector3d, 8> corners;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+        corners[corner] =
+            half.cwiseProduct(Eigen::Vector3d(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+    return fittedAround(camera, bounds, corners, aspectRatio);
+}
+
+Camera fitted(const Camera& camera, std::span<const Eigen::Vector3d> places, double aspectRatio)
+{
+    if (places.empty())
+        return camera;
+    Eigen::AlignedBox3d bounds;
+    for (const Eigen::Vector3d& place : places)
+        bounds.extend(place);
+    std::vector<Eigen::Vector3d> fromMiddle(places.begin(), places.end());
+    for (Eigen::Vector3d& place : fromMiddle)
+        place -= bounds.center();
+    return fittedAround(camera, bounds, fromMiddle, aspectRatio);
 }
 
 Camera turned(const Camera& camera, double azimuth, double elevation)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +31,16 @@ inline double roomAroundBox(const AnnotationState& annotations)
 inline Camera fittedToBox(const ViewValue& view, const Eigen::AlignedBox3d& box, double aspectRatio)
 {
     return zoomed(fitted(view.camera, box, aspectRatio), roomAroundBox(view.annotations));
+}
+
+/// The view's camera fitted to what there is to see, if it is known where that is (FieldExtent::object); else to the
+/// box of all data, and so if that has axes.
+inline Camera framed(const ViewValue& view, const Eigen::AlignedBox3d& box, std::span<const Eigen::Vector3d> object,
+                     double aspectRatio)
+{
+    if (object.empty() || view.annotations[AnnotationKind::BoxAxes].shown)
+        return fittedToBox(view, box, aspectRatio);
+    return fitted(view.camera, object, aspectRatio);
 }
 
 /// Some parts of a view, and no more: what a long history of edits keeps of each.

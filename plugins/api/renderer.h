@@ -25,6 +25,9 @@ struct FieldExtent {
     std::optional<double> surface{};
     /// How far the mesh that is seen may be off in the background (backgroundValues()), in units of the values.
     double error = 0;
+    /// The places that are farthest out of what there is to see, by which a picture frames it (fitted()). None: all of
+    /// the bounds.
+    std::vector<Eigen::Vector3d> object{};
     /// The samples of a lattice may be at hand, so that they can be shown in place of the mesh (shownId).
     bool hasSamples = true;
 };

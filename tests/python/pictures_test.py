@@ -83,6 +83,19 @@ class Pictures(ModuleTest):
         nearer = self.bare(isovalues=[0.45], perspective=False, elevation=0, zoom=2)
         self.assertAlmostEqual(seen(nearer).sum() / seen(small).sum(), 4, delta=0.25)
 
+    def test_what_is_framed(self):
+        """A small object in a corner of an empty room fills the picture; with axes at the room's box the room does."""
+        places = np.indices((48, 40, 32)).T  # (z, y, x, the three coordinates)
+        object = (((places - (34, 26, 12)) / (9, 4, 6)) ** 2).sum(axis=-1) < 1
+        model = tan.build(object.astype("f4"), self.folder / "room.tan", error=2)
+        for look in ({}, {"azimuth": 130, "elevation": 40}, {"mode": "volume"}):
+            pixels = model.render(size=(240, 180), samples=1, transparent=True, settings={"outline": False}, **BARE, **look)
+            rows, columns = np.nonzero(pixels[..., 3] > 12)
+            self.assertGreater(max(np.ptp(rows) / 180, np.ptp(columns) / 240), 0.75, look)
+            self.assertTrue(0 < rows.min() and rows.max() < 179 and 0 < columns.min() and columns.max() < 239, look)
+        far = model.render(size=(240, 180), samples=1, transparent=True, settings={"outline": False}, box_axes=True, **BARE)
+        self.assertLess(seen(far).sum(), 0.2 * seen(model.render(size=(240, 180), samples=1, settings={"outline": False}, **BARE)).sum())
+
     def test_where_the_camera_is(self):
         # A quarter of the ball, seen along +y (azimuth 0): x grows to the right, and z upwards.
         window = tan.box((0, -1, 0), (1, 1, 1), border="clipped")

@@ -35,6 +35,7 @@ private slots:
     void settingsStayWhenTheModeChanges();
     void litVolumesHaveADarkGround();
     void whereTheDataAreMissingTheMeshIsShown();
+    void aCropBoxShowsTheMeshInPlaceOfTheData();
     void aDefaultThatIsConfirmedIsNoEdit();
     void whatCouldNotBeDrawnIsForgottenWithTheNextPicture();
     void aSettingOfAnotherTypeIsLeftOut();
@@ -168,6 +169,28 @@ void RenderingTest::whereTheDataAreMissingTheMeshIsShown()
     QTRY_VERIFY(window_->settled() && !shapesOf<SampledVolume>(*window_->viewport().scene()).empty());
     QCOMPARE(session().shown()->shown, ShownField::Data);
     QCOMPARE(missed.count(), 1);
+}
+
+/// The status bar says why.
+void RenderingTest::aCropBoxShowsTheMeshInPlaceOfTheData()
+{
+    const Dataset data = sampleDataset(16);
+    writeNrrd(data, folder_.path().toStdString(), data.source.name);
+    showVolume();
+    session().setSetting("show", std::string("data"));
+    QTRY_COMPARE(session().shown()->shown, ShownField::Data);
+    const auto says = [this](const QString& words) {
+        const auto labels = window_->window.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text().contains(words); });
+    };
+    WindowState window = session().view().query.window;
+    window.enabled = true;
+    session().setWindow(window);
+    QTRY_COMPARE(session().shown()->instead, MeshInstead::OfWindow);
+    QTRY_VERIFY(says("; data are not shown with a crop box"));
+    undo();
+    QTRY_COMPARE(session().shown()->shown, ShownField::Data);
+    QVERIFY(!says("; data are not shown with"));
 }
 
 /// Behind a lit volume the ground is dark, unless another one was chosen; behind all else it fits the window.

@@ -231,12 +231,12 @@ void ModelOpening::show(const OpenedModel& opened)
         addRecentFile(pathText(opened.model->path()));
     if (!opened.view) {
         const ViewValue start = scenes_.startingView(*opened.model);
-        return session_.open(opened.model, start.isovalues, start.appearance);
+        return session_.open(opened.model, start.isovalues, start.appearance, opened.field.object);
     }
     const RestoredView restored = opened.from.empty()
                                       ? lastView(*opened.view, scenes_.modes(), *opened.model, opened.field)
                                       : restoredView(*opened.view, scenes_.modes(), *opened.model, opened.field);
-    session_.restore(opened.model, restored.document.view, restored.document.hasCamera);
+    session_.restore(opened.model, restored.document.view, restored.document.hasCamera, opened.field.object);
     if (!opened.from.empty())
         sessionFile_.take(restored, opened);
     else if (!restored.differences.empty())
@@ -249,7 +249,7 @@ void ModelOpening::growTo(const OpenedModel& opened)
     scenes_.setExtent(opened.field);
     becomes_ = opened.becomes;
     const ViewValue start = scenes_.startingView(*opened.model);
-    session_.grow(opened.model, start.isovalues, start.appearance);
+    session_.grow(opened.model, start.isovalues, start.appearance, opened.field.object);
 }
 
 void ModelOpening::close()

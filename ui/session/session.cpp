@@ -192,7 +192,8 @@ ValueRange Session::range() const
     return model_ ? model_->description().range : ValueRange{};
 }
 
-void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Appearance appearance)
+void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Appearance appearance,
+                   Object object)
 {
     ViewValue view{.query = startingQuery(*model, startingError(*model)),
                    .appearance = std::move(appearance),
@@ -200,12 +201,14 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
                    .annotations = ofOtherData(view_.annotations)};
     view.camera.trackball = view_.camera.trackball;
     followsModel_ = true;
+    object_ = std::move(object);
     start(std::move(model), std::move(view), false);
 }
 
-void Session::restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera)
+void Session::restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera, Object object)
 {
     followsModel_ = false;
+    object_ = std::move(object);
     start(std::move(model), std::move(view), hasCamera);
 }
 
@@ -216,7 +219,7 @@ void Session::start(std::shared_ptr<const Model> model, ViewValue view, bool has
     shown_.reset();
     fitted_.reset();
     if (!hasCamera) {
-        view.camera = fittedToBox(view, model_->description().bounds, shape_);
+        view.camera = framed(view, model_->description().bounds, object_, shape_);
         fitted_ = view.camera;
     }
     const ViewValue usual{
@@ -226,9 +229,10 @@ void Session::start(std::shared_ptr<const Model> model, ViewValue view, bool has
 }
 
 void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues,
-                   const Appearance& appearance)
+                   const Appearance& appearance, Object object)
 {
     model_ = std::move(model);
+    object_ = std::move(object);
     shown_.reset();
     emit modelGrown();
     if (!followsModel_)
@@ -240,6 +244,10 @@ void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalu
         fitting.appearance.transfer = usualTransfer_ ? usualTransfer_(fitting.query) : appearance.transfer;
     if (isovalues.size() == view_.isovalues.size() && !edited(ViewPart::Isovalues))
         fitting.isovalues = isovalues;
+    if (fitted_ == view_.camera) {
+        fitting.camera = framed(fitting, model_->description().bounds, object_, shape_);
+        fitted_ = fitting.camera;
+    }
     show(std::move(fitting));
 }
 
@@ -257,6 +265,7 @@ void Session::close()
     undoStack_.clear();
     shown_.reset();
     fitted_.reset();
+    object_.clear();
     view_ = {.annotations = ofOtherData(view_.annotations), .camera = {.trackball = view_.camera.trackball}};
     emit modelChanged();
 }
@@ -267,7 +276,7 @@ void Session::setShape(double aspectRatio)
     if (!model_ || fitted_ != view_.camera)
         return;
     ViewValue view = view_;
-    view.camera = fittedToBox(view, model_->description().bounds, shape_);
+    view.camera = framed(view, model_->description().bounds, object_, shape_);
     fitted_ = view.camera;
     show(std::move(view));
 }
@@ -433,7 +442,7 @@ void Session::fitCamera()
         return;
     const Eigen::AlignedBox3d shown = shownBounds(), &whole = model_->description().bounds;
     const bool isWhole = shown.min() == whole.min() && shown.max() == whole.max();
-    const Camera camera = isWhole ? fittedToBox(view_, whole, shape_) : fitted(view_.camera, shown, shape_);
+    const Camera camera = isWhole ? framed(view_, whole, object_, shape_) : fitted(view_.camera, shown, shape_);
     if (camera == view_.camera)
         return fitCameraToWhole();
     setCamera(camera);

@@ -38,13 +38,16 @@ public:
     /// The range of the model's values; empty without a model.
     ValueRange range() const;
 
-    /// Shows `model` at an accuracy that is quick to draw, all of it and from the usual direction. What is the user's
-    /// way of working and no part of a model stays: which annotations are shown and where, and how a drag turns the
-    /// camera. The history of edits starts anew.
-    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Appearance appearance = {});
-    /// Shows `model` as somebody has left it; what does not fit the model is brought into it. Without a camera it shows
-    /// all of the model, from the view's direction.
-    void restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera = true);
+    /// What there is to see of a model: the places farthest out, as of FieldExtent; none: all of it.
+    using Object = std::vector<Eigen::Vector3d>;
+    /// Shows `model` at an accuracy that is quick to draw, what there is to see of it whole and from the usual
+    /// direction. What is the user's way of working and no part of a model stays: which annotations are shown and
+    /// where, and how a drag turns the camera. The history of edits starts anew.
+    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Appearance appearance = {},
+              Object object = {});
+    /// Shows `model` as somebody has left it; what does not fit the model is brought into it. Without a camera what
+    /// there is to see is shown whole, from the view's direction.
+    void restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera = true, Object object = {});
     /// The transfer function that the present model has in the mesh of a query while nobody has chosen one.
     using UsualTransfer = std::function<TransferFunction(const QueryState& query)>;
     /// One that is as this says follows every edit of the query from now on, so that it goes with the error that is
@@ -55,10 +58,11 @@ public:
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
     /// Unless the view was restored, the accuracy follows what is quick to draw until the first edit; isovalues and
     /// transfer function become these until they are edited.
-    void grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Appearance& appearance);
+    void grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Appearance& appearance,
+              Object object = {});
     void close();
-    /// The width / height of the picture. A camera that shows all of the model, as it was opened, goes on doing so
-    /// until somebody moves it.
+    /// The width / height of the picture. A camera that shows what there is to see whole, as the model was opened, goes
+    /// on doing so until somebody moves it.
     void setShape(double aspectRatio);
     double shape() const noexcept { return shape_; }
 
@@ -95,7 +99,7 @@ public:
     void setAnimation(const Animation& animation);
     void setCamera(const Camera& camera, Gesture gesture = 0);
     /// From the present direction: what is shown of the model, or its focus, in the middle of the picture, so that it
-    /// is turned about that. If that is what is seen already, all of the model.
+    /// is turned about that; of all of the model, what is no background. If that is what is seen already, all of it.
     void fitCamera();
     /// All of the model.
     void fitCameraToWhole();
@@ -150,6 +154,7 @@ private:
     QUndoStack undoStack_;
     bool followsModel_ = false; ///< what was not edited, as it was not chosen
     double shape_ = 1;
+    Object object_;
     std::optional<Camera> fitted_; ///< to the shape; nothing if there is a chosen one from the start
     Gesture lastGesture_ = 0;
     Gesture gesture_ = 0;

@@ -127,7 +127,7 @@ Result<ViewValue> viewOf(const PictureMaker& maker, const std::string& text, con
         view->appearance.transfer = *std::move(function);
     }
     if (options.fitted)
-        view->camera = fitted(view->camera, model.description().bounds, aspectRatio);
+        view->camera = maker.framed(*view, aspectRatio);
     view->camera = zoomed(view->camera, 1 / options.zoom);
     if (options.target)
         view->camera.target = Eigen::Vector3d(options.target->data());

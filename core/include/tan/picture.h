@@ -125,6 +125,9 @@ public:
 
     /// How the model is seen that nobody has looked at yet, in a picture of this width / height.
     ViewValue startingView(double aspectRatio = 4.0 / 3) const;
+    /// The view's camera, as near to what there is to see as shows it whole from its direction: without the background
+    /// (objectOutline()), or all of the model if nobody knows what that is or its box has axes.
+    Camera framed(const ViewValue& view, double aspectRatio = 4.0 / 3) const;
     /// The view of a session, a file of its own (.tansession) or a PNG picture that holds one, whatever model it was
     /// kept of. Errors (BadInput): neither, or a damaged one.
     Result<KeptView> keptView(const std::filesystem::path& file) const;

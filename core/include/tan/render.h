@@ -83,6 +83,8 @@ struct Camera {
 /// The camera that looks at the middle of `bounds` from the direction of `camera`, so that the box fills a picture of
 /// this width / height but for a narrow margin. Fitted to 1 the box is seen whole in a picture of any shape.
 TAN_API Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& bounds, double aspectRatio = 1);
+/// The same for places: it looks at the middle of the box around them, and they are all seen.
+TAN_API Camera fitted(const Camera& camera, std::span<const Eigen::Vector3d> places, double aspectRatio = 1);
 /// The eye moved around the target by angles in degrees, counterclockwise seen from above; elevation stops at the
 /// poles.
 TAN_API Camera turned(const Camera& camera, double azimuth, double elevation);
@@ -561,6 +563,14 @@ TAN_API std::optional<double> surfaceValue(const TetrahedralMesh& mesh, double l
 /// finite and values outside of [least, largest] are not counted. No counts if the range is empty or not finite, or
 /// there is no volume. O(cells + parts).
 TAN_API ValueHistogram volumeHistogram(const TetrahedralMesh& mesh, double least, double largest, int parts);
+
+/// The places of an object that are farthest out, to frame it in a picture (fitted()): those of all vertices of a mesh
+/// whose values are no background (backgroundValues(), and what is within a thirtieth of the range beside it) which are
+/// the farthest in one of 128 directions all around. Nothing if there is no background, no other value, or the object
+/// is no larger than a sixteenth of the mesh. `volumes`: of the same mesh (volumeHistogram()). O(vertices).
+TAN_API std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes);
+/// The same of all its vertices.
+TAN_API std::vector<Eigen::Vector3d> meshOutline(const TetrahedralMesh& mesh);
 
 /// Pixels of a picture: `width` columns from `left`, `height` rows from `top`, which count from its upper left corner.
 struct PixelRectangle {

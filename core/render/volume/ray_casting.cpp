@@ -203,8 +203,8 @@ template <class Light> TETRA_SIMD_INLINE void addStep(const SampledView& view, c
     addSlices(gathered, segments, cell, in, out, length, light);
 }
 
-/// Casts the rays of one block through the samples.
-template <class Value> class BlockCasting {
+/// Casts the rays of one block through the samples. `lit`: with the gradients of the view.
+template <class Value, bool lit> class BlockCasting {
 public:
     TETRA_SIMD_INLINE BlockCasting(const SampledView& view, const TileShading& shading, SampleBlock& block,
                                    BlockLimits* limits, int column, int row)
@@ -214,7 +214,8 @@ public:
         const Float8 x = laneX + static_cast<float>(column * blockWidth);
         const Float8 y = laneY + static_cast<float>(row * blockHeight);
         findRays(view, shading, x, y, limits, rays_);
-        lit_ = litRays(shading, x, y, block.ray);
+        if constexpr (lit)
+            lit_ = litRays(shading, x, y, block.ray);
         gathered_ = {block.red, block.green, block.blue, block.transmittance};
         longest_ = view.step * largestOf(block.ray);
     }
@@ -342,10 +343,10 @@ private:
     {
         const Float8 length = (to - walk_.w) * block_.ray;
         block_.transmittance = gathered_.transmittance; // keepDepth() wants that before
-        if (view_.gradients == nullptr)
-            addStep(view_, among, walk_.value, value, length, longest_, NoLight(), gathered_);
-        else
+        if constexpr (lit)
             addLit(number, to, value, among, length);
+        else
+            addStep(view_, among, walk_.value, value, length, longest_, NoLight(), gathered_);
         if (shading_.depth)
             keepDepth(block_, 0, gathered_.transmittance, walk_.w, to);
     }
@@ -378,14 +379,14 @@ private:
     LitStretch stretch_{};
 };
 
-template <class Value> TETRA_SIMD_INLINE void castBlocks(const SampledView& view, const TileShading& shading,
-                                                         SampleBlock* blocks, int columns, int rows)
+template <class Value, bool lit> TETRA_SIMD_INLINE void castBlocks(const SampledView& view, const TileShading& shading,
+                                                                   SampleBlock* blocks, int columns, int rows)
 {
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const auto number = std::size_t(row * columns + column);
             BlockLimits* const limits = shading.limits != nullptr ? shading.limits + number : nullptr;
-            BlockCasting<Value>(view, shading, blocks[number], limits, column, row).run();
+            BlockCasting<Value, lit>(view, shading, blocks[number], limits, column, row).run();
         }
 }
 
@@ -442,10 +443,16 @@ SampledView makeSampledView(const SampledField& field, const SampledTransfer& tr
 
 void castRays(const SampledView& view, const TileShading& shading, SampleBlock* blocks, int columns, int rows)
 {
+    const auto cast = [&]<class Value>(Value) {
+        if (view.gradients != nullptr)
+            dispatch<castBlocks<Value, true>>(view, shading, blocks, columns, rows);
+        else
+            dispatch<castBlocks<Value, false>>(view, shading, blocks, columns, rows);
+    };
     switch (view.field->values.type()) {
-    case SampleType::UInt8: return dispatch<castBlocks<std::uint8_t>>(view, shading, blocks, columns, rows);
-    case SampleType::Int16: return dispatch<castBlocks<std::int16_t>>(view, shading, blocks, columns, rows);
-    default: return dispatch<castBlocks<float>>(view, shading, blocks, columns, rows);
+    case SampleType::UInt8: return cast(std::uint8_t());
+    case SampleType::Int16: return cast(std::int16_t());
+    default: return cast(float());
     }
 }
 
