@@ -12601,6 +12601,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>%1; data are not shown with a focus</source>
         <translation>%1; con un fuoco i dati non sono mostrati</translation>
     </message>
+    <message>
+        <source>Full opacity at gradient</source>
+        <translation>Opacità piena dal gradiente</translation>
+    </message>
+    <message>
+        <source>Of a shaded volume, how steeply the values must change, in units of the values for one of length, to be as opaque as the transfer function says; where they change less, the opacity is less in proportion, so that boundaries stand out. 0: the opacity does not depend on it.</source>
+        <translation>Quanto rapidamente devono cambiare i valori di un volume ombreggiato, in unità dei valori per unità di lunghezza, per essere opachi come dice la funzione di trasferimento; dove cambiano meno, l&apos;opacità è minore in proporzione, così che i confini risaltano. 0: l&apos;opacità non ne dipende.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

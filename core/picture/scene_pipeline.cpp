@@ -286,9 +286,10 @@ Status ScenePipeline::showSamples(const SceneRequest& request, BuiltScene& built
         sampledModel_ = request.model;
     }
     const Volume& volume = std::get<Volume>(place->shape);
-    const auto samples = samples_->update(volume.transfer->segments, volume.shaded, progress.part(0.5, 1));
+    auto samples = samples_->update(volume.transfer->segments, volume.shaded, progress.part(0.5, 1));
     if (!samples)
         return samples.error();
+    samples->fullGradient = volume.fullGradient;
     auto data = std::make_shared<Scene>(*built.scene);
     data->drawables[static_cast<std::size_t>(place - built.scene->drawables.begin())].shape = *samples;
     if (shown == ShownField::Difference) {

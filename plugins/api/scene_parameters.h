@@ -18,6 +18,7 @@ namespace tetra {
 /// The parameters that renderers share, so that what was chosen stays when another renderer takes over. A renderer
 /// takes those that it can do; the shell knows the ids. Those of isovalues and transfer function: tan/parameter.h.
 inline constexpr const char* shadedId = "shaded";
+inline constexpr const char* fullGradientId = "full-gradient";
 inline constexpr const char* litId = "lit";
 inline constexpr const char* outlineId = "outline";
 inline constexpr const char* clipId = "clip";
@@ -77,6 +78,23 @@ inline Parameter shadedParameter()
         "Lights the volume as if a surface lay perpendicular to the direction in which its values change most; the "
         "background is then dark, unless you choose another one.");
     parameter.defaultValue = true;
+    return parameter;
+}
+
+/// double, 0 by default: Volume::fullGradient.
+inline Parameter fullGradientParameter(const FieldExtent& field)
+{
+    constexpr double mostOfUsual = 20;
+    Parameter parameter;
+    parameter.id = fullGradientId;
+    parameter.label = Message::marked("Full opacity at gradient");
+    parameter.explanation = Message::marked(
+        "Of a shaded volume, how steeply the values must change, in units of the values for one of length, to be as "
+        "opaque as the transfer function says; where they change less, the opacity is less in proportion, so that "
+        "boundaries stand out. 0: the opacity does not depend on it.");
+    parameter.defaultValue = 0.0;
+    parameter.maximum = mostOfUsual * field.range.extent() / usualUnitDistance(field.bounds);
+    parameter.onlyWith = {shadedId, {true}};
     return parameter;
 }
 

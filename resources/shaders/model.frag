@@ -10,7 +10,7 @@ flat in float perGradient;
 
 vec4 lightOfPiece(float entry, float exit, float way, float gradient);
 
-vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong)
+vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong, vec2 partAlong)
 {
     float origin = fromOrigin ? texelFetch(segments, 3 * range.x).z : 0.0;
     float entry = (valueIn + origin) / perValue + smallestValue.y + smallestValue.x;

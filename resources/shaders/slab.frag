@@ -49,9 +49,11 @@ vec3 lit(vec3 colour, vec4 lightAlong, float share)
 }
 
 // Of any optical depth; values count from the segment's origin. `shares`: of the ray's way through the cell, between
-// which the slab lies. Its colours are lit at its ends.
-void addSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, float way, vec4 lightAlong, vec2 shares)
+// which the slab lies. Its colours are lit at its ends; of its optical depth there is the part in its middle.
+void addSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, float way, vec4 lightAlong, vec2 partAlong,
+             vec2 shares)
 {
+    way *= partAlong.x + partAlong.y * 0.5 * (shares.x + shares.y);
     vec3 colourIn = lit(segment.colour + segment.colourPerValue * valueIn, lightAlong, shares.x);
     vec3 colourOut = lit(segment.colour + segment.colourPerValue * valueOut, lightAlong, shares.y);
     // With s from 0 to 1 along the slab the optical depth before s is s (atStart + s rise).
@@ -70,14 +72,14 @@ void addSlab(inout vec4 seen, Segment segment, float valueIn, float valueOut, fl
 }
 
 // A ray through the segments `first` to `last`, a slab for each in the order in which the ray meets them. Values count
-// from 0, or from the one segment's origin.
-vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong)
+// from 0, or from the one segment's origin. `partAlong`: of the optical depth, where the ray comes in, and its rise.
+vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong, vec2 partAlong)
 {
     vec4 seen = vec4(0.0);
     if (range.x == range.y) {
         Segment segment = segmentAt(range.x);
         float origin = fromOrigin ? 0.0 : segment.origin;
-        addSlab(seen, segment, valueIn - origin, valueOut - origin, way, lightAlong, vec2(0.0, 1.0));
+        addSlab(seen, segment, valueIn - origin, valueOut - origin, way, lightAlong, partAlong, vec2(0.0, 1.0));
         return seen;
     }
     float rise = valueOut - valueIn;
@@ -92,7 +94,7 @@ vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, f
         float to = valueIn + share * rise;
         if (!segment.transparent && share > shareBefore)
             addSlab(seen, segment, from - segment.origin, to - segment.origin, way * (share - shareBefore), lightAlong,
-                    vec2(shareBefore, share));
+                    partAlong, vec2(shareBefore, share));
         shareBefore = share;
         from = to;
     }

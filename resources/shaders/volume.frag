@@ -18,6 +18,7 @@ uniform bool layered;
 uniform bool wholeCells;         // each cell goes behind all layers that it meets
 uniform int focusPart;           // focus.frag; 0 without a focus
 uniform bool shaded;
+uniform float perFullGradient;   // 0: the optical depth does not depend on the gradient
 
 flat in vec4 faceBounds[4];
 flat in vec4 slope;
@@ -32,7 +33,7 @@ const uint noLayer = 0xffffffffu;
 const float farBound = 1e30;
 
 vec2 lightOn(vec3 normal, float cosine);
-vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong);
+vec4 lightOfSlabs(ivec2 range, bool fromOrigin, float valueIn, float valueOut, float way, vec4 lightAlong, vec2 partAlong);
 vec2 rangeOfPart(vec2 fromCentre, vec2 shown);
 float weightAt(vec2 fromCentre, float w);
 
@@ -106,8 +107,9 @@ vec2 rangeOfLayers()
 }
 
 // The factor of a colour and the highlight added to it at a place w of the ray, as of a surface across the gradient
-// (core/render/shading.h); what no gradient tells is left as it is. `ray`: where it goes for one unit of w.
-vec2 lightAt(vec2 place, vec3 ray, float w)
+// (core/render/shading.h); what no gradient tells is left as it is. Third, the part of the optical depth. `ray`: where it
+// goes for one unit of w.
+vec3 lightAt(vec2 place, vec3 ray, float w)
 {
     const float leastSquare = 1e-12;
     vec3 gradient;
@@ -116,21 +118,13 @@ vec2 lightAt(vec2 place, vec3 ray, float w)
         gradient[axis] = perspective ? slope * w + gradientAlong[axis].w : slope - gradientAlong[axis].w * w;
     }
     float square = dot(gradient, gradient);
+    float part = perFullGradient > 0.0 ? min(1.0, sqrt(square) * perFullGradient) : 1.0;
     if (!(square > leastSquare))
-        return vec2(1.0, 0.0);
+        return vec3(1.0, 0.0, part);
     float along = dot(gradient, ray);
     float scale = inversesqrt(square);
     vec3 normal = gradient * (along > 0.0 ? -scale : scale);
-    return lightOn(normal * vec3(1.0, -1.0, -1.0), min(1.0, abs(along) * scale * inversesqrt(dot(ray, ray))));
-}
-
-// At the ends of the ray's way, affine between them: factor and its rise, highlight and its rise.
-vec4 lightBetween(vec2 place, vec3 ray, float enter, float leave)
-{
-    if (!shaded)
-        return vec4(1.0, 0.0, 0.0, 0.0);
-    vec2 first = lightAt(place, ray, enter), last = lightAt(place, ray, leave);
-    return vec4(first.x, last.x - first.x, first.y, last.y - first.y);
+    return vec3(lightOn(normal * vec3(1.0, -1.0, -1.0), min(1.0, abs(along) * scale * inversesqrt(dot(ray, ray)))), part);
 }
 
 void main()
@@ -157,7 +151,14 @@ void main()
     float valueOut = perspective ? perPlace * leave + slope.w : perPlace + slope.w * range.x;
     // A part of the optical depth is that of a part of the way.
     float way = (leave - enter) * ray * weightAt(fromCentre, 0.5 * (enter + leave));
+    // At the ends of the ray's way, affine between them.
+    vec3 first = vec3(1.0, 0.0, 1.0), last = first;
+    if (shaded) {
+        first = lightAt(place, vec3(slopes, 1.0), enter);
+        last = lightAt(place, vec3(slopes, 1.0), leave);
+    }
+    vec3 rise = last - first;
     result = lightOfSlabs(segmentRange, valueRange.z == 0.0, clamp(valueIn, valueRange.x, valueRange.y),
-                          clamp(valueOut, valueRange.x, valueRange.y), way,
-                          lightBetween(place, vec3(slopes, 1.0), enter, leave));
+                          clamp(valueOut, valueRange.x, valueRange.y), way, vec4(first.x, rise.x, first.y, rise.y),
+                          vec2(first.z, rise.z));
 }

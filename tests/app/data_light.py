@@ -32,7 +32,8 @@ class Samples:
         for axis, gradient in zip((2, 1, 0), along):  # one-sided at the border, as numpy does, and central elsewhere
             assert gradient.shape == values.shape, axis
         self.gradients = numpy.stack(along, axis=-1) @ numpy.linalg.inv(steps).T
-        self.gradients /= judged.lengths(self.gradients).max()
+        self.longest = judged.lengths(self.gradients).max()
+        self.gradients /= self.longest
 
     def at(self, field, places):
         """A field of the samples, trilinear between them, at places in steps of the indices."""
@@ -88,7 +89,7 @@ def waves(kind, random):
 
 
 class DataLight(judged.LightTest):
-    tolerances, pieces, options = {"unlit": 1, "lit": 2}, SampledPieces, ("--show", "data")
+    tolerances, pieces, options = {"unlit": 1, "lit": 2, "faded": 2}, SampledPieces, ("--show", "data")
     top, fewest = 34, 150  # below what is written there
 
     def prepare(self, name, build=("--error", 3)):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""volume_light.py BUILD: the light of rays through volumes, with and without shading, as `tan render` draws it, judged by numpy, which cuts
+"""volume_light.py BUILD: the light of rays through volumes, without shading, with it and with opacities by the gradient, as `tan render` draws it, judged by numpy, which cuts
 each ray with every cell of the mesh that `tan extract` writes and follows docs/developer/tetrahedral-graphics.md, "The light of a ray through a volume".
 Exit code 77: something is missing."""
 import json
@@ -24,7 +24,8 @@ SAMPLES = {"lattice": ("c60", 10, "data.nrrd"), "curvilinear": ("bent-duct", 8, 
 WIDTH, HEIGHT, RAYS = 96, 80, 150
 BACKGROUND = (0x20, 0x40, 0x60)
 STEPS = 16  # of a slab
-TOLERANCES = {"unlit": 1, "lit": 1}  # of 255
+TOLERANCES = {"unlit": 1, "lit": 1, "faded": 1}  # of 255
+FULL_GRADIENT = 0.4  # of the longest
 BESIDE = numpy.array([(0, 0), (0.002, 0), (-0.002, 0), (0, 0.002), (0, -0.002)])  # in pixels
 
 # To the right, up and back of the camera.
@@ -93,7 +94,8 @@ class Mesh:
             numpy.add.at(sums, corner, of_cells * self.volumes[:, None])
             numpy.add.at(weights, corner, self.volumes)
         means = sums / numpy.maximum(weights, 1e-300)[:, None]
-        return means / lengths(means).max()
+        self.longest = lengths(means).max()
+        return means / self.longest
 
     def corner_gradients(self, axes):
         """Those of the corners of each cell; of cells that are too thin in the view of these axes their mean, four times."""
@@ -168,7 +170,7 @@ class Function:
 
 
 class Pieces:
-    """Of rays, in cells, front to back for each ray: where they begin and end, and the value and the light there."""
+    """Of rays, in cells, front to back for each ray: where they begin and end, and the value, the light and the share of the extinction there."""
 
     def __init__(self, mesh, axes, origins, directions):
         along = mesh.centres @ directions.T - (origins * directions).sum(axis=1)
@@ -191,7 +193,7 @@ class Pieces:
 
     @staticmethod
     def light(gradients, directions, axes):
-        """Factor and highlight."""
+        """Factor, highlight, and the share of the extinction."""
         size = lengths(gradients)
         known = size >= 1e-6
         normals = gradients / numpy.where(known, size, 1)[:, None]
@@ -202,9 +204,10 @@ class Pieces:
         falls = [(strength, towards_eye @ place) for strength, place in SIDE_LIGHTS]
         factor = 0.08 + 0.52 * numpy.abs(cosine) + sum(strength * (front * numpy.maximum(0, fall) + (1 - front) * numpy.maximum(0, -fall))
                                                        for strength, fall in falls)
-        return numpy.where(known, [factor, 0.18 * numpy.maximum(0, towards_eye @ HIGHLIGHT) ** 32], [[1.0], [0.0]])
+        light = numpy.where(known, [factor, 0.18 * numpy.maximum(0, towards_eye @ HIGHLIGHT) ** 32], [[1.0], [0.0]])
+        return numpy.stack([*light, numpy.minimum(1, size / FULL_GRADIENT)])
 
-    def seen(self, function, lit):
+    def seen(self, function, name):
         """The colours, from 0 to 1, at the eye."""
         first, last = self.values
         with numpy.errstate(divide="ignore", invalid="ignore"):
@@ -217,9 +220,11 @@ class Pieces:
         middles = (values[0] + values[1]) / 2
         extinctions = [function.extinction(middles, value) for value in values]
         colours = [function.colour(middles, value) for value in values]
-        if lit:
-            lights = [self.lights[0][:, piece] + end * (self.lights[1] - self.lights[0])[:, piece] for end in ends]
-            colours = [numpy.minimum(1, colour * factor[:, None] + highlight[:, None]) for colour, (factor, highlight) in zip(colours, lights)]
+        lights = [self.lights[0][:, piece] + end * (self.lights[1] - self.lights[0])[:, piece] for end in ends]
+        if name != "unlit":
+            colours = [numpy.minimum(1, colour * factor[:, None] + highlight[:, None]) for colour, (factor, highlight, _) in zip(colours, lights)]
+        if name == "faded":
+            extinctions = [extinction * (lights[0][2] + lights[1][2]) / 2 for extinction in extinctions]
         return self.sum(self.ray[piece], self.lengths[piece] * (ends[1] - ends[0]), extinctions, colours)
 
     def sum(self, ray, length, extinctions, colours):
@@ -257,25 +262,25 @@ class LightTest(unittest.TestCase):
         cls.addClassCleanup(cls.kept.cleanup)
         cls.random = numpy.random.default_rng(20240611)
 
-    def pictures(self, camera, function):
-        """Unlit and lit."""
+    def pictures(self, mesh, camera, function):
         (self.folder / "camera.json").write_text(json.dumps(camera.settings))
         (self.folder / "function.json").write_text(function.text)
-        for name, more in (("unlit", ("--no-shaded",)), ("lit", ())):
+        for name, more in (("unlit", ("--no-shaded",)), ("lit", ()), ("faded", ("--full-gradient", repr(float(FULL_GRADIENT * mesh.longest))))):
             tan(self.folder, "render", "model.tan", "--error", 2, "--mode", "volume", "--transfer", "function.json", "--camera", "camera.json", "--size",
                 f"{WIDTH}x{HEIGHT}", "--samples", 1, "--background", "#" + bytes(BACKGROUND).hex(), "--no-outline", *self.options, *more, "-o",
                 f"{name}.png")
         return {name: picture(self.folder / f"{name}.png") for name in self.tolerances}
 
     def compare(self, mesh, camera, function, tallies, what):
-        drawn = self.pictures(camera, function)
-        tallies["lit"].by_light = max(tallies["lit"].by_light, numpy.abs(drawn["lit"] - drawn["unlit"]).max())
+        drawn = self.pictures(mesh, camera, function)
+        for name, other in (("lit", "unlit"), ("faded", "lit")):
+            tallies[name].by_light = max(tallies[name].by_light, numpy.abs(drawn[name] - drawn[other]).max())
         columns, rows = self.random.integers(WIDTH, size=RAYS), self.random.integers(self.top, HEIGHT, size=RAYS)
         places = (numpy.stack([columns, rows], axis=1)[:, None] + BESIDE).reshape(-1, 2)
         pieces = self.pieces(mesh, camera.axes, *camera.rays(*places.T))
         meets = numpy.isin(numpy.arange(RAYS), pieces.ray // len(BESIDE))
         for name, tolerance in self.tolerances.items():
-            expected = 255 * pieces.seen(function, name == "lit").reshape(RAYS, len(BESIDE), 3)
+            expected = 255 * pieces.seen(function, name).reshape(RAYS, len(BESIDE), 3)
             doubtful = numpy.abs(expected[:, 1:] - expected[:, :1]).max(axis=(1, 2)) > tolerance / 2
             off = numpy.where(doubtful, 0, numpy.abs(drawn[name][rows, columns] - expected[:, 0]).max(axis=1))
             worst, tally = off.argmax(), tallies[name]
@@ -292,7 +297,8 @@ class LightTest(unittest.TestCase):
             print(f"{kind}, {name}: {tally.rays} rays through the volume, off by {tally.largest:.2f} of 255 at most, {tally.doubtful} doubtful")
             self.assertGreater(tally.rays, self.fewest)
             self.assertLess(tally.doubtful, 0.05 * tally.rays)
-        self.assertGreater(tallies["lit"].by_light, 20)
+        for name in ("lit", "faded"):
+            self.assertGreater(tallies[name].by_light, 20)
 
 
 class VolumeLight(LightTest):

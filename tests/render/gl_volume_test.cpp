@@ -239,10 +239,13 @@ private slots:
         QTest::addColumn<QString>("mesh");
         QTest::addColumn<QString>("function");
         QTest::addColumn<bool>("perspective");
+        QTest::addColumn<double>("fullGradient"); // of the longest
         for (const char* mesh : {"one cell", "irregular with a hole", "refined bent grid"})
             for (const bool perspective : {true, false})
                 QTest::addRow("%s, %s", mesh, perspective ? "perspective" : "orthographic")
-                    << QString(mesh) << QString(perspective ? "steps" : "ramps") << perspective;
+                    << QString(mesh) << QString(perspective ? "steps" : "ramps") << perspective << 0.0;
+        QTest::newRow("faded by the gradient") << "refined bent grid"
+                                               << "ramps" << true << 0.7;
     }
     void shadedVolumes()
     {
@@ -250,10 +253,15 @@ private slots:
         QFETCH(QString, function);
         QFETCH(bool, perspective);
         SceneParts scene = sceneNamed(mesh, function);
+        QFETCH(double, fullGradient);
         scene.volume->shaded = true;
+        scene.volume->fullGradient = fullGradient * scene.volume->mesh->longestGradient;
         const Camera camera = cameraFor(scene, perspective);
         const PictureOptions options{.width = 60, .height = 50};
-        compare(rendered(*cpu_, scene, camera, options), scene, camera, options);
+        const Picture picture = rendered(*cpu_, scene, camera, options);
+        compare(picture, scene, camera, options);
+        scene.volume->fullGradient = 0;
+        QCOMPARE(picture.pixels == rendered(*cpu_, scene, camera, options).pixels, fullGradient == 0);
     }
 
     void depths_data()

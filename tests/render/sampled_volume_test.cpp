@@ -63,8 +63,11 @@ Scene withSamples(const Scene& scene, const std::shared_ptr<const Dataset>& data
 {
     Scene sampled = scene;
     for (Drawable& drawable : sampled.drawables)
-        if (const auto* volume = std::get_if<Volume>(&drawable.shape))
-            drawable.shape = *SampledVolumeCache(dataset).update(function, volume->shaded);
+        if (const auto* volume = std::get_if<Volume>(&drawable.shape)) {
+            SampledVolume samples = *SampledVolumeCache(dataset).update(function, volume->shaded);
+            samples.fullGradient = volume->fullGradient;
+            drawable.shape = std::move(samples);
+        }
     return sampled;
 }
 
@@ -118,6 +121,7 @@ void SampledVolumeTest::linearFieldsLookLikeTheirMeshes()
         for (const bool shaded : {false, true})
             for (const bool cut : {false, true}) {
                 SceneParts parts = slantedScene(shaded);
+                parts.volume->fullGradient = cut ? 0.3 : 0; // the slope is .19
                 if (cut)
                     parts.clipPlanes = {{{1, 0.2, 0.1}, 1.1}, {{-0.3, 1, 0}, 0.2}};
                 const Scene mesh = parts;

@@ -28,6 +28,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -76,7 +77,7 @@ using ParameterValues = std::map<std::string, ParameterValue>;
 inline constexpr const char* isovaluesId = "isovalues";
 inline constexpr const char* transferId = "transfer";
 
-/// When a parameter matters: while the parameter `id` has one of the values. Without an id always.
+/// When a parameter matters: while the parameter `id` matters itself and has one of the values. Without an id always.
 struct ParameterCondition {
     std::string id{};
     std::vector<ParameterValue> values{};
@@ -106,16 +107,21 @@ struct Parameter {
 };
 
 /// Whether a parameter matters beside the `values` of all `parameters`; also if it depends on what is not known.
-inline bool matters(const Parameter& parameter, const std::vector<Parameter>& parameters, const ParameterValues& values)
+/// `followed`: how many conditions led to this one, of which there are as many as parameters at most.
+inline bool matters(const Parameter& parameter, const std::vector<Parameter>& parameters, const ParameterValues& values,
+                    std::size_t followed = 0)
 {
     const auto holds = [&](const ParameterCondition& condition) {
         const auto isMet = [&](const ParameterValue& value) {
             return std::ranges::find(condition.values, value) != condition.values.end();
         };
+        const auto known = std::ranges::find(parameters, condition.id, &Parameter::id);
+        const bool isKnown = known != parameters.end();
+        if (isKnown && followed < parameters.size() && !matters(*known, parameters, values, followed + 1))
+            return false;
         if (const auto found = values.find(condition.id); found != values.end())
             return isMet(found->second);
-        const auto known = std::ranges::find(parameters, condition.id, &Parameter::id);
-        return condition.id.empty() || known == parameters.end() || isMet(known->defaultValue);
+        return condition.id.empty() || !isKnown || isMet(known->defaultValue);
     };
     return holds(parameter.onlyWith) || (!parameter.orWith.id.empty() && holds(parameter.orWith));
 }

@@ -268,6 +268,10 @@ struct Volume {
     /// Lit from both sides, as a surface across the gradient, which is interpolated between those of the vertices
     /// (docs/developer/tetrahedral-graphics.md).
     bool shaded = false;
+    /// If it is shaded: the length of the gradient, in units of the values for one of length, from which on it is as
+    /// opaque as the transfer function says; where the values change less, extinction is less in proportion. 0: it
+    /// does not depend on the gradient.
+    double fullGradient = 0;
     /// Where surfaces lie in it (R21) each ends one piece of a ray through a cell and begins the next; if this is set
     /// what lies in a cell is drawn before the cell, as in the paper: quicker, and not exact.
     bool wholeCells = false;
@@ -292,6 +296,7 @@ struct SampledVolume {
     std::shared_ptr<const SampledField> samples;        ///< core/render/samples/sampled_field.h, like the next two
     std::shared_ptr<const SampledTransfer> transfer;    ///< of those samples
     std::shared_ptr<const SampleGradients> gradients{}; ///< of the samples, if they are lit as a Volume is
+    double fullGradient = 0;                            ///< as of a Volume
 };
 
 /// A half-space: points with normal . x >= offset are shown (of a HalfSpace it is the other side). OpenGL takes at

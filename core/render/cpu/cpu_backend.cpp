@@ -254,6 +254,7 @@ Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartVie
         part.volume = projectVolume(*volume.mesh, *volume.transfer, volumes.volume->order, view.volume, grid,
                                     volume.shaded && !volume.model, progress);
         part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume);
+        part.source.perFullGradient = perFullGradient(volume.fullGradient, volume.mesh->longestGradient);
         part.source.measured = volume.model != nullptr;
         part.model = tileModelOf(volume, *part.volume, view.volume);
     }
@@ -265,9 +266,10 @@ Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartVie
             FocusRays(volumes.focus->regions, view.volume),
         });
         part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume);
+        part.focus->source.perFullGradient = perFullGradient(fine.fullGradient, fine.mesh->longestGradient);
     }
     if (const SampledVolume* samples = volumes.samples; samples != nullptr) {
-        part.samples = makeSampledView(*samples->samples, *samples->transfer, samples->gradients.get(), view.volume);
+        part.samples = makeSampledView(*samples, view.volume);
         part.source.segments = part.samples->scaled.segments;
         part.source.perspective = view.volume.perspective;
     }

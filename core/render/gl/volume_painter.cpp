@@ -172,6 +172,7 @@ Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view
                                     const Progress& progress, DrawnVolume& drawn)
 {
     drawn.shaded = volume.shaded && !volume.model;
+    drawn.perFullGradient = perFullGradient(volume.fullGradient, volume.mesh->longestGradient);
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
     drawn.buffers = nullptr;
     fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
@@ -300,6 +301,7 @@ void VolumePainter::setVolume(const GlProgram& program, const DrawnVolume& volum
     program.set("smallestValue", Eigen::Vector2f(smallest, static_cast<float>(segments.smallest - double(smallest))));
     program.set("perValue", static_cast<float>(segments.perValue));
     program.set("shaded", volume.shaded ? 1 : 0);
+    program.set("perFullGradient", volume.perFullGradient);
     program.setTexture("segments", 4, volume.segmentBuffer.texture.name(), gl::textureBuffer);
 }
 

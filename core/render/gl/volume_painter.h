@@ -97,6 +97,7 @@ private:
         VolumeBuffers* buffers = nullptr;
         ScaledSegments segments;
         bool shaded = false;
+        float perFullGradient = 0; ///< of volume_mesh.h, of its gradients
     };
 
     Status prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,

@@ -161,12 +161,10 @@ template <class Value, class Visit> void forEachGradient(const Lattice& lattice,
             visit(lattice.index(i, j, layer), worldFromIndex * differences.at(i, j, layer));
 }
 
-/// What turns differences along the indices into gradients: the transposed inverse of the steps, scaled.
-Eigen::Matrix3f gradientsFromDifferences(const Lattice& lattice)
+/// What turns differences along the indices into gradients: the transposed inverse of the steps.
+Eigen::Matrix3d gradientsFromDifferences(const Lattice& lattice)
 {
-    const Eigen::Matrix3d steps = lattice.directions * lattice.spacing.asDiagonal();
-    const Eigen::Matrix3d inverse = steps.inverse().transpose();
-    return (inverse / inverse.cwiseAbs().maxCoeff()).cast<float>();
+    return (lattice.directions * lattice.spacing.asDiagonal()).inverse().transpose();
 }
 
 } // namespace
@@ -174,7 +172,9 @@ Eigen::Matrix3f gradientsFromDifferences(const Lattice& lattice)
 Result<SampleGradients> sampleGradients(const SampledField& field, const Progress& progress)
 {
     return guarded(noMemoryForData, [&]() -> Result<SampleGradients> {
-        const Eigen::Matrix3f matrix = gradientsFromDifferences(field.lattice);
+        const Eigen::Matrix3d wholeMatrix = gradientsFromDifferences(field.lattice);
+        const double unit = wholeMatrix.cwiseAbs().maxCoeff(); // so that what follows are floats whatever the lengths
+        const Eigen::Matrix3f matrix = (wholeMatrix / unit).cast<float>();
         SampleGradients gradients{Buffer<std::array<std::int16_t, 4>>(field.values.count())};
         std::vector<float> largest(field.lattice.size[2], 0);
         withSamples(field.values, [&](auto samples) {
@@ -185,6 +185,7 @@ Result<SampleGradients> sampleGradients(const SampledField& field, const Progres
             });
             const float most = *std::ranges::max_element(largest);
             const float scale = most > 0 && std::isfinite(most) ? 32767 / most : 0;
+            gradients.unit = scale > 0 ? unit / scale : 0;
             forEachLayer(field.lattice.size[2], progress, 0.5, 1, [&](std::uint32_t layer) {
                 forEachGradient(field.lattice, samples, matrix, layer,
                                 [&](std::uint64_t sample, const Eigen::Vector3f& here) {

@@ -29,6 +29,7 @@ struct SampledField {
 /// factor for all, so that the longest component is 32767. The fourth number is none.
 struct SampleGradients {
     Buffer<std::array<std::int16_t, 4>> vectors;
+    double unit = 0; ///< what 1 is, in units of the values for one of length
 };
 
 /// O(samples), on all threads; takes 4 bytes a sample where values are converted, and no other copy. Errors: a dataset

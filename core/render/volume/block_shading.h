@@ -26,13 +26,23 @@ template <class Lanes> struct CellRays {
 template <class Lanes> struct LitRays {
     Lanes x, y;
     Lanes right, down, ray;
+    float perFullGradient; ///< of TileShading
+};
+
+/// The light at a place of each ray: of LightAlong.
+template <class Lanes> struct LightThere {
+    Lanes factor, highlight, share;
 };
 
 /// `x`, `y`: samples of the tile.
 template <class Lanes> TETRA_SIMD_INLINE LitRays<Lanes> litRays(const TileShading& shading, Lanes x, Lanes y, Lanes ray)
 {
-    return {x, y, (x + shading.firstX) * shading.slopePerSample[0], (y + shading.firstY) * shading.slopePerSample[1],
-            ray};
+    return {x,
+            y,
+            (x + shading.firstX) * shading.slopePerSample[0],
+            (y + shading.firstY) * shading.slopePerSample[1],
+            ray,
+            shading.perFullGradient};
 }
 
 template <class Lanes> TETRA_SIMD_INLINE Lanes squareRoot(Lanes square)
@@ -50,8 +60,7 @@ template <class Lanes> TETRA_SIMD_INLINE Lanes squareRoot(Lanes square)
 /// The light on a gradient that is seen so, right, down and away from the eye, as that of a surface across it
 /// (shading.h). Where no gradient tells, the colour is left as it is. `leastSquare`: of gradients that tell.
 template <class Lanes> TETRA_SIMD_INLINE void lightOnGradient(Lanes right, Lanes down, Lanes away, float leastSquare,
-                                                              const LitRays<Lanes>& rays, Lanes& factor,
-                                                              Lanes& highlight)
+                                                              const LitRays<Lanes>& rays, LightThere<Lanes>& light)
 {
     const Lanes along = right * rays.right + down * rays.down + away;
     const Lanes square = right * right + down * down + away * away;
@@ -61,13 +70,16 @@ template <class Lanes> TETRA_SIMD_INLINE void lightOnGradient(Lanes right, Lanes
     const Lanes towards = along > 0 ? -scale : scale;
     const Lanes cosine = smaller(-along * towards / rays.ray, ones);
     const Falling<Lanes> falling = lightOn<Lanes>(right * towards, -down * towards, -away * towards, cosine);
-    factor = known ? falling.factor : ones;
-    highlight = known ? falling.highlight : Lanes{};
+    light.factor = known ? falling.factor : ones;
+    light.highlight = known ? falling.highlight : Lanes{};
+    light.share = ones;
+    if (rays.perFullGradient > 0)
+        light.share = smaller(squareRoot(square) * rays.perFullGradient, ones);
 }
 
 /// The light at places w of rays through a cell.
-template <bool perspective, class Lanes> TETRA_SIMD_INLINE void
-lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& factor, Lanes& highlight)
+template <bool perspective, class Lanes>
+TETRA_SIMD_INLINE void lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, LightThere<Lanes>& there)
 {
     constexpr float leastSquare = 1e-12f; // of a gradient, of the longest
     Lanes components[3];
@@ -76,20 +88,18 @@ lightAt(const CellLight& light, const LitRays<Lanes>& rays, Lanes w, Lanes& fact
         const Lanes slope = of.a * rays.x + (of.b * rays.y + of.c);
         components[i] = perspective ? slope * w + of.more : slope - of.more * w;
     }
-    lightOnGradient(components[0], components[1], components[2], leastSquare, rays, factor, highlight);
+    lightOnGradient(components[0], components[1], components[2], leastSquare, rays, there);
 }
 
 /// The light is taken where a ray comes in and goes out, and is affine between.
 template <bool perspective, class Lanes> TETRA_SIMD_INLINE LightAlong<Lanes>
 lightAlong(const CellLight& light, const LitRays<Lanes>& lit, const CellRays<Lanes>& rays)
 {
-    LightAlong<Lanes> along;
-    Lanes factorOut, highlightOut;
-    lightAt<perspective>(light, lit, rays.enter, along.factorIn, along.highlightIn);
-    lightAt<perspective>(light, lit, rays.leave, factorOut, highlightOut);
-    along.factorRise = factorOut - along.factorIn;
-    along.highlightRise = highlightOut - along.highlightIn;
-    return along;
+    LightThere<Lanes> in, out;
+    lightAt<perspective>(light, lit, rays.enter, in);
+    lightAt<perspective>(light, lit, rays.leave, out);
+    return {in.factor, out.factor - in.factor, in.highlight, out.highlight - in.highlight,
+            in.share,  out.share - in.share};
 }
 
 /// `lightOf` gives the light of the rays, when it is known where they come in and go out.

@@ -66,6 +66,7 @@ struct SetupSource {
     std::span<const ScaledSegment> segments;
     bool perspective = true;
     std::span<const VertexGradient> gradients{}; ///< of the vertices if cells are lit, else none
+    float perFullGradient = 0;                   ///< of volume_mesh.h, of these gradients
     bool measured = false;                       ///< CellSetup::perGradient is wanted
     /// How long u and v are for one unit of length across the view, in units of w for one along it.
     std::array<float, 2> lengths{1, 1};

@@ -47,6 +47,7 @@ SetupSource setupSourceOf(const VolumeMesh& mesh, const VolumeTransfer& transfer
                        volume.scaled.segments,
                        view.perspective,
                        volume.gradients,
+                       0,
                        false,
                        {}};
     for (int axis = 0; axis < 2; ++axis)

@@ -4,6 +4,7 @@
 #include "core/render/shading.h"
 #include "core/render/volume/block_shading.h"
 #include "core/render/volume/trilinear_samples.h"
+#include "core/render/volume/volume_mesh.h"
 
 #include <Eigen/LU>
 
@@ -141,7 +142,8 @@ struct Walk {
 
 /// The light at a place of each ray.
 struct LitPlace {
-    Float8 w, factor, highlight;
+    Float8 w;
+    LightThere<Float8> light;
 };
 
 /// The light between two places is affine. Stretches of that length are numbered from the eye.
@@ -214,8 +216,10 @@ public:
         const Float8 x = laneX + static_cast<float>(column * blockWidth);
         const Float8 y = laneY + static_cast<float>(row * blockHeight);
         findRays(view, shading, x, y, limits, rays_);
-        if constexpr (lit)
+        if constexpr (lit) {
             lit_ = litRays(shading, x, y, block.ray);
+            lit_.perFullGradient = view.perFullGradient;
+        }
         gathered_ = {block.red, block.green, block.blue, block.transmittance};
         longest_ = view.step * largestOf(block.ray);
     }
@@ -273,15 +277,15 @@ private:
         walk_.value = scaledValues(cells);
     }
 
-    TETRA_SIMD_INLINE void lightAtPlace(Float8 w, LitPlace& light) const
+    TETRA_SIMD_INLINE void lightAtPlace(Float8 w, LitPlace& place) const
     {
         constexpr float leastSquare = 1; // of steps of SampleGradients
         CellCornersOfPlaces cells;
         cellsAt(w, cells);
         SeenGradients seen;
         gradientsAt(*view_.gradients, view_.field->lattice, view_.seenFromWorld, cells, seen);
-        light.w = w;
-        lightOnGradient(seen.right, seen.down, seen.away, leastSquare, lit_, light.factor, light.highlight);
+        place.w = w;
+        lightOnGradient(seen.right, seen.down, seen.away, leastSquare, lit_, place.light);
     }
 
     /// Knows the light around step `number`.
@@ -358,9 +362,12 @@ private:
         const auto& [from, end, stretch] = stretch_;
         const Float8 perUnit = 1.0f / larger(end.w - from.w, Float8{} + least);
         const Float8 shareIn = (walk_.w - from.w) * perUnit, share = (to - walk_.w) * perUnit;
-        const Float8 factor = end.factor - from.factor, highlight = end.highlight - from.highlight;
-        const LightAlong<Float8> light{from.factor + factor * shareIn, factor * share,
-                                       from.highlight + highlight * shareIn, highlight * share};
+        const auto& [factor, highlight, seen] = from.light;
+        const Float8 factorRise = end.light.factor - factor, highlightRise = end.light.highlight - highlight;
+        const Float8 seenRise = end.light.share - seen;
+        const LightAlong<Float8> light{factor + factorRise * shareIn,       factorRise * share,
+                                       highlight + highlightRise * shareIn, highlightRise * share,
+                                       seen + seenRise * shareIn,           seenRise * share};
         addStep(view_, among, walk_.value, value, length, longest_, light, gathered_);
     }
 
@@ -414,16 +421,17 @@ float stepsPerCell(const ScaledSegments& scaled, float cellLength)
 
 } // namespace
 
-SampledView makeSampledView(const SampledField& field, const SampledTransfer& transfer,
-                            const SampleGradients* gradients, const VolumeView& view)
+SampledView makeSampledView(const SampledVolume& volume, const VolumeView& view)
 {
     constexpr std::size_t parts = 1024;
-    const Eigen::Matrix<double, 3, 4> matrix = indexFromImage(field.lattice, view);
+    const Eigen::Matrix<double, 3, 4> matrix = indexFromImage(volume.samples->lattice, view);
     SampledView result;
-    result.field = &field;
-    result.transfer = &transfer;
-    result.gradients = gradients;
-    result.scaled = scaleSegments(transfer.segments, view.unit);
+    result.field = volume.samples.get();
+    result.transfer = volume.transfer.get();
+    result.gradients = volume.gradients.get();
+    if (volume.gradients)
+        result.perFullGradient = perFullGradient(volume.fullGradient, volume.gradients->unit);
+    result.scaled = scaleSegments(volume.transfer->segments, view.unit);
     result.indexFromImage = matrix.cast<float>();
     result.seenFromWorld = view.axes();
     const auto cellLength = static_cast<float>(1 / matrix.col(2).cwiseAbs().maxCoeff());

@@ -7,6 +7,8 @@
 #include "core/render/volume/volume_tile.h"
 #include "core/render/volume/volume_view.h"
 
+#include <tan/render.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -24,13 +26,13 @@ struct SampledView {
     /// A place (u, v, w) of the view in steps of the lattice.
     Eigen::Matrix<float, 3, 4> indexFromImage = Eigen::Matrix<float, 3, 4>::Zero();
     Eigen::Matrix3f seenFromWorld = Eigen::Matrix3f::Identity(); ///< right, down, away from the eye
+    float perFullGradient = 0;                                   ///< of volume_mesh.h, of the gradients
     float step = 1;          ///< of w, between two places at which the field is taken
     float stepsPerLight = 1; ///< from one place at which light is taken to the next: half a cell
 };
 
 /// O(segments).
-SampledView makeSampledView(const SampledField& field, const SampledTransfer& transfer,
-                            const SampleGradients* gradients, const VolumeView& view);
+SampledView makeSampledView(const SampledVolume& volume, const VolumeView& view);
 
 /// Casts the rays of a tile, `columns` blocks a row, front to back through the field that is trilinear between the
 /// samples. It is taken several times a cell, the more often the denser the volume is, and goes in straight lines from

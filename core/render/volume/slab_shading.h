@@ -106,12 +106,20 @@ struct NoLight {
     {
         return {};
     }
+    template <class Lanes> TETRA_SIMD_INLINE Lanes seenOf(Lanes length, Lanes, Lanes) const { return length; }
 };
 
-/// The light on a ray's way through a cell: what a colour is multiplied by, and the highlight that is added to it. Both
-/// are affine along the way.
+/// The light on a ray's way through a cell: what a colour is multiplied by, the highlight that is added to it, and the
+/// share of the extinction that there is where it depends on the gradient. All are affine along the way.
 template <class Lanes> struct LightAlong {
-    Lanes factorIn, factorRise, highlightIn, highlightRise;
+    Lanes factorIn, factorRise, highlightIn, highlightRise, shareIn, shareRise;
+
+    /// The length of a slab between two shares of the way whose extinction is less in proportion: the optical depth is
+    /// that of a part of it.
+    TETRA_SIMD_INLINE Lanes seenOf(Lanes length, Lanes from, Lanes to) const
+    {
+        return length * (shareIn + shareRise * (0.5f * (from + to)));
+    }
 
     /// The colours of a slab between two shares of the way: lit at its ends.
     TETRA_SIMD_INLINE LitColours<Lanes> coloursOf(const ScaledSegment& segment, Lanes valueIn, Lanes valueOut,
@@ -191,6 +199,7 @@ template <class Lanes, class Light> TETRA_SIMD_INLINE void addSlab(Gathered<Lane
                                                                    const Light& light, Lanes shareIn, Lanes shareOut)
 {
     const auto colours = light.coloursOf(segment, valueIn, valueOut, shareIn, shareOut);
+    length = light.seenOf(length, shareIn, shareOut);
     if (thickness == Thickness::Faint)
         addThinSlab<true>(gathered, segment, valueIn, valueOut, length, colours);
     else if (thickness == Thickness::Thin)

@@ -25,6 +25,14 @@ struct BlockLane {
     }
 };
 
+/// What follows from where the cells come from.
+void useSource(TileShading& shading, const SetupSource& source)
+{
+    shading.segments = source.segments.data();
+    shading.lit = !source.gradients.empty();
+    shading.perFullGradient = source.perFullGradient;
+}
+
 constexpr int columns = volumeTileSide / blockWidth;
 constexpr int rows = volumeTileSide / blockHeight;
 /// Cells between two looks whether all is opaque, and whether to stop.
@@ -99,12 +107,11 @@ TileShading VolumeTilePainter::shadingOf(const SampleRectangle& tile, const Tile
 {
     const bool limited = isLimited(surroundings);
     TileShading shading;
-    shading.segments = source_.segments.data();
+    useSource(shading, source_);
     shading.nearestBound = view_.perspective ? static_cast<float>(1 / view_.nearest) : farBound;
     shading.perspective = view_.perspective;
     shading.depth = surroundings.depth;
     shading.extras = limited;
-    shading.lit = !source_.gradients.empty();
     shading.firstX = static_cast<float>(tile.left + view_.firstX());
     shading.firstY = static_cast<float>(tile.top + view_.firstY());
     if (view_.perspective) {
@@ -340,8 +347,7 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
     const std::vector<FocusWeights> weights = focus.rays->weightsFrom(tile.left, tile.top);
     const TileFrame frame = frameOf(tile);
     TileShading shading = shadingOf(tile, {});
-    shading.segments = source.segments.data();
-    shading.lit = !source.gradients.empty();
+    useSource(shading, source);
     std::vector<BinnedCell> outside;
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += borderBatch) {
         outside.clear();
@@ -413,8 +419,7 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
                 limits_[block].front[lane] = std::min(front, whole[block].front[lane]);
                 limits_[block].back[lane] = std::max(back, whole[block].back[lane]);
             }
-        shading.segments = source.segments.data();
-        shading.lit = !source.gradients.empty();
+        useSource(shading, source);
         draw(source, some, tile, shading, progress, drawn);
     };
     using Ends = std::pair<float, float>;

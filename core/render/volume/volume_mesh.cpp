@@ -177,8 +177,9 @@ Eigen::AlignedBox3d boundsOf(const TetrahedralMesh& mesh)
     return bounds;
 }
 
-/// Lengths of 1 at most, so that squares of them are floats whatever the units; what is no number tells no direction.
-Buffer<Eigen::Vector3f> lightGradients(const TetrahedralMesh& mesh)
+/// Of a mesh: lengths of 1 at most, so that squares of them are floats whatever the units; what is no number tells no
+/// direction.
+void addLightGradients(const TetrahedralMesh& mesh, VolumeMesh& volume)
 {
     Buffer<Eigen::Vector3f> gradients = vertexGradients(mesh);
     const tbb::blocked_range<std::size_t> all(0, gradients.size(), 1 << 15);
@@ -196,7 +197,8 @@ Buffer<Eigen::Vector3f> lightGradients(const TetrahedralMesh& mesh)
                                ? Eigen::Vector3f((gradients[i].cast<double>() / largest).cast<float>())
                                : Eigen::Vector3f(0, 0, 0);
     });
-    return gradients;
+    volume.gradients = std::move(gradients);
+    volume.longestGradient = largest;
 }
 
 } // namespace
@@ -210,7 +212,7 @@ Result<VolumeMesh> makeVolumeMesh(std::shared_ptr<const TetrahedralMesh> mesh)
         result.adjacency = matchFaces(mesh->tetrahedra);
         result.bounds = boundsOf(*mesh);
         result.convex = hasConvexBoundary(*mesh, result.adjacency);
-        result.gradients = lightGradients(*mesh);
+        addLightGradients(*mesh, result);
         result.mesh = std::move(mesh);
         return result;
     });

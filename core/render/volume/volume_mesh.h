@@ -7,8 +7,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -45,6 +47,7 @@ struct VolumeMesh {
     /// Where the field rises at the vertices, for light: vertexGradients() by one factor for all, so that none is
     /// longer than 1; zero where there is none.
     Buffer<Eigen::Vector3f> gradients{};
+    double longestGradient = 0; ///< that factor
 };
 
 /// Matches the faces and takes gradients. O(cells), 100 bytes a cell while it runs and 20 in spatial order, 17 after,
@@ -63,6 +66,12 @@ Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const Tra
 
 /// The volume that is drawn, of a blend the one outside of its region; null if there is none.
 const Volume* volumeOf(const Scene& scene);
+/// How much of its extinction a volume has for one unit of gradients of which 1 is this long; 0 if it has all anywhere.
+inline float perFullGradient(double fullGradient, double unitOfGradients)
+{
+    const double most = std::numeric_limits<float>::max();
+    return fullGradient > 0 ? static_cast<float>(std::min(unitOfGradients / fullGradient, most)) : 0;
+}
 /// The blend that it is a part of, if both its volumes can be drawn; else null.
 const FocusVolume* focusOf(const Scene& scene);
 /// The samples that are drawn; null if there are none.

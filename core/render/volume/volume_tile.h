@@ -38,6 +38,7 @@ struct TileShading {
     bool perspective = true;
     bool depth = false;               ///< keep `depth` of the blocks
     bool lit = false;                 ///< cells have CellSetup::light
+    float perFullGradient = 0;        ///< of SetupSource, of cells that are lit
     bool extras = false;              ///< there may be limits: one for each block. The near plane is in them
     float firstX = 0, firstY = 0;     ///< the tile's first sample, from the centre of the picture
     float slopePerSample[2] = {0, 0}; ///< right and down for one unit of w, from sample to sample; 0 if orthographic

@@ -83,14 +83,17 @@ private:
     {
         const auto function = view.value<TransferFunction>(transferId);
         const bool shaded = view.value<bool>(shadedId);
+        const auto fullGradient = view.value<double>(fullGradientId);
         Drawable drawable{.id = "volume", .label = "Volume", .shape = {}};
         auto outside = outside_.volume.update(function, shaded, progress.part(0, 0.5));
         if (!outside)
             return outside.error();
+        outside->fullGradient = fullGradient;
         if (fine_) {
             auto fine = fine_->volume.update(function, shaded, progress.part(0.5, 1));
             if (!fine)
                 return fine.error();
+            fine->fullGradient = fullGradient;
             drawable.shape = FocusVolume{*std::move(outside), *std::move(fine), regions_};
         } else {
             drawable.shape = *std::move(outside);
@@ -140,6 +143,7 @@ public:
                 transferParameter(field),
                 with(isovaluesParameter(field), surfacesOnly, bothOfThem),
                 with(shadedParameter(), volumeOnly, bothOfThem),
+                fullGradientParameter(field),
                 boundaryParameter(),
                 boundaryOpacityParameter(),
                 boundaryFarSideParameter(),

@@ -45,6 +45,7 @@ public:
             volume_.update(view.value<TransferFunction>(transferId), view.value<bool>(shadedId), progress.part(0, 0.4));
         if (!volume)
             return volume.error();
+        volume->fullGradient = view.value<double>(fullGradientId);
         volume->wholeCells = view.value<std::string>(orderId) == withCell;
         scene->drawables.push_back({.id = "volume", .label = "Volume", .shape = *std::move(volume)});
         if (const Status added = addIsosurfaces(surfaces_, view, progress.part(0.4, 0.8), *scene); !added)
@@ -69,9 +70,10 @@ class HybridRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return withShown({transferParameter(field), isovaluesParameter(field), shadedParameter(), orderParameter(),
-                          boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
-                          boundaryLitParameter(), clipParameter(), outlineParameter()},
+        return withShown({transferParameter(field), isovaluesParameter(field), shadedParameter(),
+                          fullGradientParameter(field), orderParameter(), boundaryParameter(),
+                          boundaryOpacityParameter(), boundaryFarSideParameter(), boundaryLitParameter(),
+                          clipParameter(), outlineParameter()},
                          field);
     }
 

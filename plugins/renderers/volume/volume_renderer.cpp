@@ -27,6 +27,7 @@ public:
             volume_.update(view.value<TransferFunction>(transferId), view.value<bool>(shadedId), progress.part(0, 0.8));
         if (!volume)
             return volume.error();
+        volume->fullGradient = view.value<double>(fullGradientId);
         scene->drawables.push_back({.id = "volume", .label = "Volume", .shape = *std::move(volume)});
         if (const Status added = addBoundary(boundary_, view, progress.part(0.8, 1), *scene); !added)
             return added.error();
@@ -46,8 +47,9 @@ class VolumeRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return withShown({transferParameter(field), shadedParameter(), boundaryParameter(), boundaryOpacityParameter(),
-                          boundaryFarSideParameter(), boundaryLitParameter(), clipParameter(), outlineParameter()},
+        return withShown({transferParameter(field), shadedParameter(), fullGradientParameter(field),
+                          boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
+                          boundaryLitParameter(), clipParameter(), outlineParameter()},
                          field);
     }
 

@@ -76,6 +76,22 @@ private slots:
                  "'width' applies only if 'lines' is true. Leave it out, or choose that.");
     }
 
+    /// What depends on a parameter that does not matter itself does not, either; in a circle nothing is followed twice.
+    void whatMattersDependsOnWhatMatters()
+    {
+        const Parameter kind{.id = "kind", .defaultValue = std::string("plain")};
+        const Parameter light{.id = "light", .defaultValue = true, .onlyWith = {"kind", {std::string("deep")}}};
+        const Parameter shine{.id = "shine", .defaultValue = 1.0, .onlyWith = {"light", {true}}};
+        const Parameter one{.id = "one", .defaultValue = true, .onlyWith = {"other", {true}}};
+        const Parameter other{.id = "other", .defaultValue = true, .onlyWith = {"one", {true}}};
+        const std::vector<Parameter> all = {kind, light, shine, one, other};
+        QVERIFY(!matters(light, all, {}) && !matters(shine, all, {}));
+        QVERIFY(!matters(shine, all, {{"light", true}}));
+        QVERIFY(matters(shine, all, {{"kind", std::string("deep")}}));
+        QVERIFY(!matters(shine, all, {{"kind", std::string("deep")}, {"light", false}}));
+        QVERIFY(matters(one, all, {}) && !matters(one, all, {{"one", false}}));
+    }
+
     void refusesWhatDoesNotFit_data()
     {
         QTest::addColumn<QString>("kind");

@@ -138,6 +138,7 @@ Drivers renderingControls()
             },
             inDock("dock.rendering")),
         setting("shaded", false, [](const SceneFacts& scene) { return !scene.shaded; }),
+        setting("full-gradient", 0.5, [](const SceneFacts& scene) { return scene.fullGradient == 0.5; }),
         setting("order", std::string("with-cell"), [](const SceneFacts& scene) { return scene.withCell; }),
         setting("show", std::string("data"), [](const SceneFacts& scene) { return scene.hasSamples; }),
         shows(),

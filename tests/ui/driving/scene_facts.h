@@ -15,6 +15,7 @@ struct SceneFacts {
     bool hasVolume = false;
     bool hasSamples = false; ///< in its place
     bool shaded = false;
+    double fullGradient = 0;
     bool withCell = false; ///< surfaces and volume in the order of the paper
     std::size_t lines = 0;
     std::size_t surfaces = 0;
@@ -34,6 +35,7 @@ inline SceneFacts factsOf(const Scene& scene)
     facts.hasVolume = parts.volume.has_value();
     facts.hasSamples = !shapesOf<SampledVolume>(scene).empty();
     facts.shaded = parts.volume && parts.volume->shaded;
+    facts.fullGradient = parts.volume ? parts.volume->fullGradient : 0;
     facts.withCell = parts.wholeCells;
     facts.lines = parts.lines.size();
     facts.surfaces = parts.surfaces.size();

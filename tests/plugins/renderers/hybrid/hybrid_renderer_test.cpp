@@ -19,11 +19,11 @@ private slots:
     void parametersAreThoseOfBothAndTheOrder()
     {
         const auto parameters = rendererNamed("hybrid").parameters({{-10, 30}, unitBox});
-        for (const char* id : {"transfer", "isovalues", "shaded", "order", "boundary", "boundary-opacity",
-                               "boundary-far-side", "lit", "clip", "outline", "show"})
+        for (const char* id : {"transfer", "isovalues", "shaded", "full-gradient", "order", "boundary",
+                               "boundary-opacity", "boundary-far-side", "lit", "clip", "outline", "show"})
             QVERIFY2(std::ranges::count(parameters, id, &Parameter::id) == 1, id);
-        QCOMPARE(parameters.size(), std::size_t(11));
-        QCOMPARE(rendererNamed("hybrid").parameters({.hasSamples = false}).size(), std::size_t(10));
+        QCOMPARE(parameters.size(), std::size_t(12));
+        QCOMPARE(rendererNamed("hybrid").parameters({.hasSamples = false}).size(), std::size_t(11));
         const auto order = std::ranges::find(parameters, "order", &Parameter::id);
         QCOMPARE(order->choices, (std::vector<std::string>{"exact", "with-cell"}));
         QCOMPARE(std::get<std::string>(order->defaultValue), std::string("exact"));
