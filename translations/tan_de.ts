@@ -12607,7 +12607,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Of a shaded volume, how steeply the values must change, in units of the values for one of length, to be as opaque as the transfer function says; where they change less, the opacity is less in proportion, so that boundaries stand out. 0: the opacity does not depend on it.</source>
-        <translation>Wie steil sich die Werte eines schattierten Volumens ändern müssen, in Einheiten der Werte je Längeneinheit, um so deckend zu sein, wie die Transferfunktion sagt; wo sie sich weniger ändern, ist die Deckkraft im selben Verhältnis geringer, sodass Grenzen hervortreten. 0: Die Deckkraft hängt davon nicht ab.</translation>
+        <translation>Wie steil sich die Werte eines beleuchteten Volumens ändern müssen, in Einheiten der Werte je Längeneinheit, um so deckend zu sein, wie die Transferfunktion sagt; wo sie sich weniger ändern, ist die Deckkraft im selben Verhältnis geringer, sodass Grenzen hervortreten. 0: Die Deckkraft hängt davon nicht ab.</translation>
     </message>
 </context>
 <context>

@@ -203,7 +203,7 @@ private slots:
     void fittedTakesAnyBox()
     {
         const Camera camera{.target = {9, 9, 9}, .distance = 3};
-        QCOMPARE(fitted(camera, {}).distance, 3.0);
+        QCOMPARE(fitted(camera, Eigen::AlignedBox3d()).distance, 3.0);
         const Camera onPoint = fitted(camera, {Vector3d(1, 1, 1), Vector3d(1, 1, 1)});
         QVERIFY(onPoint.distance > 0 && std::isfinite(onPoint.distance));
         QVERIFY(onPoint.target == Vector3d(1, 1, 1));
