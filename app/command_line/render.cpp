@@ -202,19 +202,19 @@ MeshQuery finestQuery(const RenderRequest& request)
 }
 
 /// What fills the picture if no camera is given: what there is to see of the data; a window alone, unless the outline
-/// of the domain is drawn around it.
-Framing framingOf(const FieldExtent& field, const MeshQuery& query, const ParameterValues& given,
-                  const AnnotationState& annotations, double aspectRatio)
+/// of the domain is drawn around it. `field` outlives it.
+Framing framingOf(const FieldExtent& field, const Renderer& renderer, const MeshQuery& query,
+                  const ParameterValues& given, const AnnotationState& annotations, double aspectRatio)
 {
-    const auto outline = given.find(outlineId);
-    const bool hasOutline = outline == given.end() || outline->second != ParameterValue(false);
-    const Eigen::AlignedBox3d& whole = field.bounds;
-    return [=, object = query.window ? decltype(field.object)() : field.object](const Camera& camera) {
-        Eigen::AlignedBox3d part = whole;
-        if (query.window && !hasOutline)
-            part = part.intersection({query.window->box.least, query.window->box.largest});
-        return framed({.annotations = annotations, .camera = camera}, part.isEmpty() ? whole : part, object,
-                      aspectRatio);
+    const bool hasOutline = parameterValue<bool>(renderer.parameters(field), given, outlineId);
+    const auto object = query.window ? std::span<const Eigen::Vector3d>() : framedObject(field, renderer);
+    Eigen::AlignedBox3d part = field.bounds;
+    if (query.window && !hasOutline)
+        part = part.intersection({query.window->box.least, query.window->box.largest});
+    if (part.isEmpty())
+        part = field.bounds;
+    return [=](const Camera& camera) {
+        return framed({.annotations = annotations, .camera = camera}, part, object, aspectRatio);
     };
 }
 
@@ -271,7 +271,8 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto field = extentOf(view.model);
     if (!field)
         return field.error();
-    const Framing framing = framingOf(*field, request.query, *values, *annotations, aspectRatioOf(request.picture));
+    const Framing framing =
+        framingOf(*field, *renderer.plugin, request.query, *values, *annotations, aspectRatioOf(request.picture));
     const auto camera = cameraOf(arguments, framing(Camera()), framing, data.bounds, request.picture);
     if (!camera)
         return camera.error();
@@ -419,12 +420,12 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
         return renderer.error();
     view.renderer = *renderer;
     const Eigen::AlignedBox3d& bounds = view.model->description().bounds;
-    if (!kept.hasCamera)
-        seen.camera = framed(seen, bounds, field->object, aspectRatioOf(request.picture));
     const Framing framing = [&](const Camera& camera) {
-        return framed({.annotations = seen.annotations, .camera = camera}, bounds, field->object,
-                      aspectRatioOf(request.picture));
+        return framed({.annotations = seen.annotations, .camera = camera}, bounds,
+                      framedObject(*field, *renderer->plugin), aspectRatioOf(request.picture));
     };
+    if (!kept.hasCamera)
+        seen.camera = framing(seen.camera);
     const auto camera = cameraOf(invocation.arguments, seen.camera, framing, bounds, request.picture);
     if (!camera)
         return camera.error();

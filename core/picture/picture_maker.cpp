@@ -173,7 +173,9 @@ ViewValue PictureMaker::startingView(double aspectRatio) const
 
 Camera PictureMaker::framed(const ViewValue& view, double aspectRatio) const
 {
-    return tetra::framed(view, parts_->field.bounds, parts_->field.object, aspectRatio);
+    const auto renderer = parts_->rendererOf(view);
+    return tetra::framed(view, parts_->field.bounds,
+                         renderer ? framedObject(parts_->field, *renderer->plugin) : parts_->field.object, aspectRatio);
 }
 
 Result<KeptView> PictureMaker::keptView(const std::filesystem::path& file) const

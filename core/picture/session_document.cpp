@@ -145,6 +145,8 @@ void readModelFacts(const JsonObject& model, SessionDocument& document)
 
 /// Of sessions in which volumes are lit unless their setting says otherwise.
 constexpr std::string_view shadedKey = "usuallyShaded";
+/// Of sessions in which the bounding box is not drawn around an object in a background unless their setting says so.
+constexpr std::string_view outlineKey = "usuallyWithoutBox";
 
 constexpr std::string_view sessionKey = "TAn-session"; // without a blank, as Qt reads keywords
 
@@ -168,7 +170,7 @@ JsonValue sessionJson(const SessionDocument& document, const std::filesystem::pa
     if (document.range)
         model["range"] = JsonArray{document.range->minimum, document.range->maximum};
     JsonObject ours = {{"format", formatName}, {"version", formatVersion}, {"model", model}};
-    ours[shadedKey] = true;
+    ours[shadedKey] = ours[outlineKey] = true;
     if (const auto view = parseJson(viewToText(document.view)); view && view->object() != nullptr)
         ours = over(std::move(ours), *view->object());
     if (!document.hasCamera)
@@ -278,6 +280,8 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     readView(fields, document.view);
     if (!fields.has(shadedKey)) // then volumes are not lit unless their setting says so
         document.view.appearance.settings.try_emplace(shadedId, false);
+    if (!fields.has(outlineKey))
+        document.view.appearance.settings.try_emplace(outlineId, true);
     document.hasCamera = fields.has("camera");
     if (path.empty() && !error)
         error = Error{ErrorKind::BadInput, Message::say("it names no model in \"model.path\".")};

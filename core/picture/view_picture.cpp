@@ -12,6 +12,7 @@
 #include "core/view/appearance.h"
 #include "core/view/view_value.h"
 #include "plugins/api/scene_parameters.h"
+#include "plugins/api/slice_parameters.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -71,8 +72,8 @@ Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Pr
             return mesh.error();
         field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
         field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
-        field.object = model->description().domain == DomainClass::Irregular ? meshOutline(**mesh)
-                                                                             : objectOutline(**mesh, field.volumes);
+        if (model->description().domain != DomainClass::Irregular) // of that the boundary is shown, too
+            field.object = objectOutline(**mesh, field.volumes);
         return field;
     };
     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), look,
@@ -100,6 +101,11 @@ ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model
                    .isovalues = startingIsovalues(modes, field)};
     view.camera = framed(view, field.bounds, field.object, aspectRatio);
     return view;
+}
+
+std::span<const Eigen::Vector3d> framedObject(const FieldExtent& field, const Renderer& renderer)
+{
+    return hasParameter(renderer.parameters(field), slicesId) ? std::span<const Eigen::Vector3d>() : field.object;
 }
 
 const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id)

@@ -42,6 +42,9 @@ TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, con
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
                        double aspectRatio = 1);
 
+/// What a picture of this renderer frames (framed()): slices reach through all of the domain.
+std::span<const Eigen::Vector3d> framedObject(const FieldExtent& field, const Renderer& renderer);
+
 /// The renderer of this id; null if there is none.
 const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id);
 

@@ -60,20 +60,16 @@ double diagonalOf(std::span<const Eigen::Vector3d> places)
 {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& place : places)
-        box.extend(place);
+        if (place.allFinite())
+            box.extend(place);
     return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 } // namespace
 
-std::vector<Eigen::Vector3d> meshOutline(const TetrahedralMesh& mesh)
-{
-    return farthestOut(mesh, [](std::size_t) { return true; });
-}
-
 std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes)
 {
-    constexpr double besideBackground = 1.0 / 30, least = 1.0 / 16;
+    constexpr double besideBackground = 1.0 / 30, tiny = 1.0 / 16, nearlyAll = 0.9;
     const auto background = backgroundValues(volumes);
     if (!background)
         return {};
@@ -82,7 +78,8 @@ std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const Va
         const double value = mesh.values[vertex];
         return value < background->least - beside || value > background->largest + beside;
     });
-    return diagonalOf(places) > least * diagonalOf(meshOutline(mesh)) ? places : std::vector<Eigen::Vector3d>();
+    const double share = diagonalOf(places) / diagonalOf(mesh.positions);
+    return share > tiny && share < nearlyAll ? places : std::vector<Eigen::Vector3d>();
 }
 
 } // namespace tetra

@@ -78,7 +78,7 @@ public:
         band.mistake = [](const std::string& text) {
             return bandOf(text) ? Message() : Message::say(R"(A band is written {"low": 1, "high": 2}.)");
         };
-        return {transferParameter(field), shells, band, clipParameter(), outlineParameter()};
+        return {transferParameter(field), shells, band, clipParameter(), outlineParameter(field)};
     }
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
     {

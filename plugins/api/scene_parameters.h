@@ -140,14 +140,14 @@ inline Parameter litParameter()
     return parameter;
 }
 
-/// bool, true by default.
-inline Parameter outlineParameter()
+/// bool, true by default, but of data with an object that a picture frames in place of the box.
+inline Parameter outlineParameter(const FieldExtent& field = {})
 {
     Parameter parameter;
     parameter.id = outlineId;
     parameter.label = Message::marked("Bounding box");
     parameter.explanation = Message::marked("Draws the bounding box of the data.");
-    parameter.defaultValue = true;
+    parameter.defaultValue = field.object.empty();
     return parameter;
 }
 

@@ -273,11 +273,13 @@ void SessionDocumentTest::whatIsMissingIsAsUsual()
     QVERIFY(read);
     QCOMPARE(read->model.string(), "/folder/a.tan");
     ViewValue usual;
-    usual.appearance.settings["shaded"] = false; // what was meant where nothing said that volumes are usually lit
+    // What was meant where nothing said that volumes are usually lit, and usually without a box around an object.
+    usual.appearance.settings["shaded"] = false;
+    usual.appearance.settings["outline"] = true;
     QVERIFY(read->view == usual && !read->hasCamera && read->identity == 0);
 }
 
-/// Where volumes are usually lit, sessions say so; in others they are lit if their setting says so.
+/// Where volumes are usually lit, sessions say so; in others they are lit if their setting says so. Likewise the box.
 void SessionDocumentTest::volumesStayLitOrNot()
 {
     SessionDocument document;
@@ -294,6 +296,12 @@ void SessionDocumentTest::volumesStayLitOrNot()
     root = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(document, "/"))).object();
     root.remove("usuallyShaded");
     QVERIFY((settingsOf(root) == ParameterValues{{"shaded", true}}));
+    root.remove("usuallyWithoutBox");
+    QVERIFY((settingsOf(root) == ParameterValues{{"outline", true}, {"shaded", true}}));
+    document.view.appearance.settings["outline"] = false;
+    root = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(document, "/"))).object();
+    root.remove("usuallyWithoutBox");
+    QVERIFY((settingsOf(root) == ParameterValues{{"outline", false}, {"shaded", true}}));
 }
 
 void SessionDocumentTest::badSessionsAreRefused_data()

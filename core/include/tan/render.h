@@ -571,11 +571,10 @@ TAN_API ValueHistogram volumeHistogram(const TetrahedralMesh& mesh, double least
 
 /// The places of an object that are farthest out, to frame it in a picture (fitted()): those of all vertices of a mesh
 /// whose values are no background (backgroundValues(), and what is within a thirtieth of the range beside it) which are
-/// the farthest in one of 128 directions all around. Nothing if there is no background, no other value, or the object
-/// is no larger than a sixteenth of the mesh. `volumes`: of the same mesh (volumeHistogram()). O(vertices).
+/// the farthest in one of 128 directions all around. Nothing if there is no background, and if the object is nearly as
+/// large as the mesh or tiny in it, so that the mesh is to be framed: above nine tenths of its diagonal, or below a
+/// sixteenth. `volumes`: of the same mesh (volumeHistogram()). O(vertices).
 TAN_API std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes);
-/// The same of all its vertices.
-TAN_API std::vector<Eigen::Vector3d> meshOutline(const TetrahedralMesh& mesh);
 
 /// Pixels of a picture: `width` columns from `left`, `height` rows from `top`, which count from its upper left corner.
 struct PixelRectangle {

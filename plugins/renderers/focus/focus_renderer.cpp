@@ -149,7 +149,7 @@ public:
                 boundaryFarSideParameter(),
                 boundaryLitParameter(),
                 clipParameter(),
-                outlineParameter()};
+                outlineParameter(field)};
     }
 
     RendererNeeds needs() const override { return {.focusMesh = true}; }

@@ -73,7 +73,7 @@ public:
         return withShown({transferParameter(field), isovaluesParameter(field), shadedParameter(),
                           fullGradientParameter(field), orderParameter(), boundaryParameter(),
                           boundaryOpacityParameter(), boundaryFarSideParameter(), boundaryLitParameter(),
-                          clipParameter(), outlineParameter()},
+                          clipParameter(), outlineParameter(field)},
                          field);
     }
 

@@ -49,7 +49,7 @@ public:
                 boundaryLitParameter(),
                 boundaryTransferParameter(field),
                 clipParameter(),
-                outlineParameter()};
+                outlineParameter(field)};
     }
 
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override

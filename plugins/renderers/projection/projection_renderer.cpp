@@ -222,7 +222,7 @@ class ProjectionRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return {projectionParameter(), transferParameter(field), clipParameter(), outlineParameter()};
+        return {projectionParameter(), transferParameter(field), clipParameter(), outlineParameter(field)};
     }
 
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override

@@ -49,7 +49,7 @@ public:
     {
         return withShown({transferParameter(field), shadedParameter(), fullGradientParameter(field),
                           boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
-                          boundaryLitParameter(), clipParameter(), outlineParameter()},
+                          boundaryLitParameter(), clipParameter(), outlineParameter(field)},
                          field);
     }
 
