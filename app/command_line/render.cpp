@@ -273,7 +273,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return field.error();
     const Framing framing =
         framingOf(*field, *renderer.plugin, request.query, *values, *annotations, aspectRatioOf(request.picture));
-    const auto camera = cameraOf(arguments, framing(Camera()), framing, data.bounds, request.picture);
+    const auto camera = cameraOf(arguments, framing(usualCamera(data)), framing, data.bounds, request.picture);
     if (!camera)
         return camera.error();
     const auto modes = renderingModes(invocation.host);

@@ -397,12 +397,12 @@ Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress,
     const auto makeLevel = [&](const std::filesystem::path& path, const Progress& making) {
         return make(level, path, making);
     };
-    for (bool isAgain = false;; isAgain = true) {
+    for (bool isRetry = false;; isRetry = true) {
         auto file = folder_.folder.take(keyOf(level), source_->expectedBytes(level), makeLevel, progress);
         if (!file)
             return file.error();
         auto model = Model::open(file->path(), place_, whole);
-        if (!model && !isAgain) { // somebody damaged it
+        if (!model && !isRetry) { // somebody damaged it
             std::error_code ignored;
             std::filesystem::remove(file->path(), ignored);
             continue;

@@ -270,9 +270,9 @@ private:
     void code(std::size_t kind, std::uint32_t t, std::uint32_t parent, float key, const OthersInside& others)
     {
         std::vector<std::uint16_t>& own = kind == 0 ? history_.ownErrors : history_.ownWarpings;
-        std::uint16_t truth = 0;
+        std::uint16_t actual = 0;
         if constexpr (encodes)
-            truth = kind == 0 ? model_->ownErrors()[t] : model_->ownWarpings()[t];
+            actual = kind == 0 ? model_->ownErrors()[t] : model_->ownWarpings()[t];
         const std::uint16_t lower = own[t];
         const std::size_t alive = mesh_.isAlive(t) ? 1 : 0;
         std::uint16_t expected = lower;
@@ -281,12 +281,12 @@ private:
         const std::size_t known = expected > lower ? 2 : lower > 0 ? 1 : 0;
         if (known == 2) {
             const auto many = std::min<std::size_t>(static_cast<std::size_t>(std::bit_width(others.count)), 8) - 1;
-            if (codedBit(coder_, models_.isExpected[kind][alive][many], truth == expected)) {
+            if (codedBit(coder_, models_.isExpected[kind][alive][many], actual == expected)) {
                 own[t] = expected;
                 return;
             }
         }
-        if (codedBit(coder_, models_.isLower[kind][alive][known], truth == lower))
+        if (codedBit(coder_, models_.isLower[kind][alive][known], actual == lower))
             return;
         std::uint16_t from = expected;
         std::size_t source = 0;
@@ -300,7 +300,7 @@ private:
                 from = own[parent];
             }
         }
-        const std::uint64_t coded = models_.numbers[kind][alive][source].code(coder_, zigzag(truth, from, 16));
+        const std::uint64_t coded = models_.numbers[kind][alive][source].code(coder_, zigzag(actual, from, 16));
         own[t] = static_cast<std::uint16_t>(unzigzag(coded, from, 16));
     }
 

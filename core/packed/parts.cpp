@@ -325,7 +325,7 @@ struct KeptSamples {
 
 /// What the Rest record holds, of sections that are not made again from the history as they were: the header with the
 /// table, and their bytes.
-struct Differing {
+struct Differences {
     Header header;
     std::vector<Section> table;
     std::vector<std::uint8_t> isStored; ///< of each section; others are in the model that was made again
@@ -552,14 +552,14 @@ std::uint64_t mostBytes(std::uint64_t ofMade)
 }
 
 /// Compares the model with what is made of its parts.
-Result<std::optional<Differing>> compare(const Model& model, const std::filesystem::path& made)
+Result<std::optional<Differences>> compare(const Model& model, const std::filesystem::path& made)
 {
     const auto remade = MappedFile::open(made);
     if (!remade)
         return remade.error();
     const std::span<const std::byte> before = model.fileBytes(), after = (*remade)->bytes();
     if (std::ranges::equal(before, after))
-        return std::optional<Differing>();
+        return std::optional<Differences>();
     if (before.size() > mostBytes(after.size()))
         return Error{ErrorKind::BadInput,
                      Message::say("'%1' cannot be packed: most of it is in sections that this version does not know.",
@@ -570,34 +570,34 @@ Result<std::optional<Differing>> compare(const Model& model, const std::filesyst
     const auto remadeLayout = readLayout(after, made);
     if (!remadeLayout)
         return remadeLayout.error();
-    Differing differing{layout->header, layout->sections, {}};
-    for (const Section& section : differing.table) {
+    Differences differences{layout->header, layout->sections, {}};
+    for (const Section& section : differences.table) {
         const auto id = static_cast<SectionId>(section.id);
         const bool isMade = remadeLayout->has(id) && std::ranges::equal(sectionBytes(before, section),
                                                                         sectionBytes(after, remadeLayout->section(id)));
-        differing.isStored.push_back(isMade ? 0 : 1);
+        differences.isStored.push_back(isMade ? 0 : 1);
     }
-    return std::optional(std::move(differing));
+    return std::optional(std::move(differences));
 }
 
 /// What is read of it is checked when it is put together.
 template <class Coder>
-void codeRest(PlainCoder<Coder>& plain, std::optional<Differing>& differing, std::uint32_t mostSections)
+void codeRest(PlainCoder<Coder>& plain, std::optional<Differences>& differences, std::uint32_t mostSections)
 {
-    if (plain.template number<std::uint32_t>(differing ? 1 : 0) == 0) {
-        differing.reset();
+    if (plain.template number<std::uint32_t>(differences ? 1 : 0) == 0) {
+        differences.reset();
         return;
     }
-    if (!differing)
-        differing.emplace();
-    plain.elements(std::as_writable_bytes(std::span(&differing->header, 1)), 8);
+    if (!differences)
+        differences.emplace();
+    plain.elements(std::as_writable_bytes(std::span(&differences->header, 1)), 8);
     const std::uint32_t count =
-        std::min(plain.number(static_cast<std::uint32_t>(differing->table.size())), mostSections);
-    differing->table.resize(count);
-    differing->isStored.resize(count);
+        std::min(plain.number(static_cast<std::uint32_t>(differences->table.size())), mostSections);
+    differences->table.resize(count);
+    differences->isStored.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        plain.elements(std::as_writable_bytes(std::span(&differing->table[i], 1)), 8);
-        differing->isStored[i] = plain.number(differing->isStored[i]);
+        plain.elements(std::as_writable_bytes(std::span(&differences->table[i], 1)), 8);
+        differences->isStored[i] = plain.number(differences->isStored[i]);
     }
 }
 
@@ -627,11 +627,11 @@ public:
         if (const Status added = records_.add(PartKind::Facts, coder.finish()); !added)
             return added.error();
         const HistoryFacts facts = factsOf(layout->header, model_.description(), facts_);
-        const auto told = findTold(siteFactsOf(facts, model_.description(), facts_));
-        if (!told)
-            return told.error();
-        if (*told)
-            return packTold(**told, siteFactsOf(facts, model_.description(), facts_));
+        const auto bySites = historyOfSites(siteFactsOf(facts, model_.description(), facts_));
+        if (!bySites)
+            return bySites.error();
+        if (*bySites)
+            return packSites(**bySites, siteFactsOf(facts, model_.description(), facts_));
         HistoryEncoder encoder(model_, facts);
         if (const Status packed = packHistory(encoder); !packed)
             return packed.error();
@@ -653,16 +653,16 @@ private:
     }
 
     /// A history that follows from its sites, and its own bounds, coded.
-    struct Told {
+    struct SiteHistory {
         HistoryArrays history;
         std::vector<std::byte> ownBounds;
     };
 
     /// Nothing if the model's is not such a one.
-    Result<std::optional<Told>> findTold(const SiteFacts& facts)
+    Result<std::optional<SiteHistory>> historyOfSites(const SiteFacts& facts)
     {
         if (!maySitesTell(model_) || facts_.blockCells != std::array<std::uint32_t, 3>{})
-            return std::optional<Told>();
+            return std::optional<SiteHistory>();
         auto samples = allocateSamples(facts.history.sampleType, facts.history.lattice.pointCount());
         if (!samples)
             return samples.error();
@@ -670,7 +670,7 @@ private:
         const std::span<const std::uint32_t> points = model_.points();
         for (const std::uint32_t point : points) {
             if (point >= sites.pointCount() || sites.isKnown(point))
-                return std::optional<Told>();
+                return std::optional<SiteHistory>();
             sites.setKnown(point);
         }
         const auto scatter = [points](std::span<const std::byte> from, std::size_t size, std::span<std::byte> to) {
@@ -685,16 +685,16 @@ private:
         if (!history && history.error().kind == ErrorKind::Cancelled)
             return history.error();
         if (!history || !sameButForBounds(*history, model_))
-            return std::optional<Told>();
-        Told told{*std::move(history), {}};
-        told.ownBounds = encodeOwnBounds(facts, told.history, model_);
-        if (!std::ranges::equal(told.history.ownErrors, model_.ownErrors()) ||
-            !std::ranges::equal(told.history.ownWarpings, model_.ownWarpings()))
-            return std::optional<Told>();
-        return std::optional(std::move(told));
+            return std::optional<SiteHistory>();
+        SiteHistory found{*std::move(history), {}};
+        found.ownBounds = encodeOwnBounds(facts, found.history, model_);
+        if (!std::ranges::equal(found.history.ownErrors, model_.ownErrors()) ||
+            !std::ranges::equal(found.history.ownWarpings, model_.ownWarpings()))
+            return std::optional<SiteHistory>();
+        return std::optional(std::move(found));
     }
 
-    Result<PackReport> packTold(const Told& told, const SiteFacts& facts)
+    Result<PackReport> packSites(const SiteHistory& found, const SiteFacts& facts)
     {
         const auto encoder = SiteEncoder::make(model_, facts, progress_);
         if (!encoder)
@@ -708,15 +708,15 @@ private:
                 return added.error();
             site = level.sites;
             if (site == model_.siteCount())
-                if (const Status added = records_.add(PartKind::OwnBounds, told.ownBounds); !added)
+                if (const Status added = records_.add(PartKind::OwnBounds, found.ownBounds); !added)
                     return added.error();
             progress_.report(triedAt + (1 - triedAt) * site / model_.siteCount(), packingParts);
             file_.endLevel(level.error, level.warping, level.sites);
         }
-        if (const Status packed = packRest(told.history); !packed)
+        if (const Status packed = packRest(found.history); !packed)
             return packed.error();
         PackReport report = reportOf((*encoder)->cost());
-        report.ownErrors = told.ownBounds.size();
+        report.ownErrors = found.ownBounds.size();
         return report;
     }
 
@@ -787,14 +787,14 @@ private:
                                    kept.values, kept.positions};
         if (const Status wrote = writeModelFile(written, order_, made); !wrote)
             return wrote;
-        Result<std::optional<Differing>> differing = compare(model_, made);
-        if (!differing)
-            return differing.error();
-        codeRest(plain, *differing, format::mostSections);
-        if (*differing)
-            for (std::size_t i = 0; i < (*differing)->table.size(); ++i) {
-                const Section& section = (*differing)->table[i];
-                if ((*differing)->isStored[i] == 0)
+        Result<std::optional<Differences>> differences = compare(model_, made);
+        if (!differences)
+            return differences.error();
+        codeRest(plain, *differences, format::mostSections);
+        if (*differences)
+            for (std::size_t i = 0; i < (*differences)->table.size(); ++i) {
+                const Section& section = (*differences)->table[i];
+                if ((*differences)->isStored[i] == 0)
                     continue;
                 const std::span<const std::byte> bytes = sectionBytes(model_.fileBytes(), section);
                 std::vector<std::byte> copy(bytes.begin(), bytes.end());
@@ -873,10 +873,10 @@ public:
     }
     /// Whether the history that was made of its sites is the one that was packed: another version of the builder may
     /// make another one.
-    bool isAgain() const noexcept { return isAgain_; }
-    bool isToldBySites() const noexcept { return !decoder_; }
+    bool isReproduced() const noexcept { return isReproduced_; }
+    bool followsFromSites() const noexcept { return !decoder_; }
     /// Puts own bounds that hold whatever the other points are in place of those that were told.
-    void boundByRunningKeys() { boundByKeys(historyFacts(), endKey_, told_); }
+    void boundByRunningKeys() { boundByKeys(historyFacts(), endKey_, sitesHistory_); }
     std::span<const std::uint32_t> order() const noexcept { return order_; }
 
     Status expect(PartKind kind)
@@ -891,7 +891,7 @@ public:
 
 private:
     /// Of the history that was read.
-    const HistoryArrays& arrays() const noexcept { return decoder_ ? decoder_->arrays() : told_; }
+    const HistoryArrays& arrays() const noexcept { return decoder_ ? decoder_->arrays() : sitesHistory_; }
 
     Status readFacts()
     {
@@ -931,8 +931,8 @@ private:
         auto history = known.history(progress_.part(0.4, 0.9));
         if (!history)
             return history.error().kind == ErrorKind::BadInput ? damaged() : Status(history.error());
-        told_ = *std::move(history);
-        if (told_.points.size() != sites)
+        sitesHistory_ = *std::move(history);
+        if (sitesHistory_.points.size() != sites)
             return damaged();
         if (sites < file_.header().siteCount) {
             boundByRunningKeys();
@@ -942,10 +942,11 @@ private:
             return read;
         const auto sum =
             std::ranges::find(file_.sums(), static_cast<std::uint32_t>(SectionId::OtherSites), &format::PackedSum::id);
-        isAgain_ = sum != file_.sums().end() && sum->checksum == checksum(std::as_bytes(std::span(told_.otherSites)));
-        if (!isAgain_)
+        isReproduced_ =
+            sum != file_.sums().end() && sum->checksum == checksum(std::as_bytes(std::span(sitesHistory_.otherSites)));
+        if (!isReproduced_)
             boundByRunningKeys();
-        else if (!decodeOwnBounds(known.facts(), records_.record(), told_))
+        else if (!decodeOwnBounds(known.facts(), records_.record(), sitesHistory_))
             return damaged();
         return {};
     }
@@ -956,17 +957,17 @@ private:
     std::vector<std::uint32_t> order_;
     PartFacts facts_;
     std::optional<HistoryDecoder> decoder_;
-    HistoryArrays told_; ///< of the sites alone
-    bool isAgain_ = true;
+    HistoryArrays sitesHistory_; ///< of the sites alone
+    bool isReproduced_ = true;
     float endKey_ = 0;
 };
 
 /// Puts the file together that differs from the one that is made of the parts.
-class DifferingWriter {
+class DifferencesWriter {
 public:
-    DifferingWriter(const PackedFile& file, Differing& differing, const std::filesystem::path& made,
-                    const std::filesystem::path& output)
-        : file_(file), differing_(differing), made_(made), output_(output)
+    DifferencesWriter(const PackedFile& file, Differences& differences, const std::filesystem::path& made,
+                      const std::filesystem::path& output)
+        : file_(file), differences_(differences), made_(made), output_(output)
     {
     }
 
@@ -984,16 +985,16 @@ public:
         const std::uint64_t size = file_.facts().fileBytes;
         if (size > mostBytes((*remade)->bytes().size()))
             return damaged();
-        std::uint64_t end = sizeof(Header) + differing_.table.size() * sizeof(Section);
+        std::uint64_t end = sizeof(Header) + differences_.table.size() * sizeof(Section);
         if (const Status extended = file->extend(std::max(size, end)); !extended)
             return extended;
         std::vector<std::byte> bytes;
-        for (std::size_t i = 0; i < differing_.table.size(); ++i) {
-            const Section& section = differing_.table[i];
+        for (std::size_t i = 0; i < differences_.table.size(); ++i) {
+            const Section& section = differences_.table[i];
             if (section.offset < end || section.bytes > size || section.offset > size - section.bytes)
                 return damaged();
             end = section.offset + section.bytes;
-            if (differing_.isStored[i] != 0) {
+            if (differences_.isStored[i] != 0) {
                 bytes.assign(section.bytes, std::byte(0));
                 plain.elements(bytes, section.elementBytes);
             } else {
@@ -1010,9 +1011,9 @@ public:
         }
         if (end != size)
             return damaged();
-        if (const Status written = file->overwrite(0, std::as_bytes(std::span(&differing_.header, 1))); !written)
+        if (const Status written = file->overwrite(0, std::as_bytes(std::span(&differences_.header, 1))); !written)
             return written;
-        if (const Status written = file->overwrite(sizeof(Header), std::as_bytes(std::span(differing_.table)));
+        if (const Status written = file->overwrite(sizeof(Header), std::as_bytes(std::span(differences_.table)));
             !written)
             return written;
         return file->commit();
@@ -1022,7 +1023,7 @@ private:
     Status damaged() const { return file_.damaged(Message::say("its content is not a history")); }
 
     const PackedFile& file_;
-    Differing& differing_;
+    Differences& differences_;
     const std::filesystem::path& made_;
     const std::filesystem::path& output_;
 };
@@ -1073,8 +1074,8 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
     const Result<KeptSamples> kept = readKeptSamples(plain, reader, file.description());
     if (!kept)
         return kept.error();
-    std::optional<Differing> differing;
-    codeRest(plain, differing, static_cast<std::uint32_t>(file.sums().size()));
+    std::optional<Differences> differences;
+    codeRest(plain, differences, static_cast<std::uint32_t>(file.sums().size()));
     WrittenModel model = reader.model(*kept);
     model.finalKey = file.header().finalKey;
     if (coder.overrun())
@@ -1082,21 +1083,21 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
     const Result<WorkFolder> folder = WorkFolder::open(workFolderOf(output), WorkFolder::Leftovers::Remove);
     if (!folder)
         return folder.error();
-    const std::filesystem::path made = folder->path() / "model.tan", put = folder->path() / "differing.tan";
+    const std::filesystem::path made = folder->path() / "model.tan", put = folder->path() / "differences.tan";
     const std::filesystem::path* finished = &made;
     if (const Status written = writeModelFile(model, reader.order(), made); !written)
         return written.error();
-    if (differing && reader.isAgain()) {
-        if (const Status written = DifferingWriter(file, *differing, made, put).run(plain); !written)
+    if (differences && reader.isReproduced()) {
+        if (const Status written = DifferencesWriter(file, *differences, made, put).run(plain); !written)
             return written.error();
         finished = &put;
     }
     Result<UnpackReport> compared = compareSections(file, *finished);
     if (!compared)
         return compared.error();
-    if (!compared->derived.empty() && !reader.isToldBySites())
+    if (!compared->derived.empty() && !reader.followsFromSites())
         return reader.damaged().error();
-    if (!compared->derived.empty() && reader.isAgain()) {
+    if (!compared->derived.empty() && reader.isReproduced()) {
         // What another version of the builder finds at the sites tells nothing of the other points.
         reader.boundByRunningKeys();
         if (const Status written = writeModelFile(model, reader.order(), made); !written)

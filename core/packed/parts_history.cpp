@@ -120,7 +120,7 @@ struct HistoryState {
     std::vector<bool> used;    ///< points of a lattice that are sites
     /// The living by their own keys, some of the dead among them; and those of at least the running key, ascending.
     std::priority_queue<std::pair<double, std::uint32_t>> queue;
-    std::vector<std::uint32_t> hot;
+    std::vector<std::uint32_t> due;
     std::uint64_t living = 0;
 
     explicit HistoryState(const HistoryFacts& known) : facts(known)
@@ -283,7 +283,7 @@ struct PartModels {
     };
 
     NumberModel groupSize, key, pointDelta, ownerStep, apexStep;
-    Bits<2> freshKey, seedIsHot, hostIsSeed, hostIsFirst, hostOwned, otherIsInCavity, otherIsInGroup;
+    Bits<2> freshKey, seedIsDue, hostIsSeed, hostIsFirst, hostOwned, otherIsInCavity, otherIsInGroup;
     Bits<4> moreSeeds;
     Bits<2, 3, 4, 4> dies;
     Bits<8> owner;
@@ -319,7 +319,7 @@ struct GroupScratch {
         std::uint32_t dying = nowhere; ///< in whose place it comes, but for a corner ...
         std::uint32_t dyingCorner = 0; ///< ... which is this one of it
         std::uint8_t fronts = 15;      ///< as HistoryState's
-        std::uint32_t truth = 0;       ///< in the encoder: its number
+        std::uint32_t actual = 0;      ///< in the encoder: its number
     };
     struct Outer {
         std::uint32_t inside, face; ///< of a tetrahedron that dies
@@ -346,13 +346,13 @@ struct GroupScratch {
     std::vector<std::uint32_t> owned;       ///< ... the dying by their owners
     std::vector<std::uint32_t> inside;      ///< points in a tetrahedron
     // In the encoder:
-    FlatIndex<SortedTriangle, TriangleHash> truthNumbers;
-    std::vector<std::array<std::uint32_t, 2>> truthFaces; ///< 4 tetrahedra + face, by whether odd
-    std::vector<std::uint8_t> truthUsed;
+    FlatIndex<SortedTriangle, TriangleHash> actualNumbers;
+    std::vector<std::array<std::uint32_t, 2>> actualFaces; ///< 4 tetrahedra + face, by whether odd
+    std::vector<std::uint8_t> actualUsed;
 };
 
-/// The truth that the encoder has and the decoder has not.
-struct HistoryTruth {
+/// What the encoder writes, and the decoder does not know yet.
+struct EncodedHistory {
     const Model* model = nullptr;
     std::span<const std::uint64_t> deathOffsets;
     std::span<const std::uint32_t> deaths;
@@ -364,8 +364,8 @@ template <class Coder> class GroupCoder {
     static constexpr bool encodes = std::is_same_v<Coder, RangeEncoder>;
 
 public:
-    GroupCoder(HistoryState& state, Coder& coder, const HistoryTruth& truth, HistoryCost& cost)
-        : state_(state), arrays_(state.arrays), coder_(coder), truth_(truth), cost_(cost)
+    GroupCoder(HistoryState& state, Coder& coder, const EncodedHistory& actual, HistoryCost& cost)
+        : state_(state), arrays_(state.arrays), coder_(coder), encoded_(actual), cost_(cost)
     {
     }
 
@@ -386,50 +386,50 @@ private:
         else
             return coder_.overrun();
     }
-    bool bit(BitModel& model, bool truth) { return codedBit(coder_, model, truth); }
-    std::uint64_t number(NumberModel& model, std::uint64_t truth)
+    bool bit(BitModel& model, bool actual) { return codedBit(coder_, model, actual); }
+    std::uint64_t number(NumberModel& model, std::uint64_t actual)
     {
-        isImpossible_ |= encodes && truth == ~std::uint64_t(0);
-        return model.code(coder_, truth);
+        isImpossible_ |= encodes && actual == ~std::uint64_t(0);
+        return model.code(coder_, actual);
     }
     /// Below 2^64, small ones shorter.
-    std::uint64_t wideNumber(NumberModel& model, std::uint64_t truth)
+    std::uint64_t wideNumber(NumberModel& model, std::uint64_t actual)
     {
         constexpr std::uint64_t huge = std::uint64_t(1) << 62;
-        const std::uint64_t coded = number(model, std::min(truth, huge));
-        return coded < huge ? coded : rawBits(truth, 64);
+        const std::uint64_t coded = number(model, std::min(actual, huge));
+        return coded < huge ? coded : rawBits(actual, 64);
     }
     /// Four bits that are learnt.
-    unsigned codeDigits(unsigned truth)
+    unsigned codeDigits(unsigned actual)
     {
         unsigned node = 1;
         for (unsigned i = 4; i-- > 0;)
-            node = node << 1 | (bit(models_.digits[node], (truth >> i & 1) != 0) ? 1u : 0u);
+            node = node << 1 | (bit(models_.digits[node], (actual >> i & 1) != 0) ? 1u : 0u);
         return node & 15;
     }
-    std::uint64_t rawBits(std::uint64_t truth, unsigned count)
+    std::uint64_t rawBits(std::uint64_t actual, unsigned count)
     {
         if constexpr (encodes) {
-            coder_.raw(truth, count);
-            return truth;
+            coder_.raw(actual, count);
+            return actual;
         } else {
             return coder_.raw(count);
         }
     }
     /// One of `count` equally likely numbers, `count` not 0.
-    std::uint64_t oneOf(std::uint64_t truth, std::uint64_t count)
+    std::uint64_t oneOf(std::uint64_t actual, std::uint64_t count)
     {
-        isImpossible_ |= encodes && truth >= count;
+        isImpossible_ |= encodes && actual >= count;
         const unsigned bits = static_cast<unsigned>(std::bit_width(count)) - 1;
         const std::uint64_t shorter = (std::uint64_t(2) << bits) - count; // so many are a bit shorter
         if constexpr (encodes) {
-            if (truth < shorter)
-                coder_.raw(truth, bits);
+            if (actual < shorter)
+                coder_.raw(actual, bits);
             else { // in two parts, as they are read
-                coder_.raw((truth + shorter) >> 1, bits);
-                coder_.raw((truth + shorter) & 1, 1);
+                coder_.raw((actual + shorter) >> 1, bits);
+                coder_.raw((actual + shorter) & 1, 1);
             }
-            return truth;
+            return actual;
         } else {
             const std::uint64_t high = coder_.raw(bits);
             return high < shorter ? high : (high << 1 | coder_.raw(1)) - shorter;
@@ -446,11 +446,11 @@ private:
     bool group(std::uint32_t end);
     bool codeSize(std::uint32_t end);
     bool codeKey();
-    void refillHot(double key);
+    void refillDue(double key);
     bool codeDying();
     struct Seed {
         std::uint32_t tetrahedron = nowhere;
-        bool isHot = false;     ///< one of HistoryState::hot
+        bool isDue = false;     ///< one of HistoryState::due
         bool holdsSite = false; ///< the group's only site lies in it
     };
     Seed trueSeed(bool isFirst);
@@ -461,16 +461,16 @@ private:
     bool isDying(std::uint32_t t) const { return state_.marks[t] == state_.mark + 1; }
     bool addDying(std::uint32_t t, std::uint32_t parent);
     std::uint32_t codeOwner(std::uint32_t t, std::uint32_t parent);
-    std::uint32_t codeLocal(NumberModel& model, std::uint32_t truth, std::uint32_t near);
+    std::uint32_t codeLocal(NumberModel& model, std::uint32_t actual, std::uint32_t near);
     bool fillCavity();
-    bool readTruth();
+    bool readActual();
     bool codeFace(std::uint32_t face);
-    bool codeApex(const GroupScratch::Face& face, std::size_t type, std::uint32_t truth, std::uint32_t& apex);
-    bool addNew(const Tetrahedron& sites, std::uint32_t truth, std::uint32_t from);
+    bool codeApex(const GroupScratch::Face& face, std::size_t type, std::uint32_t actual, std::uint32_t& apex);
+    bool addNew(const Tetrahedron& sites, std::uint32_t actual, std::uint32_t from);
     std::uint32_t pushFace(const GroupScratch::Face& face, const SortedTriangle& sorted);
     bool orderStars();
     bool turnCreatorFirst(GroupScratch::New& tetrahedron, std::uint32_t creator);
-    std::size_t codeTurn(GroupScratch::New& tetrahedron, const std::array<std::size_t, 4>& corners, std::size_t truth);
+    std::size_t codeTurn(GroupScratch::New& tetrahedron, const std::array<std::size_t, 4>& corners, std::size_t actual);
     std::size_t nextAround(std::span<const std::uint32_t> star, std::size_t done);
     void link();
     bool codeSites();
@@ -490,18 +490,21 @@ private:
     void codeOwnBound(std::uint32_t t, std::size_t kind, std::size_t size, std::uint32_t key, std::size_t& before);
     void finish();
 
-    std::uint32_t truePoint(std::uint32_t local) const { return encodes ? truth_.model->points()[first_ + local] : 0; }
+    std::uint32_t truePoint(std::uint32_t local) const
+    {
+        return encodes ? encoded_.model->points()[first_ + local] : 0;
+    }
     bool onLattice() const { return isOnLattice(state_.facts.domain); }
     bool placed(std::uint32_t site) const { return site < state_.places.size(); }
 
     HistoryState& state_;
     HistoryArrays& arrays_;
     Coder& coder_;
-    const HistoryTruth& truth_;
+    const EncodedHistory& encoded_;
     HistoryCost& cost_;
     std::uint64_t charged_ = 0;
     PartModels models_;
-    GroupScratch at_;
+    GroupScratch scratch_;
 
     // The group at hand:
     std::uint32_t first_ = 0; ///< its first site
@@ -550,15 +553,15 @@ template <class Coder> bool GroupCoder<Coder>::group(std::uint32_t end)
 
 template <class Coder> bool GroupCoder<Coder>::codeSize(std::uint32_t end)
 {
-    std::uint32_t truth = 0;
+    std::uint32_t actual = 0;
     if constexpr (encodes) {
-        const auto goesOn = truth_.model->groupGoesOn();
-        while (first_ + truth + 1 < end && goesOn[first_ + truth] != 0)
-            ++truth;
-        if (goesOn[first_ + truth] != 0)
+        const auto goesOn = encoded_.model->groupGoesOn();
+        while (first_ + actual + 1 < end && goesOn[first_ + actual] != 0)
+            ++actual;
+        if (goesOn[first_ + actual] != 0)
             return false;
     }
-    const std::uint64_t more = number(models_.groupSize, truth);
+    const std::uint64_t more = number(models_.groupSize, actual);
     if (more >= end - first_)
         return false;
     count_ = static_cast<std::uint32_t>(more) + 1;
@@ -568,24 +571,24 @@ template <class Coder> bool GroupCoder<Coder>::codeSize(std::uint32_t end)
 /// A new key is that of the worst tetrahedron's own bounds, but for their rounding.
 template <class Coder> bool GroupCoder<Coder>::codeKey()
 {
-    std::uint32_t truth = 0;
+    std::uint32_t actual = 0;
     if constexpr (encodes) {
-        const auto keys = truth_.model->runningKeys();
-        truth = std::bit_cast<std::uint32_t>(keys[first_]);
+        const auto keys = encoded_.model->runningKeys();
+        actual = std::bit_cast<std::uint32_t>(keys[first_]);
         for (std::uint32_t i = 1; i < count_; ++i)
-            if (std::bit_cast<std::uint32_t>(keys[first_ + i]) != truth)
+            if (std::bit_cast<std::uint32_t>(keys[first_ + i]) != actual)
                 return false;
     }
     const std::uint32_t before = first_ == 0 ? 0 : std::bit_cast<std::uint32_t>(arrays_.runningKeys.back());
-    if (first_ > 0 && !bit(models_.freshKey[0], truth != before)) {
+    if (first_ > 0 && !bit(models_.freshKey[0], actual != before)) {
         key_ = arrays_.runningKeys.back();
         return true;
     }
     float predicted = std::numeric_limits<float>::infinity();
     if (first_ > 0) {
-        for (const std::uint32_t t : state_.hot)
+        for (const std::uint32_t t : state_.due)
             state_.queue.emplace(state_.ownKey(t), t);
-        state_.hot.clear();
+        state_.due.clear();
         while (!state_.queue.empty() && !state_.alive(state_.queue.top().second))
             state_.queue.pop();
         const double worst = state_.queue.empty() ? 0 : state_.queue.top().first;
@@ -594,40 +597,40 @@ template <class Coder> bool GroupCoder<Coder>::codeKey()
         predicted = std::min(predicted, arrays_.runningKeys.back());
     }
     const auto bits = std::bit_cast<std::uint32_t>(predicted);
-    const std::uint64_t coded = number(models_.key, zigzag(bits, truth, 32));
+    const std::uint64_t coded = number(models_.key, zigzag(bits, actual, 32));
     // The predicted less what was coded.
     const auto difference = static_cast<std::uint32_t>(unzigzag(coded, 0, 32));
     key_ = std::bit_cast<float>(bits - difference);
-    refillHot(static_cast<double>(key_));
+    refillDue(static_cast<double>(key_));
     return true;
 }
 
-template <class Coder> void GroupCoder<Coder>::refillHot(double key)
+template <class Coder> void GroupCoder<Coder>::refillDue(double key)
 {
     constexpr std::size_t most = 4096; // more of them tell nothing
     auto& queue = state_.queue;
-    while (key > 0 && !queue.empty() && queue.top().first >= key && state_.hot.size() < most) {
+    while (key > 0 && !queue.empty() && queue.top().first >= key && state_.due.size() < most) {
         if (state_.alive(queue.top().second))
-            state_.hot.push_back(queue.top().second);
+            state_.due.push_back(queue.top().second);
         queue.pop();
     }
-    std::ranges::sort(state_.hot);
+    std::ranges::sort(state_.due);
 }
 
 // What dies.
 
 template <class Coder> bool GroupCoder<Coder>::codeDying()
 {
-    at_.dying.clear();
-    at_.owners.clear();
-    at_.outers.clear();
+    scratch_.dying.clear();
+    scratch_.owners.clear();
+    scratch_.outers.clear();
     common_.clear();
     state_.mark += 2;
-    std::uint64_t truth = 0;
+    std::uint64_t actual = 0;
     if constexpr (encodes)
-        truth = truth_.deathOffsets[first_ + count_] - truth_.deathOffsets[first_];
+        actual = encoded_.deathOffsets[first_ + count_] - encoded_.deathOffsets[first_];
     for (std::size_t component = 0;; ++component) {
-        if (!bit(models_.moreSeeds[std::min<std::size_t>(component, 3)], at_.dying.size() < truth))
+        if (!bit(models_.moreSeeds[std::min<std::size_t>(component, 3)], scratch_.dying.size() < actual))
             return true;
         std::uint32_t seed = nowhere;
         if (!codeSeed(component == 0, seed) || !walkFrom(seed))
@@ -642,23 +645,23 @@ template <class Coder> auto GroupCoder<Coder>::trueSeed(bool isFirst) -> Seed
     if constexpr (encodes) {
         const bool mayHold = onLattice() && count_ == 1;
         const Place site = onLattice() ? state_.placeOfPoint(truePoint(0)) : Place{};
-        const int highest = (state_.hot.empty() ? 0 : 2) + (mayHold ? 1 : 0);
+        const int highest = (state_.due.empty() ? 0 : 2) + (mayHold ? 1 : 0);
         int score = -1;
         if (isFirst)
-            death_ = truth_.deathOffsets[first_];
-        const std::uint64_t end = truth_.deathOffsets[first_ + count_];
+            death_ = encoded_.deathOffsets[first_];
+        const std::uint64_t end = encoded_.deathOffsets[first_ + count_];
         // One that comes later than what destroys it is part of no mesh.
         const auto exists = [this](std::uint32_t t) { return t < base_; };
-        while (death_ < end && exists(truth_.deaths[death_]) && isDying(truth_.deaths[death_]))
+        while (death_ < end && exists(encoded_.deaths[death_]) && isDying(encoded_.deaths[death_]))
             ++death_;
         for (std::uint64_t i = death_; i < end && score < highest; ++i) {
-            const std::uint32_t t = truth_.deaths[i];
+            const std::uint32_t t = encoded_.deaths[i];
             if (!exists(t))
                 return {};
             if (isDying(t))
                 continue;
-            const Seed one{t, std::ranges::binary_search(state_.hot, t), mayHold && state_.contains(t, site)};
-            const int scoreOfOne = (one.isHot ? 2 : 0) + (one.holdsSite ? 1 : 0);
+            const Seed one{t, std::ranges::binary_search(state_.due, t), mayHold && state_.contains(t, site)};
+            const int scoreOfOne = (one.isDue ? 2 : 0) + (one.holdsSite ? 1 : 0);
             if (scoreOfOne > score) {
                 score = scoreOfOne;
                 best = one;
@@ -671,21 +674,21 @@ template <class Coder> auto GroupCoder<Coder>::trueSeed(bool isFirst) -> Seed
 /// One that dies: of those whose own bound is the reason for the group, if one of these does.
 template <class Coder> bool GroupCoder<Coder>::codeSeed(bool isFirst, std::uint32_t& seed)
 {
-    const std::vector<std::uint32_t>& hot = state_.hot;
-    const Seed truth = trueSeed(isFirst);
-    if (encodes && truth.tetrahedron == nowhere)
+    const std::vector<std::uint32_t>& due = state_.due;
+    const Seed actual = trueSeed(isFirst);
+    if (encodes && actual.tetrahedron == nowhere)
         return false;
-    if (!hot.empty() && bit(models_.seedIsHot[isFirst ? 1 : 0], truth.isHot)) {
-        const auto place = std::ranges::lower_bound(hot, truth.tetrahedron) - hot.begin();
-        seed = hot[oneOf(static_cast<std::uint64_t>(place), hot.size())];
+    if (!due.empty() && bit(models_.seedIsDue[isFirst ? 1 : 0], actual.isDue)) {
+        const auto place = std::ranges::lower_bound(due, actual.tetrahedron) - due.begin();
+        seed = due[oneOf(static_cast<std::uint64_t>(place), due.size())];
     } else {
         if (base_ == 0)
             return false;
-        seed = static_cast<std::uint32_t>(oneOf(truth.tetrahedron, base_));
+        seed = static_cast<std::uint32_t>(oneOf(actual.tetrahedron, base_));
     }
     if (!state_.alive(seed) || isDying(seed))
         return false;
-    return !isFirst || count_ > 1 || placeBySeed(seed, truth.holdsSite);
+    return !isFirst || count_ > 1 || placeBySeed(seed, actual.holdsSite);
 }
 
 /// The place of a group's only site, where that tells what it destroys.
@@ -720,11 +723,11 @@ template <class Coder> bool GroupCoder<Coder>::walkFrom(std::uint32_t seed)
 {
     if (count_ > 1)
         common_.clear();
-    std::size_t at = at_.dying.size();
+    std::size_t at = scratch_.dying.size();
     if (!addDying(seed, nowhere))
         return false;
-    for (; at < at_.dying.size(); ++at) {
-        const std::uint32_t inside = at_.dying[at];
+    for (; at < scratch_.dying.size(); ++at) {
+        const std::uint32_t inside = scratch_.dying[at];
         bool atHull = false;
         for (std::uint32_t face = 0; face < 4; ++face) {
             const std::uint32_t other = state_.next[inside][face];
@@ -741,11 +744,11 @@ template <class Coder> bool GroupCoder<Coder>::walkFrom(std::uint32_t seed)
                 continue;
             }
             mark = state_.mark;
-            at_.outers.push_back({inside, face});
+            scratch_.outers.push_back({inside, face});
         }
         for (std::uint32_t face = 0; atHull && face < 4; ++face)
             if (state_.next[inside][face] == nowhere)
-                at_.outers.push_back({inside, face});
+                scratch_.outers.push_back({inside, face});
     }
     return true;
 }
@@ -760,27 +763,27 @@ template <class Coder> bool GroupCoder<Coder>::codeDies(std::uint32_t t)
         common_, [&](std::uint32_t site) { return std::ranges::find(corners, site) != corners.end(); }));
     const bool predicts = placedEarly_ && state_.facts.delaunay;
     const std::size_t told = predicts ? 1 + (state_.inSphere(t, state_.places[first_]) ? 1 : 0) : 0;
-    bool truth = false;
+    bool actual = false;
     if constexpr (encodes) {
-        const std::uint32_t destroyer = truth_.model->destroyers()[t];
-        truth = destroyer >= first_ && destroyer < first_ + count_;
+        const std::uint32_t destroyer = encoded_.model->destroyers()[t];
+        actual = destroyer >= first_ && destroyer < first_ + count_;
     }
     return bit(
         models_.dies[count_ == 1 ? 0 : 1][told][std::min<std::size_t>(beside, 3)][std::min<std::size_t>(shared, 3)],
-        truth);
+        actual);
 }
 
 template <class Coder> bool GroupCoder<Coder>::addDying(std::uint32_t t, std::uint32_t parent)
 {
     const auto& corners = state_.corners[t];
-    if (parent == nowhere && (at_.dying.empty() || count_ > 1))
+    if (parent == nowhere && (scratch_.dying.empty() || count_ > 1))
         common_.assign(corners.begin(), corners.end());
     else
         std::erase_if(common_, [&](std::uint32_t site) { return std::ranges::find(corners, site) == corners.end(); });
     state_.marks[t] = state_.mark + 1;
     const std::uint32_t owner = codeOwner(t, parent);
-    at_.dying.push_back(t);
-    at_.owners.push_back(owner);
+    scratch_.dying.push_back(t);
+    scratch_.owners.push_back(owner);
     return owner < count_;
 }
 
@@ -788,38 +791,38 @@ template <class Coder> std::uint32_t GroupCoder<Coder>::codeOwner(std::uint32_t 
 {
     if (count_ == 1)
         return 0;
-    std::uint32_t truth = 0;
+    std::uint32_t actual = 0;
     if constexpr (encodes)
-        truth = truth_.model->destroyers()[t] - first_;
-    if (parent != nowhere && bit(models_.owner[0], at_.owners[parent] == truth))
-        return at_.owners[parent];
-    return codeLocal(models_.ownerStep, truth, parent != nowhere ? at_.owners[parent] : 0);
+        actual = encoded_.model->destroyers()[t] - first_;
+    if (parent != nowhere && bit(models_.owner[0], scratch_.owners[parent] == actual))
+        return scratch_.owners[parent];
+    return codeLocal(models_.ownerStep, actual, parent != nowhere ? scratch_.owners[parent] : 0);
 }
 
 /// One of the group's sites, `near` being another one: they are in the order of their points, so that of many the
 /// number is not far off.
 template <class Coder>
-std::uint32_t GroupCoder<Coder>::codeLocal(NumberModel& model, std::uint32_t truth, std::uint32_t near)
+std::uint32_t GroupCoder<Coder>::codeLocal(NumberModel& model, std::uint32_t actual, std::uint32_t near)
 {
     constexpr std::uint32_t few = 16;
     if (count_ <= few)
-        return static_cast<std::uint32_t>(oneOf(truth, count_));
-    return static_cast<std::uint32_t>(unzigzag(number(model, zigzag(truth, near, 32)), near, 32));
+        return static_cast<std::uint32_t>(oneOf(actual, count_));
+    return static_cast<std::uint32_t>(unzigzag(number(model, zigzag(actual, near, 32)), near, 32));
 }
 
 // What fills the cavity.
 
 /// The faces of the group's tetrahedra.
-template <class Coder> bool GroupCoder<Coder>::readTruth()
+template <class Coder> bool GroupCoder<Coder>::readActual()
 {
     if constexpr (encodes) {
-        const Model& model = *truth_.model;
+        const Model& model = *encoded_.model;
         const std::uint64_t begin = model.starOffsets()[first_], end = model.starOffsets()[first_ + count_];
         if (begin != base_ || end < begin || end > model.tetrahedronCount())
             return false;
-        at_.truthNumbers.clear(2 * (end - begin) + 8);
-        at_.truthFaces.clear();
-        at_.truthUsed.assign(end - begin, 0);
+        scratch_.actualNumbers.clear(2 * (end - begin) + 8);
+        scratch_.actualFaces.clear();
+        scratch_.actualUsed.assign(end - begin, 0);
         used_ = 0;
         unused_ = 0;
         for (std::uint32_t local = 0; local < count_; ++local)
@@ -832,10 +835,10 @@ template <class Coder> bool GroupCoder<Coder>::readTruth()
                 for (std::uint32_t face = 0; face < 4; ++face) {
                     bool odd = false;
                     const SortedTriangle sorted = sortedTriangle(faceOf(sites, face), odd);
-                    const std::uint32_t key = at_.truthNumbers.numberOf(sorted);
-                    if (key == at_.truthFaces.size())
-                        at_.truthFaces.push_back({nowhere, nowhere});
-                    std::uint32_t& side = at_.truthFaces[key][odd ? 1 : 0];
+                    const std::uint32_t key = scratch_.actualNumbers.numberOf(sorted);
+                    if (key == scratch_.actualFaces.size())
+                        scratch_.actualFaces.push_back({nowhere, nowhere});
+                    std::uint32_t& side = scratch_.actualFaces[key][odd ? 1 : 0];
                     if (side != nowhere)
                         return false;
                     side = static_cast<std::uint32_t>(4 * (t - begin) + face);
@@ -847,22 +850,22 @@ template <class Coder> bool GroupCoder<Coder>::readTruth()
 
 template <class Coder> bool GroupCoder<Coder>::fillCavity()
 {
-    if (!readTruth())
+    if (!readActual())
         return false;
-    at_.faces.clear();
-    at_.faceNumbers.clear(3 * at_.outers.size());
-    at_.edgeNumbers.clear();
-    at_.edgeHeads.clear();
-    at_.edgeLinks.clear();
-    at_.cavity.clear();
-    at_.made.clear();
+    scratch_.faces.clear();
+    scratch_.faceNumbers.clear(3 * scratch_.outers.size());
+    scratch_.edgeNumbers.clear();
+    scratch_.edgeHeads.clear();
+    scratch_.edgeLinks.clear();
+    scratch_.cavity.clear();
+    scratch_.made.clear();
     if (count_ > 1)
-        for (const std::uint32_t t : at_.dying)
+        for (const std::uint32_t t : scratch_.dying)
             for (const std::uint32_t corner : state_.corners[t])
-                at_.cavity.numberOf(corner);
+                scratch_.cavity.numberOf(corner);
     std::uint32_t dyingPlace = 0;
-    for (const auto& [inside, face] : at_.outers) {
-        while (at_.dying[dyingPlace] != inside)
+    for (const auto& [inside, face] : scratch_.outers) {
+        while (scratch_.dying[dyingPlace] != inside)
             ++dyingPlace;
         GroupScratch::Face open;
         open.corners = faceOf(state_.corners[inside], face);
@@ -873,35 +876,35 @@ template <class Coder> bool GroupCoder<Coder>::fillCavity()
             if (open.backFace == 4)
                 return false;
         }
-        open.hint = first_ + at_.owners[dyingPlace];
+        open.hint = first_ + scratch_.owners[dyingPlace];
         open.dying = inside;
         open.dyingFace = face;
         const SortedTriangle sorted = sortedTriangle(open.corners, open.odd);
-        if (pushFace(open, sorted) + 1 != at_.faces.size())
+        if (pushFace(open, sorted) + 1 != scratch_.faces.size())
             return false;
     }
     std::uint32_t next = 0;
     for (;;) {
-        for (; next < at_.faces.size(); ++next)
-            if (!at_.faces[next].closed && !codeFace(next))
+        for (; next < scratch_.faces.size(); ++next)
+            if (!scratch_.faces[next].closed && !codeFace(next))
                 return false;
-        if (!bit(models_.moreTetrahedra[at_.dying.empty() ? 0 : 1], used_ < at_.truthUsed.size()))
+        if (!bit(models_.moreTetrahedra[scratch_.dying.empty() ? 0 : 1], used_ < scratch_.actualUsed.size()))
             return true;
         Tetrahedron sites{};
-        std::uint32_t truth = 0;
+        std::uint32_t actual = 0;
         if constexpr (encodes) {
-            while (at_.truthUsed[unused_] != 0)
+            while (scratch_.actualUsed[unused_] != 0)
                 ++unused_;
-            truth = unused_;
-            const auto offsets = truth_.model->starOffsets().subspan(first_, count_ + std::size_t(1));
-            const auto star = std::ranges::upper_bound(offsets, base_ + std::uint64_t(truth)) - offsets.begin() - 1;
-            const auto& [a, b, c] = truth_.model->otherSites()[base_ + std::uint64_t(truth)];
+            actual = unused_;
+            const auto offsets = encoded_.model->starOffsets().subspan(first_, count_ + std::size_t(1));
+            const auto star = std::ranges::upper_bound(offsets, base_ + std::uint64_t(actual)) - offsets.begin() - 1;
+            const auto& [a, b, c] = encoded_.model->otherSites()[base_ + std::uint64_t(actual)];
             sites = {first_ + static_cast<std::uint32_t>(star), a, b, c};
         }
         sites[0] = first_ + static_cast<std::uint32_t>(oneOf(sites[0] - first_, count_));
         for (std::size_t i = 1; i < 4; ++i)
             sites[i] = static_cast<std::uint32_t>(oneOf(sites[i], first_ + std::uint64_t(count_)));
-        if (!addNew(sites, truth, nowhere))
+        if (!addNew(sites, actual, nowhere))
             return false;
     }
 }
@@ -909,17 +912,18 @@ template <class Coder> bool GroupCoder<Coder>::fillCavity()
 template <class Coder>
 std::uint32_t GroupCoder<Coder>::pushFace(const GroupScratch::Face& face, const SortedTriangle& sorted)
 {
-    const std::uint32_t key = at_.faceNumbers.numberOf(sorted);
-    if (key < at_.faces.size())
+    const std::uint32_t key = scratch_.faceNumbers.numberOf(sorted);
+    if (key < scratch_.faces.size())
         return key;
-    at_.faces.push_back(face);
+    scratch_.faces.push_back(face);
     if (count_ > 1)
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t edge = at_.edgeNumbers.numberOf(edgeKey(face.corners[i], face.corners[(i + 1) % 3]));
-            if (edge == at_.edgeHeads.size())
-                at_.edgeHeads.push_back(nowhere);
-            at_.edgeLinks.push_back({key, at_.edgeHeads[edge]});
-            at_.edgeHeads[edge] = static_cast<std::uint32_t>(at_.edgeLinks.size() - 1);
+            const std::uint32_t edge =
+                scratch_.edgeNumbers.numberOf(edgeKey(face.corners[i], face.corners[(i + 1) % 3]));
+            if (edge == scratch_.edgeHeads.size())
+                scratch_.edgeHeads.push_back(nowhere);
+            scratch_.edgeLinks.push_back({key, scratch_.edgeHeads[edge]});
+            scratch_.edgeHeads[edge] = static_cast<std::uint32_t>(scratch_.edgeLinks.size() - 1);
         }
     return key;
 }
@@ -927,38 +931,39 @@ std::uint32_t GroupCoder<Coder>::pushFace(const GroupScratch::Face& face, const 
 /// What lies on the open side of a face, if anything does.
 template <class Coder> bool GroupCoder<Coder>::codeFace(std::uint32_t number)
 {
-    const GroupScratch::Face face = at_.faces[number];
+    const GroupScratch::Face face = scratch_.faces[number];
     const std::size_t type = face.isNew ? 2 : face.back == nowhere ? 1 : 0;
     const std::size_t single = count_ == 1 ? 0 : 1;
-    std::uint32_t truth = nowhere, apex = nowhere;
+    std::uint32_t actual = nowhere, apex = nowhere;
     if constexpr (encodes) {
         bool odd = false;
-        const std::uint32_t key = at_.truthNumbers.find(sortedTriangle(face.corners, odd));
-        truth = key == decltype(at_.truthNumbers)::none ? nowhere : at_.truthFaces[key][odd ? 1 : 0];
-        if (truth != nowhere) {
-            const std::uint64_t t = base_ + std::uint64_t(truth / 4);
-            const auto offsets = truth_.model->starOffsets().subspan(first_, count_ + std::size_t(1));
+        const std::uint32_t key = scratch_.actualNumbers.find(sortedTriangle(face.corners, odd));
+        actual = key == decltype(scratch_.actualNumbers)::none ? nowhere : scratch_.actualFaces[key][odd ? 1 : 0];
+        if (actual != nowhere) {
+            const std::uint64_t t = base_ + std::uint64_t(actual / 4);
+            const auto offsets = encoded_.model->starOffsets().subspan(first_, count_ + std::size_t(1));
             const auto star = std::ranges::upper_bound(offsets, t) - offsets.begin() - 1;
-            const auto& others = truth_.model->otherSites()[t];
-            apex = truth % 4 == 0 ? first_ + static_cast<std::uint32_t>(star) : others[truth % 4 - 1];
+            const auto& others = encoded_.model->otherSites()[t];
+            apex = actual % 4 == 0 ? first_ + static_cast<std::uint32_t>(star) : others[actual % 4 - 1];
         }
     }
-    const bool hasHull =
-        at_.outers.empty() ? true : state_.next[at_.outers.back().inside][at_.outers.back().face] == nowhere;
-    if (!bit(models_.isFilled[single][type][hasHull ? 1 : 0], truth != nowhere))
+    const bool hasHull = scratch_.outers.empty()
+                             ? true
+                             : state_.next[scratch_.outers.back().inside][scratch_.outers.back().face] == nowhere;
+    if (!bit(models_.isFilled[single][type][hasHull ? 1 : 0], actual != nowhere))
         return true;
     std::uint32_t coded = apex;
     if (!codeApex(face, type, apex, coded))
         return false;
-    return addNew({coded, face.corners[0], face.corners[1], face.corners[2]}, truth / 4, number);
+    return addNew({coded, face.corners[0], face.corners[1], face.corners[2]}, actual / 4, number);
 }
 
 template <class Coder> bool GroupCoder<Coder>::codeApex(const GroupScratch::Face& face, std::size_t type,
-                                                        std::uint32_t truth, std::uint32_t& apex)
+                                                        std::uint32_t actual, std::uint32_t& apex)
 {
     const std::size_t single = count_ == 1 ? 0 : 1;
     constexpr std::size_t most = 8;
-    std::vector<std::uint32_t>& candidates = at_.candidates;
+    std::vector<std::uint32_t>& candidates = scratch_.candidates;
     candidates.clear();
     const auto offer = [&](std::uint32_t site) {
         if (site != nowhere && candidates.size() < most &&
@@ -968,10 +973,10 @@ template <class Coder> bool GroupCoder<Coder>::codeApex(const GroupScratch::Face
     };
     offer(single == 0 ? first_ : face.hint);
     for (std::size_t i = 0; single == 1 && i < 3; ++i) {
-        const std::uint32_t edge = at_.edgeNumbers.find(edgeKey(face.corners[i], face.corners[(i + 1) % 3]));
-        for (std::uint32_t* link = &at_.edgeHeads[edge]; *link != nowhere && candidates.size() < most;) {
-            GroupScratch::EdgeLink& at = at_.edgeLinks[*link];
-            const GroupScratch::Face& other = at_.faces[at.face];
+        const std::uint32_t edge = scratch_.edgeNumbers.find(edgeKey(face.corners[i], face.corners[(i + 1) % 3]));
+        for (std::uint32_t* link = &scratch_.edgeHeads[edge]; *link != nowhere && candidates.size() < most;) {
+            GroupScratch::EdgeLink& at = scratch_.edgeLinks[*link];
+            const GroupScratch::Face& other = scratch_.faces[at.face];
             if (other.closed) { // and stays so: nobody has to pass it again
                 *link = at.before;
                 continue;
@@ -982,59 +987,61 @@ template <class Coder> bool GroupCoder<Coder>::codeApex(const GroupScratch::Face
         }
     }
     for (std::size_t rank = 0; rank < candidates.size(); ++rank)
-        if (bit(models_.apex[single][type][rank], candidates[rank] == truth)) {
+        if (bit(models_.apex[single][type][rank], candidates[rank] == actual)) {
             apex = candidates[rank];
             return true;
         }
-    const std::uint32_t place = encodes ? at_.cavity.find(truth) : 0;
-    if (at_.cavity.size() > 0 && bit(models_.otherIsInCavity[type == 2 ? 1 : 0], place != decltype(at_.cavity)::none)) {
-        apex = at_.cavity.keys()[oneOf(place, at_.cavity.size())];
+    const std::uint32_t place = encodes ? scratch_.cavity.find(actual) : 0;
+    if (scratch_.cavity.size() > 0 &&
+        bit(models_.otherIsInCavity[type == 2 ? 1 : 0], place != decltype(scratch_.cavity)::none)) {
+        apex = scratch_.cavity.keys()[oneOf(place, scratch_.cavity.size())];
         return true;
     }
-    if (first_ == 0 || bit(models_.otherIsInGroup[type == 2 ? 1 : 0], truth >= first_)) {
+    if (first_ == 0 || bit(models_.otherIsInGroup[type == 2 ? 1 : 0], actual >= first_)) {
         const std::uint32_t latest = std::ranges::max(face.corners);
         const std::uint32_t near = latest >= first_ ? latest - first_ : face.hint != nowhere ? face.hint - first_ : 0;
-        const std::uint32_t local = codeLocal(models_.apexStep, truth - first_, near);
+        const std::uint32_t local = codeLocal(models_.apexStep, actual - first_, near);
         if (local >= count_)
             return false;
         apex = first_ + local;
     } else
-        apex = static_cast<std::uint32_t>(oneOf(truth, first_));
+        apex = static_cast<std::uint32_t>(oneOf(actual, first_));
     return true;
 }
 
 /// `from`: the face that it fills, or nowhere.
-template <class Coder> bool GroupCoder<Coder>::addNew(const Tetrahedron& sites, std::uint32_t truth, std::uint32_t from)
+template <class Coder>
+bool GroupCoder<Coder>::addNew(const Tetrahedron& sites, std::uint32_t actual, std::uint32_t from)
 {
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = i + 1; k < 4; ++k)
             if (sites[i] == sites[k])
                 return false;
-    if (std::ranges::max(sites) < first_ || base_ + at_.made.size() >= state_.facts.tetrahedronCount)
+    if (std::ranges::max(sites) < first_ || base_ + scratch_.made.size() >= state_.facts.tetrahedronCount)
         return false;
     if constexpr (encodes) {
-        if (std::exchange(at_.truthUsed[truth], std::uint8_t(1)) != 0)
+        if (std::exchange(scratch_.actualUsed[actual], std::uint8_t(1)) != 0)
             return false;
         ++used_;
     }
-    const auto place = static_cast<std::uint32_t>(at_.made.size());
-    at_.made.emplace_back();
-    at_.made.back().sites = sites;
-    at_.made.back().truth = truth;
+    const auto place = static_cast<std::uint32_t>(scratch_.made.size());
+    scratch_.made.emplace_back();
+    scratch_.made.back().sites = sites;
+    scratch_.made.back().actual = actual;
     const auto meet = [&](GroupScratch::Face& face, std::uint32_t own) {
         face.closed = true;
-        GroupScratch::New& tetrahedron = at_.made[place];
+        GroupScratch::New& tetrahedron = scratch_.made[place];
         tetrahedron.next[own] = face.back;
         tetrahedron.nextIsNew[own] = face.isNew;
         if (face.isNew) {
-            at_.made[face.back].next[face.backFace] = place;
-            at_.made[face.back].nextIsNew[face.backFace] = true;
+            scratch_.made[face.back].next[face.backFace] = place;
+            scratch_.made[face.back].nextIsNew[face.backFace] = true;
         }
     };
     if (from != nowhere) {
-        at_.made.back().dying = at_.faces[from].dying;
-        at_.made.back().dyingCorner = at_.faces[from].dyingFace;
-        meet(at_.faces[from], 0);
+        scratch_.made.back().dying = scratch_.faces[from].dying;
+        scratch_.made.back().dyingCorner = scratch_.faces[from].dyingFace;
+        meet(scratch_.faces[from], 0);
     }
     for (std::uint32_t own = from != nowhere ? 1 : 0; own < 4; ++own) {
         const auto& [a, b, c] = faceOf(sites, own);
@@ -1044,11 +1051,11 @@ template <class Coder> bool GroupCoder<Coder>::addNew(const Tetrahedron& sites, 
         open.backFace = own;
         open.isNew = true;
         const SortedTriangle sorted = sortedTriangle(open.corners, open.odd);
-        const std::size_t before = at_.faces.size();
+        const std::size_t before = scratch_.faces.size();
         const std::uint32_t number = pushFace(open, sorted);
         if (number == before)
             continue;
-        GroupScratch::Face& face = at_.faces[number];
+        GroupScratch::Face& face = scratch_.faces[number];
         if (face.closed || face.odd == open.odd)
             return false;
         meet(face, own);
@@ -1060,42 +1067,42 @@ template <class Coder> bool GroupCoder<Coder>::addNew(const Tetrahedron& sites, 
 
 template <class Coder> bool GroupCoder<Coder>::orderStars()
 {
-    if (at_.stars.size() < count_)
-        at_.stars.resize(count_);
+    if (scratch_.stars.size() < count_)
+        scratch_.stars.resize(count_);
     for (std::uint32_t local = 0; local < count_; ++local)
-        at_.stars[local].clear();
-    for (std::uint32_t place = 0; place < at_.made.size(); ++place)
-        at_.stars[std::ranges::max(at_.made[place].sites) - first_].push_back(place);
-    at_.numbers.resize(at_.made.size());
-    at_.parents.resize(at_.made.size());
+        scratch_.stars[local].clear();
+    for (std::uint32_t place = 0; place < scratch_.made.size(); ++place)
+        scratch_.stars[std::ranges::max(scratch_.made[place].sites) - first_].push_back(place);
+    scratch_.numbers.resize(scratch_.made.size());
+    scratch_.parents.resize(scratch_.made.size());
     std::uint32_t number = base_;
     const std::size_t single = count_ == 1 ? 0 : 1;
     for (std::uint32_t local = 0; local < count_; ++local) {
-        std::vector<std::uint32_t>& left = at_.stars[local];
+        std::vector<std::uint32_t>& left = scratch_.stars[local];
         if constexpr (encodes)
-            if (truth_.model->starOffsets()[first_ + local] != number)
+            if (encoded_.model->starOffsets()[first_ + local] != number)
                 return false;
         for (std::size_t done = 0; done < left.size(); ++done, ++number) {
-            std::size_t truth = done;
+            std::size_t actual = done;
             if constexpr (encodes)
-                while (truth + 1 < left.size() && base_ + at_.made[left[truth]].truth != number)
-                    ++truth;
+                while (actual + 1 < left.size() && base_ + scratch_.made[left[actual]].actual != number)
+                    ++actual;
             const std::size_t choices = left.size() - done;
             const std::size_t expected = nextAround(left, done);
             std::size_t chosen = expected;
             if (choices > 1 &&
                 !bit(models_.orderIsNext[single][std::min<std::size_t>(std::bit_width(choices) - 1, 4) - 1],
-                     truth == expected)) {
-                chosen = done + oneOf(truth < expected ? truth - done : truth - done - 1, choices - 1);
+                     actual == expected)) {
+                chosen = done + oneOf(actual < expected ? actual - done : actual - done - 1, choices - 1);
                 chosen += chosen >= expected ? 1 : 0;
             }
             // The others keep their order.
             std::rotate(left.begin() + static_cast<std::ptrdiff_t>(done),
                         left.begin() + static_cast<std::ptrdiff_t>(chosen),
                         left.begin() + static_cast<std::ptrdiff_t>(chosen) + 1);
-            at_.numbers[left[done]] = number;
-            at_.parents[number - base_] = at_.made[left[done]].dying;
-            if (!turnCreatorFirst(at_.made[left[done]], first_ + local))
+            scratch_.numbers[left[done]] = number;
+            scratch_.parents[number - base_] = scratch_.made[left[done]].dying;
+            if (!turnCreatorFirst(scratch_.made[left[done]], first_ + local))
                 return false;
         }
     }
@@ -1118,7 +1125,7 @@ template <class Coder> std::size_t GroupCoder<Coder>::nextAround(std::span<const
         around_.push_back(star[done - 1]);
     }
     for (;;) {
-        const GroupScratch::New& tetrahedron = at_.made[asked_];
+        const GroupScratch::New& tetrahedron = scratch_.made[asked_];
         const auto front = static_cast<std::size_t>(std::countr_zero(tetrahedron.fronts));
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const auto& others = cornersOfFace[front];
@@ -1145,7 +1152,7 @@ template <class Coder> bool GroupCoder<Coder>::turnCreatorFirst(GroupScratch::Ne
         corners, static_cast<std::size_t>(std::ranges::find(tetrahedron.sites, creator) - tetrahedron.sites.begin()));
     std::size_t turn = 0;
     if constexpr (encodes) {
-        const auto& others = truth_.model->otherSites()[base_ + std::uint64_t(tetrahedron.truth)];
+        const auto& others = encoded_.model->otherSites()[base_ + std::uint64_t(tetrahedron.actual)];
         const auto site = [&](std::size_t i) { return tetrahedron.sites[corners[1 + i % 3]]; };
         while (turn < 3 && others[0] != site(turn))
             ++turn;
@@ -1168,7 +1175,7 @@ template <class Coder> bool GroupCoder<Coder>::turnCreatorFirst(GroupScratch::Ne
 /// order of the other three.
 template <class Coder> std::size_t GroupCoder<Coder>::codeTurn(GroupScratch::New& tetrahedron,
                                                                const std::array<std::size_t, 4>& corners,
-                                                               std::size_t truth)
+                                                               std::size_t actual)
 {
     struct Guess {
         std::uint8_t parent = 0, own = 0; ///< the creators' places
@@ -1203,7 +1210,7 @@ template <class Coder> std::size_t GroupCoder<Coder>::codeTurn(GroupScratch::New
         std::ranges::find(common_, state_.corners[tetrahedron.dying][tetrahedron.dyingCorner]) != common_.end();
     const std::size_t sure = count == 0 ? 0 : votes[expected] == count ? 2 : 1;
     auto& models = models_.turn[count_ == 1 ? 0 : 1][isCommon ? 1 : 0][sure];
-    const std::size_t off = (truth + 3 - expected) % 3;
+    const std::size_t off = (actual + 3 - expected) % 3;
     const std::size_t coded = bit(models[0], off != 0) ? bit(models[1], off == 2) ? 2 : 1 : 0;
     const std::size_t turn = (expected + coded) % 3;
     std::uint8_t parents = 0, fronts = 0;
@@ -1222,12 +1229,12 @@ template <class Coder> std::size_t GroupCoder<Coder>::codeTurn(GroupScratch::New
 /// Puts the new tetrahedra in the place of those that die.
 template <class Coder> void GroupCoder<Coder>::link()
 {
-    for (std::size_t i = 0; i < at_.dying.size(); ++i)
-        arrays_.destroyers[at_.dying[i]] = first_ + at_.owners[i];
-    for (const auto& [inside, face] : at_.outers)
+    for (std::size_t i = 0; i < scratch_.dying.size(); ++i)
+        arrays_.destroyers[scratch_.dying[i]] = first_ + scratch_.owners[i];
+    for (const auto& [inside, face] : scratch_.outers)
         if (const std::uint32_t other = state_.next[inside][face]; other != nowhere)
             *std::ranges::find(state_.next[other], inside) = nowhere;
-    const std::size_t count = at_.made.size();
+    const std::size_t count = scratch_.made.size();
     state_.corners.resize(base_ + count);
     state_.next.resize(base_ + count);
     state_.fronts.resize(base_ + count);
@@ -1235,29 +1242,30 @@ template <class Coder> void GroupCoder<Coder>::link()
     arrays_.otherSites.resize(base_ + count);
     arrays_.destroyers.resize(base_ + count, Model::never);
     for (std::size_t place = 0; place < count; ++place) {
-        const GroupScratch::New& tetrahedron = at_.made[place];
-        const std::uint32_t number = at_.numbers[place];
+        const GroupScratch::New& tetrahedron = scratch_.made[place];
+        const std::uint32_t number = scratch_.numbers[place];
         state_.corners[number] = tetrahedron.sites;
         state_.fronts[number] = tetrahedron.fronts;
         arrays_.otherSites[number] = {tetrahedron.sites[1], tetrahedron.sites[2], tetrahedron.sites[3]};
         for (std::size_t i = 0; i < 4; ++i)
-            state_.next[number][i] = tetrahedron.nextIsNew[i] ? at_.numbers[tetrahedron.next[i]] : tetrahedron.next[i];
+            state_.next[number][i] =
+                tetrahedron.nextIsNew[i] ? scratch_.numbers[tetrahedron.next[i]] : tetrahedron.next[i];
     }
     for (std::size_t place = 0; place < count; ++place)
         for (std::size_t i = 0; i < 4; ++i) {
-            const GroupScratch::New& tetrahedron = at_.made[place];
+            const GroupScratch::New& tetrahedron = scratch_.made[place];
             if (tetrahedron.nextIsNew[i] || tetrahedron.next[i] == nowhere)
                 continue;
             // The old one's face that has the same corners.
             const std::uint32_t other = tetrahedron.next[i];
             for (std::size_t k = 0; k < 4; ++k)
                 if (std::ranges::find(tetrahedron.sites, state_.corners[other][k]) == tetrahedron.sites.end())
-                    state_.next[other][k] = at_.numbers[place];
+                    state_.next[other][k] = scratch_.numbers[place];
         }
     for (std::uint32_t local = 0; local < count_; ++local)
-        arrays_.starOffsets.push_back(arrays_.starOffsets.back() + at_.stars[local].size());
-    state_.living += count - at_.dying.size();
-    std::erase_if(state_.hot, [this](std::uint32_t t) { return !state_.alive(t); });
+        arrays_.starOffsets.push_back(arrays_.starOffsets.back() + scratch_.stars[local].size());
+    state_.living += count - scratch_.dying.size();
+    std::erase_if(state_.due, [this](std::uint32_t t) { return !state_.alive(t); });
 }
 
 // The sites.
@@ -1299,21 +1307,22 @@ template <class Coder> bool GroupCoder<Coder>::codeSites()
 template <class Coder> std::span<const std::uint32_t> GroupCoder<Coder>::hostsOf(std::uint32_t local, bool owned) const
 {
     if (!owned)
-        return at_.dying;
-    return std::span(at_.owned).subspan(at_.ownedBegins[local], at_.ownedBegins[local + 1] - at_.ownedBegins[local]);
+        return scratch_.dying;
+    return std::span(scratch_.owned)
+        .subspan(scratch_.ownedBegins[local], scratch_.ownedBegins[local + 1] - scratch_.ownedBegins[local]);
 }
 
 template <class Coder> void GroupCoder<Coder>::sortByOwner()
 {
-    at_.ownedBegins.assign(count_ + std::size_t(1), 0);
-    for (const std::uint32_t owner : at_.owners)
-        ++at_.ownedBegins[owner];
+    scratch_.ownedBegins.assign(count_ + std::size_t(1), 0);
+    for (const std::uint32_t owner : scratch_.owners)
+        ++scratch_.ownedBegins[owner];
     std::uint32_t sum = 0;
-    for (std::uint32_t& begin : at_.ownedBegins)
+    for (std::uint32_t& begin : scratch_.ownedBegins)
         begin = sum += begin;
-    at_.owned.resize(at_.dying.size());
-    for (std::size_t i = at_.dying.size(); i-- > 0;)
-        at_.owned[--at_.ownedBegins[at_.owners[i]]] = at_.dying[i];
+    scratch_.owned.resize(scratch_.dying.size());
+    for (std::size_t i = scratch_.dying.size(); i-- > 0;)
+        scratch_.owned[--scratch_.ownedBegins[scratch_.owners[i]]] = scratch_.dying[i];
 }
 
 template <class Coder> bool GroupCoder<Coder>::codePoint(std::uint32_t local)
@@ -1324,23 +1333,23 @@ template <class Coder> bool GroupCoder<Coder>::codePoint(std::uint32_t local)
     std::uint32_t point = truePoint(local);
     // Which of the tetrahedra that die it lies in, and which point in it.
     for (const bool owned : {true, false}) {
-        if (!owned && (count_ == 1 || at_.dying.size() > mostHosts))
+        if (!owned && (count_ == 1 || scratch_.dying.size() > mostHosts))
             break;
         const std::span<const std::uint32_t> hosts = hostsOf(local, owned);
         if (hosts.empty())
             continue;
-        std::size_t truth = hosts.size();
+        std::size_t actual = hosts.size();
         if constexpr (encodes) {
             const Place place = state_.placeOfPoint(point);
-            truth = static_cast<std::size_t>(
+            actual = static_cast<std::size_t>(
                 std::ranges::find_if(hosts, [&](std::uint32_t t) { return state_.contains(t, place); }) -
                 hosts.begin());
         }
-        if (!bit(models_.hostOwned[owned ? 1 : 0], truth < hosts.size()))
+        if (!bit(models_.hostOwned[owned ? 1 : 0], actual < hosts.size()))
             continue;
         std::size_t chosen = 0;
-        if (hosts.size() > 1 && !bit(models_.hostIsFirst[owned ? 1 : 0], truth == 0))
-            chosen = 1 + oneOf(truth - 1, hosts.size() - 1);
+        if (hosts.size() > 1 && !bit(models_.hostIsFirst[owned ? 1 : 0], actual == 0))
+            chosen = 1 + oneOf(actual - 1, hosts.size() - 1);
         host_ = hosts[chosen];
         if (!codePointIn(host_, point))
             return false;
@@ -1384,20 +1393,21 @@ template <class Coder> bool GroupCoder<Coder>::codePointIn(std::uint32_t host, s
                                        oneOf(at[axis] - low[axis], high[axis] - low[axis] + std::uint64_t(1)));
         point = (at[2] * size[1] + at[1]) * size[0] + at[0];
     } else {
-        at_.inside.clear();
+        scratch_.inside.clear();
         state_.visitPointsIn(host, low, high, [&](std::uint32_t p) {
             if (!state_.used[p])
-                at_.inside.push_back(p);
+                scratch_.inside.push_back(p);
         });
-        if (at_.inside.empty())
+        if (scratch_.inside.empty())
             return false;
-        std::size_t truth = 0;
+        std::size_t actual = 0;
         if constexpr (encodes) {
-            truth = static_cast<std::size_t>(std::ranges::lower_bound(at_.inside, point) - at_.inside.begin());
-            if (truth == at_.inside.size() || at_.inside[truth] != point)
+            actual =
+                static_cast<std::size_t>(std::ranges::lower_bound(scratch_.inside, point) - scratch_.inside.begin());
+            if (actual == scratch_.inside.size() || scratch_.inside[actual] != point)
                 return false;
         }
-        point = at_.inside[oneOf(truth, at_.inside.size())];
+        point = scratch_.inside[oneOf(actual, scratch_.inside.size())];
     }
     state_.used[point] = true;
     return true;
@@ -1419,9 +1429,9 @@ template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, 
             T exact{};
             if constexpr (encodes) {
                 if constexpr (sizeof(T) == 4)
-                    exact = truth_.model->floatPositions()[site][static_cast<int>(axis)];
+                    exact = encoded_.model->floatPositions()[site][static_cast<int>(axis)];
                 else
-                    exact = truth_.model->doublePositions()[site][static_cast<int>(axis)];
+                    exact = encoded_.model->doublePositions()[site][static_cast<int>(axis)];
             }
             if (state_.facts.decimals) {
                 const unsigned digits = codeDigits(encodes ? decimalsIn(exact) : 0);
@@ -1552,12 +1562,12 @@ template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
     const double predicted = interpolated ? *interpolated : meanOfNeighbours(site);
     visitSampleType(state_.facts.sampleType, [&]<class T>() {
         constexpr unsigned bits = 8 * sizeof(T);
-        T truth{};
+        T actual{};
         if constexpr (encodes)
-            std::memcpy(&truth, truth_.model->values().data() + site * sizeof(T), sizeof(T));
+            std::memcpy(&actual, encoded_.model->values().data() + site * sizeof(T), sizeof(T));
         const auto key = static_cast<double>(key_);
         const auto from = [&](double expected) { return orderOf(nearestNumber<T>(expected)); };
-        const auto distance = [&](double expected) { return zigzag(orderOf(truth), from(expected), bits); };
+        const auto distance = [&](double expected) { return zigzag(orderOf(actual), from(expected), bits); };
         bool byKey = false, above = false;
         if (interpolated && key > 0 && std::isfinite(key)) {
             if constexpr (encodes) {
@@ -1588,7 +1598,7 @@ template <class Coder> double GroupCoder<Coder>::unitOfVolume() const
     double sum = 0;
     for (std::uint32_t t = base_; t < state_.tetrahedronCount(); ++t)
         sum += std::abs(state_.volume(t));
-    return sum / std::max<double>(1, static_cast<double>(at_.made.size())) / 64;
+    return sum / std::max<double>(1, static_cast<double>(scratch_.made.size())) / 64;
 }
 
 template <class Coder> void GroupCoder<Coder>::codeOwn()
@@ -1622,17 +1632,17 @@ template <class Coder> void GroupCoder<Coder>::codeOwnBound(std::uint32_t t, std
                                                             std::uint32_t key, std::size_t& before)
 {
     std::vector<std::uint16_t>& own = kind == 0 ? arrays_.ownErrors : arrays_.ownWarpings;
-    std::uint16_t truth = 0;
+    std::uint16_t actual = 0;
     if constexpr (encodes)
-        truth = kind == 0 ? truth_.model->ownErrors()[t] : truth_.model->ownWarpings()[t];
-    const std::uint32_t parent = at_.parents[t - base_];
+        actual = kind == 0 ? encoded_.model->ownErrors()[t] : encoded_.model->ownWarpings()[t];
+    const std::uint32_t parent = scratch_.parents[t - base_];
     const std::size_t parentClass = parent == nowhere ? 2 : own[parent] == 0 ? 0 : 1;
-    const bool isZero = bit(models_.ownIsZero[kind][size][before][parentClass], truth == 0);
+    const bool isZero = bit(models_.ownIsZero[kind][size][before][parentClass], actual == 0);
     before = isZero ? 0 : 1;
     std::uint64_t half = 0;
     const std::uint32_t near = parentClass == 1 ? own[parent] : key;
     if (!isZero)
-        half = unzigzag(number(models_.own[kind][parentClass], zigzag(truth, near, 16)), near, 16);
+        half = unzigzag(number(models_.own[kind][parentClass], zigzag(actual, near, 16)), near, 16);
     own.push_back(static_cast<std::uint16_t>(half));
 }
 
@@ -1690,8 +1700,8 @@ const HistoryArrays& HistoryEncoder::arrays() const noexcept
 Result<std::vector<std::byte>> HistoryEncoder::encode(std::uint32_t end)
 {
     RangeEncoder coder;
-    const HistoryTruth truth{&model_, deathOffsets_, deaths_};
-    GroupCoder<RangeEncoder> groups(*state_, coder, truth, cost_);
+    const EncodedHistory actual{&model_, deathOffsets_, deaths_};
+    GroupCoder<RangeEncoder> groups(*state_, coder, actual, cost_);
     if (!groups.run(end))
         return Error{
             ErrorKind::BadInput,
@@ -1715,7 +1725,7 @@ bool HistoryDecoder::decode(std::span<const std::byte> bytes, std::uint32_t end)
         return false;
     RangeDecoder coder(bytes);
     HistoryCost unused;
-    const HistoryTruth none;
+    const EncodedHistory none;
     return GroupCoder<RangeDecoder>(*state_, coder, none, unused).run(end);
 }
 

@@ -202,8 +202,8 @@ struct ReplayedLattice {
     {
         return ReplayMesh::make({size, blockCells, metric, false, false}, type, samples, progress);
     }
-    void takeIn(const ReplayRegion& region, ReplayMesh& mesh) const;   ///< the samples of a region's points
-    void handOver(const ReplayRegion& region, ReplayMesh& mesh) const; ///< those of its own points
+    void loadSamples(const ReplayRegion& region, ReplayMesh& mesh) const;  ///< the samples of a region's points
+    void storeSamples(const ReplayRegion& region, ReplayMesh& mesh) const; ///< those of its own points
 };
 
 Result<std::unique_ptr<ReplayedLattice>> ReplayedLattice::make(const ModelDescription& about, std::uint32_t blockCells)
@@ -236,7 +236,7 @@ Result<std::unique_ptr<ReplayMesh>> ReplayedLattice::mesh(const ReplayRegion& re
                             progress);
 }
 
-void ReplayedLattice::takeIn(const ReplayRegion& region, ReplayMesh& mesh) const
+void ReplayedLattice::loadSamples(const ReplayRegion& region, ReplayMesh& mesh) const
 {
     if (region.isWhole())
         return;
@@ -246,7 +246,7 @@ void ReplayedLattice::takeIn(const ReplayRegion& region, ReplayMesh& mesh) const
                     rowBytes);
 }
 
-void ReplayedLattice::handOver(const ReplayRegion& region, ReplayMesh& mesh) const
+void ReplayedLattice::storeSamples(const ReplayRegion& region, ReplayMesh& mesh) const
 {
     if (region.isWhole())
         return;
@@ -548,7 +548,7 @@ Result<std::vector<PackedRegion>> packRegions(const ReplayedLattice& lattice, co
             const auto mesh = lattice.mesh(region, own);
             if (!mesh)
                 return mesh.error();
-            lattice.takeIn(region, **mesh);
+            lattice.loadSamples(region, **mesh);
             Result<PackedRegion> result =
                 RegionPacker(region, lattice.division, **mesh, shared, lattice.regions.count()).pack(limits, own);
             if (!result)
@@ -634,11 +634,11 @@ Result<bool> fillSamples(const Model& model, const ReplayedLattice& lattice, con
     }
     const std::size_t size = sampleSize(lattice.type);
     std::vector<std::vector<std::uint32_t>> sites(lattice.regions.count());
-    std::vector<std::uint32_t> having;
+    std::vector<std::uint32_t> withSite;
     for (std::size_t site = 0; site < points.size(); ++site) {
         std::memcpy(lattice.sample(points[site]), model.values().data() + site * size, size);
-        lattice.regions.having(points[site], having);
-        for (const std::uint32_t region : having)
+        lattice.regions.withPoint(points[site], withSite);
+        for (const std::uint32_t region : withSite)
             sites[region].push_back(points[site]);
     }
     const Status filled =
@@ -646,7 +646,7 @@ Result<bool> fillSamples(const Model& model, const ReplayedLattice& lattice, con
             auto mesh = lattice.mesh(region, own);
             if (!mesh)
                 return mesh.error();
-            lattice.takeIn(region, **mesh);
+            lattice.loadSamples(region, **mesh);
             const std::span<const std::uint32_t> corners = (*mesh)->corners();
             FreePoints others = OwnPoints(region, lattice.division).others;
             std::vector<std::uint32_t> inside;
@@ -668,7 +668,7 @@ Result<bool> fillSamples(const Model& model, const ReplayedLattice& lattice, con
                 return told;
             });
             if (known)
-                lattice.handOver(region, **mesh);
+                lattice.storeSamples(region, **mesh);
             return known;
         });
     return filled ? Result<bool>(true) : filled.error();
@@ -1112,7 +1112,7 @@ public:
     HistoryOfBlocks(const BlockDivision& division, const BlockHistories& histories,
                     std::span<const std::uint32_t> sites, std::span<const format::PackedLevelEntry> levels);
 
-    Status handOver(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink, const Progress& progress);
+    Status writeTo(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink, const Progress& progress);
 
 private:
     /// How far a tetrahedron may be off: what the last mesh that has it is.
@@ -1180,8 +1180,8 @@ void HistoryOfBlocks::takeStep(std::uint32_t block)
     }
 }
 
-Status HistoryOfBlocks::handOver(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink,
-                                 const Progress& progress)
+Status HistoryOfBlocks::writeTo(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink,
+                                const Progress& progress)
 {
     constexpr MarkedText writing = Message::marked("Writing the model");
     constexpr std::uint32_t toldAtOnce = 1 << 14;
@@ -1322,7 +1322,7 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
     if (const Status begun = (*writer)->begin(traits); !begun)
         return begun;
     HistoryOfBlocks history(lattice.division, histories, reader->sites(), levels);
-    if (const Status handed = history.handOver(start->tetrahedra, **writer, progress.part(readAt, 1)); !handed)
+    if (const Status handed = history.writeTo(start->tetrahedra, **writer, progress.part(readAt, 1)); !handed)
         return handed;
     return (*writer)->finish(levels.back().error);
 }

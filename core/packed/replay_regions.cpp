@@ -92,7 +92,7 @@ std::vector<std::uint32_t> ReplayRegions::touching(std::uint32_t number) const
     return result;
 }
 
-void ReplayRegions::having(std::uint32_t latticePoint, std::vector<std::uint32_t>& regions) const
+void ReplayRegions::withPoint(std::uint32_t latticePoint, std::vector<std::uint32_t>& regions) const
 {
     const std::uint32_t row = latticePoint / latticeSize_[0];
     division_.blocksOf({latticePoint - row * latticeSize_[0], row % latticeSize_[1], row / latticeSize_[1]}, regions);

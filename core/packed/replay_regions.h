@@ -75,7 +75,7 @@ public:
     /// Those before a region that touch it, in order.
     std::vector<std::uint32_t> touching(std::uint32_t number) const;
     /// The regions that have a point of the lattice, in order.
-    void having(std::uint32_t latticePoint, std::vector<std::uint32_t>& regions) const;
+    void withPoint(std::uint32_t latticePoint, std::vector<std::uint32_t>& regions) const;
 
     /// Calls work(region, its progress) for all, in order, on as many threads as there are. A region may wait for those
     /// before it: they have been begun. The progress is cancelled when one has failed, too. Errors: the first one's.

@@ -206,7 +206,9 @@ void dropPlacesAndValues(SessionDocument& kept, const ViewValue& start)
     view.isovalues = start.isovalues;
     view.annotations = ofOtherData(std::move(view.annotations));
     view.animation = {};
-    view.camera = {.trackball = view.camera.trackball};
+    const bool trackball = view.camera.trackball;
+    view.camera = start.camera;
+    view.camera.trackball = trackball;
     kept.hasCamera = false;
     kept.bounds = {};
     kept.range.reset();

@@ -73,7 +73,7 @@ Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Pr
         field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
         field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
         if (model->description().domain != DomainClass::Irregular) // of that the boundary is shown, too
-            field.object = objectOutline(**mesh, field.volumes);
+            field.object = objectOutline(**mesh, field.volumes, field.surface);
         return field;
     };
     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), look,
@@ -98,7 +98,8 @@ ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model
     const QueryState query = startingQuery(model, startingError(model));
     ViewValue view{.query = query,
                    .appearance = startingAppearance(modes, seenWith(field, query, model), model.description().domain),
-                   .isovalues = startingIsovalues(modes, field)};
+                   .isovalues = startingIsovalues(modes, field),
+                   .camera = usualCamera(model.description())};
     view.camera = framed(view, field.bounds, field.object, aspectRatio);
     return view;
 }

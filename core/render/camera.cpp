@@ -279,13 +279,13 @@ public:
                               formatNumber(least), formatNumber(largest), describePlace(value->place)));
     }
 
-    void truth(std::string_view key, bool& target)
+    void boolean(std::string_view key, bool& target)
     {
         const JsonValue* value = root_.find(key);
         if (value == nullptr)
             return;
-        if (const bool* truth = std::get_if<bool>(&value->content))
-            target = *truth;
+        if (const bool* boolean = std::get_if<bool>(&value->content))
+            target = *boolean;
         else
             fail(Message::say("The key \"%1\" of the camera is neither true nor false (%2).", key,
                               describePlace(value->place)));
@@ -382,8 +382,8 @@ Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& 
     reader.number("roll", camera.roll, -1e6, 1e6);
     reader.upAxis("up", camera.up);
     reader.number("fieldOfView", camera.fieldOfView, 1, 170);
-    reader.truth("perspective", camera.perspective);
-    reader.truth("trackball", camera.trackball);
+    reader.boolean("perspective", camera.perspective);
+    reader.boolean("trackball", camera.trackball);
     camera = fitted(camera, bounds, aspectRatio);
     reader.number("distance", camera.distance, 1e-30, 1e30);
     reader.point("target", camera.target);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,16 +68,24 @@ double diagonalOf(std::span<const Eigen::Vector3d> places)
 
 } // namespace
 
-std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes)
+std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes,
+                                           std::optional<double> surface)
 {
-    constexpr double besideBackground = 1.0 / 30, tiny = 1.0 / 16, nearlyAll = 0.9;
+    constexpr double besideBackground = 1.0 / 30, hardlySeen = 0.1, tiny = 1.0 / 16, nearlyAll = 0.9;
     const auto background = backgroundValues(volumes);
     if (!background)
         return {};
     const double beside = besideBackground * (volumes.largest - volumes.least);
+    const TransferFunction function = fittedTransferFunction(volumes, 1);
+    double most = 0;
+    for (const OpacityPoint& point : function.opacities)
+        most = std::max(most, evaluate(function, point.value).extinction);
     const auto places = farthestOut(mesh, [&](std::size_t vertex) {
         const double value = mesh.values[vertex];
-        return value < background->least - beside || value > background->largest + beside;
+        if (surface && (background->commonest < *surface ? value >= *surface : value <= *surface))
+            return true;
+        return (value < background->least - beside || value > background->largest + beside) &&
+               evaluate(function, value).extinction > hardlySeen * most;
     });
     const double share = diagonalOf(places) / diagonalOf(mesh.positions);
     return share > tiny && share < nearlyAll ? places : std::vector<Eigen::Vector3d>();

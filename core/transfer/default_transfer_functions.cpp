@@ -53,9 +53,21 @@ TransferFunction divergingTransferFunction(double smallest, double largest, doub
 
 namespace {
 
+/// Colours of volumes for values in [0, 1]: from blue over cream to orange, none of them dark, as what is translucent
+/// takes the darkness of the ground.
+TransferFunction volumeColours()
+{
+    constexpr TransferPoint blueToOrange[] = {
+        {0, {0.30f, 0.50f, 0.75f}, 0},    {0.25, {0.45f, 0.70f, 0.82f}, 0}, {0.5, {0.85f, 0.86f, 0.80f}, 0},
+        {0.75, {0.96f, 0.76f, 0.46f}, 0}, {1, {0.95f, 0.52f, 0.16f}, 0},
+    };
+    return spread(blueToOrange, 0, 1, 1);
+}
+
 constexpr std::size_t intervals = 16;       ///< between the points
 constexpr double pathLength = 20;           ///< in unit distances: half of the diagonal
-constexpr double wantedDepth = 5.5;         ///< the mean optical depth of such a path
+constexpr double depthOfCloud = 5.5;        ///< the mean optical depth of such a path
+constexpr double depthOfObject = 10;        ///< the same in a background: surfaces before what is inside
 constexpr double mostOpaque = 0.9;          ///< of a unit distance
 constexpr double dominating = 2.5;          ///< times its share if all values were equally frequent
 constexpr double leastWeightOfSmall = 0.15; ///< of the smallest value against the largest
@@ -121,10 +133,10 @@ double seenShare(const std::vector<double>& weights, const std::vector<double>& 
 
 /// The factor at which a path of mean length through the domain has the wanted optical depth, as far as it can be had.
 /// Where only a part of the domain is seen, a path meets as much less of it.
-double scaleFor(const std::vector<double>& weights, const std::vector<double>& frequency)
+double scaleFor(const std::vector<double>& weights, const std::vector<double>& frequency, double depthOfPath)
 {
     const double total = std::reduce(frequency.begin(), frequency.end());
-    const double wanted = wantedDepth * seenShare(weights, frequency);
+    const double wanted = depthOfPath * seenShare(weights, frequency);
     const auto depth = [&](double scale) {
         double sum = 0;
         for (std::size_t point = 0; point < weights.size(); ++point)
@@ -221,9 +233,10 @@ TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double un
         return sequentialTransferFunction(volumes.least, volumes.largest, unitDistance);
     const std::vector<double> frequency = frequencies(volumes);
     const std::vector<double> weights = valueWeights(frequency);
-    const double scale = scaleFor(weights, frequency);
+    const auto background = backgroundValues(volumes);
+    const double scale = scaleFor(weights, frequency, background ? depthOfObject : depthOfCloud);
     const std::vector<double> place = places(weights, frequency);
-    const TransferFunction colours = sequentialTransferFunction(0, 1, 1);
+    const TransferFunction colours = volumeColours();
     std::vector<TransferPoint> points(weights.size());
     for (std::size_t point = 0; point < points.size(); ++point) {
         const TransferSample look = evaluate(colours, place[point]);
@@ -233,7 +246,6 @@ TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double un
         points[point].opacity = static_cast<float>(-std::expm1(-extinctionAt(weights[point], scale)));
     }
     const TransferFunction function = transferFunctionFromPoints(points, unitDistance);
-    const auto background = backgroundValues(volumes);
     return background ? cleared(function, clearedValues(*background, volumes, error)) : function;
 }
 

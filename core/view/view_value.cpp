@@ -44,6 +44,18 @@ bool isUsable(const BarEnds& ends)
            std::isfinite(ends.largest - ends.least);
 }
 
+Camera usualCamera(const ModelDescription& description)
+{
+    constexpr double flat = 0.4, elevationOfFlat = 50;
+    const Lattice& lattice = description.lattice;
+    const bool isPlain = description.domain == DomainClass::RegularLattice && lattice.isAlongAxes() &&
+                         lattice.origin == Eigen::Vector3d::Zero() && lattice.spacing == Eigen::Vector3d::Ones();
+    if (isPlain)
+        return {.up = UpAxis::Y};
+    const Eigen::Vector3d extent = description.bounds.sizes();
+    return extent.z() < flat * std::min(extent.x(), extent.y()) ? Camera{.elevation = elevationOfFlat} : Camera();
+}
+
 AnnotationState ofOtherData(AnnotationState annotations)
 {
     annotations.barEnds.reset();

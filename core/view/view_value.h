@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tan/base.h>
+#include <tan/model.h>
 #include <tan/render.h>
 #include <tan/view.h>
 
@@ -16,6 +17,11 @@ namespace tetra {
 
 /// Of other data: without what was said of these, such as their name.
 TAN_INTERNAL AnnotationState ofOtherData(AnnotationState annotations);
+
+/// The direction that data are seen from at first. Images that say nothing of their place in the world, with steps of 1
+/// from 0, are seen as they are made, slice by slice, the first axis to the right and the second one up, and a little
+/// turned; what is flat along z from higher up.
+TAN_INTERNAL Camera usualCamera(const ModelDescription& description);
 
 /// How many times as far as where the box just fits the eye is, so that the axes with numbers find room around it: in a
 /// picture as high as most, a margin of two lines. 1 without them.

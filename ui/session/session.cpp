@@ -198,7 +198,8 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
     ViewValue view{.query = startingQuery(*model, startingError(*model)),
                    .appearance = std::move(appearance),
                    .isovalues = std::move(isovalues),
-                   .annotations = ofOtherData(view_.annotations)};
+                   .annotations = ofOtherData(view_.annotations),
+                   .camera = usualCamera(model->description())};
     view.camera.trackball = view_.camera.trackball;
     followsModel_ = true;
     object_ = std::move(object);

@@ -131,7 +131,7 @@ public:
     }
     /// Whether a site should be a vertex before any sample is examined: the mesh before it was not accurate enough here
     /// or, for a box, one step away. Leaving out the sites next to a border would mean more repairs, which take longer.
-    bool askFor(const std::array<std::uint32_t, 3>& point, double runningError) const
+    bool wants(const std::array<std::uint32_t, 3>& point, double runningError) const
     {
         if (!quick_) {
             const double limit = fieldAt(point);
@@ -578,10 +578,10 @@ void RegionRefiner::Work::forEachSite(const FocusLimits& limits, const Range& ra
         const auto begin = std::ranges::lower_bound(sites, range.coarse, {}, &Site::number);
         for (auto site = begin; site != sites.end() && site->number < range.fine; ++site) {
             const PackedPoint point = site->point;
-            if (limits.askFor({static_cast<std::uint32_t>(lattice_.x(point)),
-                               static_cast<std::uint32_t>(lattice_.y(point)),
-                               static_cast<std::uint32_t>(lattice_.z(point))},
-                              static_cast<double>(errors[site->number])))
+            if (limits.wants({static_cast<std::uint32_t>(lattice_.x(point)),
+                              static_cast<std::uint32_t>(lattice_.y(point)),
+                              static_cast<std::uint32_t>(lattice_.z(point))},
+                             static_cast<double>(errors[site->number])))
                 visit(*site);
         }
     });
@@ -667,7 +667,7 @@ bool RegionRefiner::Work::canGoOn(const SpaceRamp& error, const FocusLimits& lim
         const std::array<std::uint32_t, 3> place = {static_cast<std::uint32_t>(lattice_.x(point)),
                                                     static_cast<std::uint32_t>(lattice_.y(point)),
                                                     static_cast<std::uint32_t>(lattice_.z(point))};
-        surplus += !limits.askFor(place, std::numeric_limits<double>::infinity());
+        surplus += !limits.wants(place, std::numeric_limits<double>::infinity());
     }
     // As many would be left if nothing new came: that is looked at first, because it is quick.
     const std::size_t stay = mesh_.added().size() - surplus;

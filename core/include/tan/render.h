@@ -569,12 +569,15 @@ TAN_API std::optional<double> surfaceValue(const TetrahedralMesh& mesh, double l
 /// there is no volume. O(cells + parts).
 TAN_API ValueHistogram volumeHistogram(const TetrahedralMesh& mesh, double least, double largest, int parts);
 
-/// The places of an object that are farthest out, to frame it in a picture (fitted()): those of all vertices of a mesh
-/// whose values are no background (backgroundValues(), and what is within a thirtieth of the range beside it) which are
-/// the farthest in one of 128 directions all around. Nothing if there is no background, and if the object is nearly as
-/// large as the mesh or tiny in it, so that the mesh is to be framed: above nine tenths of its diagonal, or below a
-/// sixteenth. `volumes`: of the same mesh (volumeHistogram()). O(vertices).
-TAN_API std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes);
+/// The places of an object in a background that are farthest out, to frame it in a picture (fitted()). The object are
+/// those vertices whose values are more than a thirtieth of the range beside the background (backgroundValues()) and
+/// have a tenth of the largest extinction in the function that volumes have at first (fittedTransferFunction()), and
+/// those on the other side of `surface` than the background; of them, the farthest in each of 128 directions all
+/// around. Nothing if there is no background, and if the mesh is to be framed as the object is nearly as large, or tiny
+/// in it: above nine tenths of its diagonal, or below a sixteenth. `volumes`: of the same mesh (volumeHistogram()).
+/// O(vertices).
+TAN_API std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes,
+                                                   std::optional<double> surface = {});
 
 /// Pixels of a picture: `width` columns from `left`, `height` rows from `top`, which count from its upper left corner.
 struct PixelRectangle {

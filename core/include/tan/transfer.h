@@ -216,8 +216,8 @@ TAN_API std::optional<BackgroundValues> backgroundValues(const ValueHistogram& v
 
 /// A transfer function to begin with, given how the values share the domain's volume. What fills most of it, as the air
 /// around a scanned part or the undisturbed flow around a body, is transparent, rare values are the more opaque, and
-/// the volume stays translucent as a whole; at equal shares, large values are more opaque than small ones. Colours are
-/// those of sequentialTransferFunction(), closer where more is seen. `unitDistance` is as a rule a fortieth of the
+/// the volume stays translucent as a whole; at equal shares, large values are more opaque than small ones. Colours go
+/// from blue over cream to orange, closer where more is seen. `unitDistance` is as a rule a fortieth of the
 /// domain's diagonal, and less where that is flat. Without a histogram it is sequentialTransferFunction(). O(parts).
 ///
 /// `error` is how far the values of the mesh that is drawn may be off, in their own units: no value that is within it

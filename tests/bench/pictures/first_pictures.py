@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """First pictures, ours beside ParaView's: of twenty datasets the volume and the surface that each program shows after opening, with its defaults, at the
-same size, without text, bar or box. Three steps:
+same size, without text, bar or box. In these steps:
 
     first_pictures.py draw BUILD DATA FOLDER    FOLDER/tan/NAME-volume.png and NAME-surface.png; the samples as files in FOLDER/samples
+    first_pictures.py convert DATA FOLDER       FOLDER/converted/NAME.vtk, by VTK: files with appended data, which Debian 12's ParaView does not read
     paraview_pictures.py DATA FOLDER            the same by ParaView, in FOLDER/paraview (run it by ParaView's pvbatch)
     first_pictures.py ballot FOLDER             FOLDER/ballot/NUMBER.png, pairs side by side in random order, and FOLDER/key.json
     first_pictures.py count FOLDER VOTES...     of files with a line "NUMBER left|right|draw" each
@@ -56,8 +57,25 @@ def draw(build, data, folder):
         model = folder / "models" / f"{name}.tan"
         if not model.exists():
             subprocess.run([tan, "build", source, "-o", model], check=True)
+        irregular = source.suffix == ".vtu"  # of these the window shows the boundary at first
         for what, mode in (("volume", "volume"), ("surface", "isosurface")):
-            subprocess.run([tan, "render", model, "--mode", mode, "--no-outline", "--size", "%dx%d" % SIZE, "-o", folder / "tan" / f"{name}-{what}.png"], check=True)
+            subprocess.run([tan, "render", model, "--mode", mode, *(["--boundary", "translucent"] if irregular else []), "--no-outline", "--size", "%dx%d" % SIZE, "-o", folder / "tan" / f"{name}-{what}.png"], check=True)
+
+
+def convert(data, folder):
+    from vtkmodules import vtkIOLegacy, vtkIOXML  # only here: ParaView has its own
+    kinds = {".vts": (vtkIOXML.vtkXMLStructuredGridReader, vtkIOLegacy.vtkStructuredGridWriter), ".vtu": (vtkIOXML.vtkXMLUnstructuredGridReader, vtkIOLegacy.vtkUnstructuredGridWriter)}
+    (folder / "converted").mkdir(parents=True, exist_ok=True)
+    for name in DATASETS:
+        source = input_of(name, data, folder)
+        if source.suffix in kinds:
+            reader, writer = (kind() for kind in kinds[source.suffix])
+            reader.SetFileName(str(source))
+            writer.SetInputConnection(reader.GetOutputPort())
+            writer.SetFileName(str(folder / "converted" / f"{name}.vtk"))
+            writer.SetFileTypeToBinary()
+            writer.SetFileVersion(42)  # what ParaView and other programs of that age read
+            writer.Write()
 
 
 def ballot(folder):
@@ -93,4 +111,4 @@ def count(folder, votes):
 if __name__ == "__main__":
     step, *places = sys.argv[1:]
     places = [pathlib.Path(place).resolve() for place in places]
-    {"draw": draw, "ballot": ballot, "count": lambda folder, *votes: count(folder, votes)}[step](*places)
+    {"draw": draw, "convert": convert, "ballot": ballot, "count": lambda folder, *votes: count(folder, votes)}[step](*places)

@@ -41,7 +41,8 @@ def picture(name, what, show):
 
 
 for name in sys.argv[3:] or DATASETS:
-    source = opened(input_of(name, data, folder))
+    converted = folder / "converted" / f"{name}.vtk"
+    source = opened(converted if converted.exists() else input_of(name, data, folder))
     array = array_of(source)
 
     def volume(view):
