@@ -308,7 +308,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     view.lens = request.lens;
     view.picture.annotations.state = *annotations;
     view.picture.annotations.camera = *camera;
-    const bool isDark = !arguments.has("background") && drawsLitVolume(*renderer.plugin, view.scene.values);
+    const bool isDark = !arguments.has("background") && hasDarkGround(*renderer.plugin, *values);
     view.picture.annotations.background = isDark ? usualBackground(true) : request.picture.background;
     return view;
 }
@@ -438,7 +438,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     AnnotationContent& content = view.picture.annotations;
     content.state = seen.annotations;
     content.camera = *camera;
-    const bool isDark = drawsLitVolume(*renderer->plugin, seen.appearance.settings);
+    const bool isDark = hasDarkGround(*renderer->plugin, seen.appearance.settings);
     content.background = invocation.arguments.has("background") ? request.picture.background
                                                                 : seen.background.value_or(usualBackground(isDark));
     if (kept.viewSize[0] > 0)

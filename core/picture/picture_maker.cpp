@@ -94,7 +94,7 @@ Result<Picture> PictureMaker::Parts::draw(const ViewValue& view, const Provided<
                        .viewSize = {request.viewWidth, request.viewHeight},
                        .transparent = request.transparent};
     tellShown(wanted.annotations, made->mesh.shown);
-    const bool isDark = drawsLitVolume(*renderer.plugin, view.appearance.settings);
+    const bool isDark = hasDarkGround(*renderer.plugin, view.appearance.settings);
     wanted.annotations.background = view.background.value_or(usualBackground(isDark));
     wanted.tools = keptDrawings(keptTools(*host, view), model->description(),
                                 matteringParameters(parameters, view.appearance.settings), view, view.camera,

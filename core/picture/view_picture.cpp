@@ -19,6 +19,9 @@
 #include <tan/view.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace tetra {
 namespace {
@@ -51,6 +54,31 @@ Result<std::shared_ptr<const TetrahedralMesh>> coarseMesh(const std::shared_ptr<
     return mesh ? Result<std::shared_ptr<const TetrahedralMesh>>(meshOf(*mesh)) : mesh.error();
 }
 
+/// How much of a volume has values from `begin` to `end`, in parts of all.
+double shareOf(const ValueHistogram& volumes, double begin, double end)
+{
+    const double perPart = static_cast<double>(volumes.counts.size()) / (volumes.largest - volumes.least);
+    const auto part = [&](double value) {
+        const double number = (value - volumes.least) * perPart;
+        return volumes.counts.begin() + std::clamp<std::ptrdiff_t>(std::lround(number), 0, std::ssize(volumes.counts));
+    };
+    return static_cast<double>(std::reduce(part(begin), std::max(part(begin), part(end)), std::uint64_t(0)));
+}
+
+/// Where the data have a surface; not one in the background, but on that side of it where there is more.
+std::optional<double> surfaceIn(const TetrahedralMesh& mesh, const ValueHistogram& volumes)
+{
+    const double least = volumes.least, largest = volumes.largest;
+    const auto surface = surfaceValue(mesh, least, largest);
+    const auto background = backgroundValues(volumes);
+    if (!surface || !background || *surface < background->least || *surface > background->largest)
+        return surface;
+    const bool isAbove = shareOf(volumes, background->largest, largest) >= shareOf(volumes, least, background->least);
+    const auto beside =
+        isAbove ? surfaceValue(mesh, background->largest, largest) : surfaceValue(mesh, least, background->least);
+    return beside ? beside : surface;
+}
+
 constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
 constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
 
@@ -71,7 +99,7 @@ Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Pr
         if (!mesh)
             return mesh.error();
         field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
-        field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
+        field.surface = surfaceIn(**mesh, field.volumes);
         if (model->description().domain != DomainClass::Irregular) // of that the boundary is shown, too
             field.object = objectOutline(**mesh, field.volumes, field.surface);
         return field;
@@ -147,7 +175,7 @@ std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMes
     return shownErrorRemarks(field, mesh.query, mesh.scale, isovalues, transfer);
 }
 
-bool drawsLitVolume(const Renderer& renderer, const ParameterValues& settings)
+bool hasDarkGround(const Renderer& renderer, const ParameterValues& settings)
 {
     const auto parameters = matteringParameters(renderer.parameters({}), settings);
     return hasParameter(parameters, shadedId) && parameterValue<bool>(parameters, settings, shadedId);

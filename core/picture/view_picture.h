@@ -58,9 +58,9 @@ SceneRequest withSamples(SceneRequest request, PluginHost& host);
 std::vector<ErrorRemark> errorRemarksOf(const FieldExtent& field, const ShownMesh& mesh, const ParameterValues& values,
                                         const Scene& scene);
 
-/// Whether a renderer with these settings draws a volume that is lit: it stands before a dark ground, unless another
-/// one was chosen.
-bool drawsLitVolume(const Renderer& renderer, const ParameterValues& settings);
+/// Whether what a renderer draws stands before a dark ground, unless another one was chosen: volumes, but for those
+/// whose light somebody has turned off. `settings`: what was chosen.
+bool hasDarkGround(const Renderer& renderer, const ParameterValues& settings);
 
 /// The background of a view for which none was chosen.
 Colour usualBackground(bool isDark);

@@ -68,8 +68,9 @@ inline Parameter transferParameter(const FieldExtent& field)
     return parameter;
 }
 
-/// bool, true by default. Behind a lit volume the ground is dark, unless another one was chosen.
-inline Parameter shadedParameter()
+/// bool, by default true where light shows relief: of images with a background, as far as that is known. Other fields
+/// have no surfaces that it could fall on. Where nothing was chosen, the ground behind the volume is dark.
+inline Parameter shadedParameter(const FieldExtent& field = {})
 {
     Parameter parameter;
     parameter.id = shadedId;
@@ -77,7 +78,8 @@ inline Parameter shadedParameter()
     parameter.explanation = Message::marked(
         "Lights the volume as if a surface lay perpendicular to the direction in which its values change most; the "
         "background is then dark, unless you choose another one.");
-    parameter.defaultValue = true;
+    parameter.defaultValue =
+        field.volumes.counts.empty() || (field.hasSamples && backgroundValues(field.volumes).has_value());
     return parameter;
 }
 

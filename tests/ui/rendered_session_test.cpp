@@ -209,7 +209,7 @@ QByteArray RenderedSessionTest::differenceOfBoth(const QString& mode, const QStr
 {
     session().setError(4);
     session().setBackground(Colour{1, 1, 1});
-    window_->viewport().setCamera(fitted(Camera(), session().model()->description().bounds,
+    window_->viewport().setCamera(fitted(session().view().camera, window_->workbench.scenes().extent().object,
                                          double(sizeOfPictures.width()) / sizeOfPictures.height()));
     if (!waitFor([this] { return upToDate(); }))
         return "the window draws on and on";

@@ -142,7 +142,7 @@ public:
         return {showsParameter(),
                 transferParameter(field),
                 with(isovaluesParameter(field), surfacesOnly, bothOfThem),
-                with(shadedParameter(), volumeOnly, bothOfThem),
+                with(shadedParameter(field), volumeOnly, bothOfThem),
                 fullGradientParameter(field),
                 boundaryParameter(),
                 boundaryOpacityParameter(),

@@ -70,7 +70,7 @@ class HybridRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return withShown({transferParameter(field), isovaluesParameter(field), shadedParameter(),
+        return withShown({transferParameter(field), isovaluesParameter(field), shadedParameter(field),
                           fullGradientParameter(field), orderParameter(), boundaryParameter(),
                           boundaryOpacityParameter(), boundaryFarSideParameter(), boundaryLitParameter(),
                           clipParameter(), outlineParameter(field)},

@@ -47,7 +47,7 @@ class VolumeRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return withShown({transferParameter(field), shadedParameter(), fullGradientParameter(field),
+        return withShown({transferParameter(field), shadedParameter(field), fullGradientParameter(field),
                           boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
                           boundaryLitParameter(), clipParameter(), outlineParameter(field)},
                          field);

@@ -65,6 +65,31 @@ private slots:
         }
     }
 
+    /// Data are upright as they say, images that say nothing as their slices are.
+    void dataAreSeenFromWhereTheyAreKnown()
+    {
+        ModelDescription image;
+        image.domain = DomainClass::RegularLattice;
+        image.bounds = {Eigen::Vector3d::Zero(), Eigen::Vector3d(9, 9, 2)};
+        const auto up = [](const ModelDescription& of) { return usualCamera(of).up; };
+        QCOMPARE(up(image), UpAxis::Y);
+        QCOMPARE(usualCamera(image).elevation, Camera().elevation);
+        for (const auto& place : std::array<std::function<void(ModelDescription&)>, 4>{
+                 [](ModelDescription& of) {
+                     of.lattice.spacing = {1, 1, 3};
+                 },
+                 [](ModelDescription& of) { of.lattice.origin.x() = -120; },
+                 [](ModelDescription& of) { of.lattice.directions = Eigen::Vector3d(-1, -1, 1).asDiagonal(); },
+                 [](ModelDescription& of) { of.domain = DomainClass::Irregular; }}) {
+            ModelDescription placed = image;
+            place(placed);
+            QCOMPARE(up(placed), UpAxis::Z);
+            QVERIFY(usualCamera(placed).elevation > 40); // it is flat
+            placed.bounds = {Eigen::Vector3d::Zero(), Eigen::Vector3d(9, 9, 9)};
+            QVERIFY(usualCamera(placed) == Camera());
+        }
+    }
+
     void partsArePutIntoOthers()
     {
         const ViewValue all = changed(allChanges);

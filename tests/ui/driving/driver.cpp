@@ -168,6 +168,11 @@ TransferLimits rangeOf(const DrivenWindow& window)
 
 void fitView(ViewValue& view, const DrivenWindow& window)
 {
+    view.camera = fitted(view.camera, window.workbench.scenes().extent().object, window.session().shape());
+}
+
+void fitWholeView(ViewValue& view, const DrivenWindow& window)
+{
     view.camera = fitted(view.camera, window.session().model()->description().bounds, window.session().shape());
 }
 

@@ -74,8 +74,9 @@ Driver::Change transfer(const TransferEdit& edited);
 
 /// The values of the model.
 TransferLimits rangeOf(const DrivenWindow& window);
-/// A change: all of the domain is seen, from the same side.
+/// Changes: what there is to see is seen whole, or all of the domain, from the same side.
 void fitView(ViewValue& view, const DrivenWindow& window);
+void fitWholeView(ViewValue& view, const DrivenWindow& window);
 
 Drivers allOf(std::initializer_list<Drivers> parts);
 

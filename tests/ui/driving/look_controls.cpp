@@ -138,12 +138,12 @@ Drivers renderingControls()
             },
             inDock("dock.rendering")),
         setting("shaded", false, [](const SceneFacts& scene) { return !scene.shaded; }),
-        setting("full-gradient", 0.5, [](const SceneFacts& scene) { return scene.fullGradient == 0.5; }),
+        setting("full-gradient", 0.1, [](const SceneFacts& scene) { return scene.fullGradient == 0.1; }),
         setting("order", std::string("with-cell"), [](const SceneFacts& scene) { return scene.withCell; }),
         setting("show", std::string("data"), [](const SceneFacts& scene) { return scene.hasSamples; }),
         shows(),
         projection(),
-        setting("outline", false, [](const SceneFacts& scene) { return scene.lines == 0; }),
+        setting("outline", true, [](const SceneFacts& scene) { return scene.lines == 1; }),
         setting("boundary", std::string("translucent"),
                 [](const SceneFacts& scene) { return scene.surfaces == 2 && scene.lastOpacity == 0.25F; }),
         boundarySetting("boundary-opacity", 0.35,
@@ -254,7 +254,7 @@ Drivers cameraControls()
         ofCamera("target.y", targetStep, [](ViewValue& view) -> double& { return view.camera.target.y(); }),
         ofCamera("target.z", targetStep, [](ViewValue& view) -> double& { return view.camera.target.z(); }),
         edit(
-            "view.up", [](ViewValue& view, const DrivenWindow&) { view.camera.up = UpAxis::MinusZ; },
+            "view.up", [](ViewValue& view, const DrivenWindow&) { view.camera.up = UpAxis::MinusY; },
             inDock("dock.view")),
         edit(
             "view.projection", [](ViewValue& view, const DrivenWindow&) { view.camera.perspective = false; },

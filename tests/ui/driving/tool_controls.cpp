@@ -117,8 +117,8 @@ Drivers planeControls()
             withTool("plane", "clip 0", "1,0,0,4;0,1,0,4")),
         edit(
             "tool.plane.command.add",
-            [](ViewValue& view, const DrivenWindow&) { // one looks along +y, somewhat to the left and down
-                view.appearance.settings["clip"] = std::string("0,1,0,4.5");
+            [](ViewValue& view, const DrivenWindow&) { // one looks along -z, somewhat to the left and down
+                view.appearance.settings["clip"] = std::string("0,0,-1,-4.5");
                 view.tools["plane"] = "clip 0";
             },
             withTool("plane", "clip 0", "")),

@@ -49,7 +49,7 @@ Drivers orientationCommands()
         upAxisCommand("minusY", UpAxis::MinusY),
         upAxisCommand("z", UpAxis::Z),
         upAxisCommand("minusZ", UpAxis::MinusZ),
-        cameraCommand("flip", [](Camera& camera) { camera.up = UpAxis::MinusZ; }),
+        cameraCommand("flip", [](Camera& camera) { camera.up = UpAxis::MinusY; }),
         cameraCommand("rollRight", [](Camera& camera) { camera.roll = 90; }),
         cameraCommand("rollLeft", [](Camera& camera) { camera.roll = -90; }),
         cameraCommand(
@@ -94,7 +94,7 @@ Drivers wholeViewCommands()
 {
     return {
         edit("action.fit", &fitView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
-        edit("action.fitWhole", &fitView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
+        edit("action.fitWhole", &fitWholeView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
         edit("action.resetView", &resets, &changeEverything),
     };
 }
