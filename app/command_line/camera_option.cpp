@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/camera_option.h"
 
+#include "core/base/json.h"
 #include "core/base/mapped_file.h"
 
 #include <tan/render.h>
@@ -29,7 +30,8 @@ constexpr std::array<NamedView, 7> views = {{{"front", 0, 0},
 
 constexpr std::size_t largestFile = 1 << 20;
 
-Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bounds, double aspectRatio)
+Result<Camera> readCamera(const std::string& path, const Framing& framing, const Eigen::AlignedBox3d& bounds,
+                          double aspectRatio)
 {
     std::error_code problem;
     if (!std::filesystem::exists(path, problem))
@@ -41,7 +43,9 @@ Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bo
     const auto camera = cameraFromText(*text, bounds, aspectRatio);
     if (!camera)
         return Error{camera.error().kind, "'" + path + "': " + camera.error().text()};
-    return camera;
+    const auto root = parseJson(*text);
+    const bool hasPlace = root && (root->find("target") != nullptr || root->find("distance") != nullptr);
+    return hasPlace ? *camera : framing(*camera);
 }
 
 } // namespace
@@ -59,7 +63,7 @@ Result<Camera> cameraFor(const std::string& nameOrFile, const Framing& framing, 
 {
     const auto view = std::ranges::find(views, nameOrFile, &NamedView::name);
     if (view == views.end())
-        return readCamera(nameOrFile, bounds, aspectRatio);
+        return readCamera(nameOrFile, framing, bounds, aspectRatio);
     return framing(Camera{.azimuth = view->azimuth, .elevation = view->elevation});
 }
 
