@@ -57,6 +57,18 @@ template <class Belongs> std::vector<Eigen::Vector3d> farthestOut(const Tetrahed
     return places;
 }
 
+/// A little farther from their middle: what is seen may end between a vertex of the object and the next one.
+std::vector<Eigen::Vector3d> withRoom(std::vector<Eigen::Vector3d> places)
+{
+    constexpr double room = 0.03;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : places)
+        box.extend(place);
+    for (Eigen::Vector3d& place : places)
+        place += room * (place - box.center());
+    return places;
+}
+
 double diagonalOf(std::span<const Eigen::Vector3d> places)
 {
     Eigen::AlignedBox3d box;
@@ -88,7 +100,7 @@ std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const Va
                evaluate(function, value).extinction > hardlySeen * most;
     });
     const double share = diagonalOf(places) / diagonalOf(mesh.positions);
-    return share > tiny && share < nearlyAll ? places : std::vector<Eigen::Vector3d>();
+    return share > tiny && share < nearlyAll ? withRoom(places) : std::vector<Eigen::Vector3d>();
 }
 
 } // namespace tetra

@@ -75,7 +75,8 @@ ParameterValues rendererValues(const std::vector<Parameter>& parameters, const A
         else if (const auto found = appearance.settings.find(parameter.id);
                  found != appearance.settings.end() && fits(parameter, found->second))
             values[parameter.id] = found->second;
-        else if (std::holds_alternative<TransferFunction>(parameter.defaultValue))
+        else if (std::holds_alternative<TransferFunction>(parameter.defaultValue) ||
+                 std::holds_alternative<bool>(parameter.defaultValue)) // which depend on what is known of the field
             values[parameter.id] = parameter.defaultValue;
     }
     return values;

@@ -265,7 +265,7 @@ class LightTest(unittest.TestCase):
     def pictures(self, mesh, camera, function):
         (self.folder / "camera.json").write_text(json.dumps(camera.settings))
         (self.folder / "function.json").write_text(function.text)
-        for name, more in (("unlit", ("--no-shaded",)), ("lit", ()), ("faded", ("--full-gradient", repr(float(FULL_GRADIENT * mesh.longest))))):
+        for name, more in (("unlit", ("--no-shaded",)), ("lit", ("--shaded",)), ("faded", ("--shaded", "--full-gradient", repr(float(FULL_GRADIENT * mesh.longest))))):
             tan(self.folder, "render", "model.tan", "--error", 2, "--mode", "volume", "--transfer", "function.json", "--camera", "camera.json", "--size",
                 f"{WIDTH}x{HEIGHT}", "--samples", 1, "--background", "#" + bytes(BACKGROUND).hex(), "--no-outline", *self.options, *more, "-o",
                 f"{name}.png")

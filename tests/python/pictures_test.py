@@ -51,10 +51,12 @@ class Pictures(ModuleTest):
 
     def test_axes_with_numbers(self):
         """They lie around the ball; twice as large letters cover more."""
-        plain = self.bare(zoom=0.75, size=(960, 720))
+        view = tan.View.from_text('{"camera": {"target": [0, 0, 0], "distance": 9.5}}')  # from afar: there is room
+        still = {"size": (960, 720), "samples": 1, "error": 1, "transparent": True, **BARE}
+        plain = self.ball.render(view, **still)
         covered = []
         for look in ({}, {"text_size": 20}):
-            pixels = self.bare(zoom=0.75, size=(960, 720), box_axes=True, **look)
+            pixels = self.ball.render(view, **still, box_axes=True, **look)
             changed = (pixels != plain).any(axis=-1)
             self.assertFalse(changed[seen(plain)].any())
             covered.append(changed.sum())
@@ -123,7 +125,7 @@ class Pictures(ModuleTest):
 
     def test_settings(self):
         usual = self.ball.settings("volume")
-        self.assertIs(usual["shaded"], False)  # there is no background: distances rise everywhere
+        self.assertIs(usual["shaded"], True)
         self.assertNotIn("shaded", self.ball.settings("isosurface"))
         view = tan.View(mode="volume", transfer="viridis")
         lit, unlit = (self.ball.render(view, size=(40, 30), settings={"shaded": shaded}, **BARE) for shaded in (True, False))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window and `tan render` draw the same picture of the same state, pixel for pixel.
+#include "core/view/view_value.h"
 #include "tests/app/program.h"
 #include "tests/ui/sample_window.h"
 #include "tests/waiting.h"
@@ -209,8 +210,9 @@ QByteArray RenderedSessionTest::differenceOfBoth(const QString& mode, const QStr
 {
     session().setError(4);
     session().setBackground(Colour{1, 1, 1});
-    window_->viewport().setCamera(fitted(session().view().camera, window_->workbench.scenes().extent().object,
-                                         double(sizeOfPictures.width()) / sizeOfPictures.height()));
+    const FieldExtent& field = window_->workbench.scenes().extent();
+    window_->viewport().setCamera(
+        framed(session().view(), field.bounds, field.object, double(sizeOfPictures.width()) / sizeOfPictures.height()));
     if (!waitFor([this] { return upToDate(); }))
         return "the window draws on and on";
     AnnotationState none;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/view/view_value.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/session.h"
 
@@ -258,7 +259,8 @@ void SessionTest::aNewModelHasACameraOfItsOwn()
     ofThisModel.quantity = "Density";
     ofThisModel.unit = "HU";
     session_->setAnnotations(ofThisModel);
-    const Camera usual = fitted({.trackball = true}, model_->description().bounds, session_->shape());
+    Camera usual = fitted(usualCamera(model_->description()), model_->description().bounds, session_->shape());
+    usual.trackball = true;
     for (const bool closes : {true, false}) {
         if (closes)
             session_->close();
