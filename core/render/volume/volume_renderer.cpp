@@ -138,7 +138,8 @@ VolumeMesh meshWithPieces(const VolumeMesh& mesh, const CellPieces& pieces)
             {},
             mesh.bounds,
             mesh.convex,
-            joined(mesh.gradients, gradientsOfPieces(mesh, pieces))};
+            joined(mesh.gradients, gradientsOfPieces(mesh, pieces)),
+            mesh.longestGradient};
 }
 
 /// Pieces lie in no more segments than their cells.

@@ -77,7 +77,7 @@ private slots:
                 for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex)
                     if (mesh.values[vertex] > 0.5)
                         largest = std::max(largest, reach(camera, aspectRatio, mesh.positions[vertex]));
-                QVERIFY2(largest > 0.75 && largest < 1, qPrintable(QString::number(largest)));
+                QVERIFY2(largest > 0.7 && largest < 1, qPrintable(QString::number(largest)));
             }
         }
     }
