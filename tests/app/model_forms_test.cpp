@@ -133,7 +133,8 @@ private slots:
         // With axes the box is framed, not the object as far as the part that was read knows it.
         const QStringList drawn = {"render",   model,       "--isovalue", model == "grid.tan" ? "0.5" : "100",
                                    "--budget", "2000",      "--size",     "60x40",
-                                   "-o",       "right.png", "--box-axes", "--json"};
+                                   "-o",       "right.png", "--box-axes", "--no-outline",
+                                   "--json"};
         QStringList ofPacked = drawn;
         ofPacked.replaceInStrings(model, "packed.tan");
         ofPacked.replaceInStrings("right.png", "packed.png");
