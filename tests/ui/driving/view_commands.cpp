@@ -107,7 +107,7 @@ Driver mode(const QString& id, const QString& before, bool hasVolume, std::size_
         [=](const DrivenWindow& window) {
             const bool isChosen = window.session().view().appearance.mode == id.toStdString();
             const SceneFacts scene = isChosen && window.settled() ? factsOf(*window.viewport().scene()) : SceneFacts{};
-            return scene.lines > 0 && scene.hasVolume == hasVolume && scene.surfaces == surfaces;
+            return isChosen && window.settled() && scene.hasVolume == hasVolume && scene.surfaces == surfaces;
         },
         [before](DrivenWindow& window) { window.choose(before); });
 }
