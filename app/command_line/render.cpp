@@ -107,8 +107,7 @@ double aspectRatioOf(const PictureOptions& picture)
     return static_cast<double>(picture.width) / picture.height;
 }
 
-/// As the options say, or `usual`. `room`: roomAroundBox().
-/// The camera that is asked for, or else this one.
+/// The camera that is asked for, or else `usual`.
 Result<Camera> cameraOf(const Arguments& arguments, const Camera& usual, const Framing& framing,
                         const Eigen::AlignedBox3d& bounds, const PictureOptions& picture)
 {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """paraview_pictures.py DATA FOLDER, by ParaView's pvbatch: the pictures of first_pictures.py as ParaView makes them with its defaults: the representation
-Volume, and the filter Contour, of the first array of points that has one component, else the length of the first one."""
+Volume, and the filter Contour, of the first array of points that has one component."""
 import pathlib
 import sys
 
