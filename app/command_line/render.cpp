@@ -270,6 +270,8 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto field = extentOf(view.model);
     if (!field)
         return field.error();
+    if (values->contains(fullGradientId)) // it is of light that there must be
+        values->try_emplace(shadedId, true);
     const Framing framing =
         framingOf(*field, *renderer.plugin, request.query, *values, *annotations, aspectRatioOf(request.picture));
     const auto camera = cameraOf(arguments, framing(usualCamera(data)), framing, data.bounds, request.picture);

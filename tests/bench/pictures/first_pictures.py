@@ -17,7 +17,7 @@ import subprocess
 import sys
 
 SIZE = 800, 600
-DATASETS = {  # a name, its file, and of files with more than one the array
+DATASETS = {  # a name and its file
     "bucky": "buckyball/bucky_32x32x32_uint8.nhdr",
     "c60": "buckyball/c60large_128x128x128_uint8.nhdr",
     "aneurism": "regular/aneurism_256x256x256_uint8.nrrd",
