@@ -379,6 +379,10 @@
         <source>&amp;Tools</source>
         <translation>&amp;Werkzeuge</translation>
     </message>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>&amp;Lesezeichen</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -429,6 +433,21 @@
     <message>
         <source>Coordinates along the edges of the box around the data, in data units</source>
         <translation>Koordinaten an den Kanten des Quaders um die Daten, in Einheiten der Daten</translation>
+    </message>
+</context>
+<context>
+    <name>Bookmarks</name>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Add Bookmark</source>
+        <translation>Lesezeichen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Show Bookmark</source>
+        <translation>Lesezeichen zeigen</translation>
     </message>
 </context>
 <context>
@@ -519,6 +538,10 @@
     <message>
         <source>Change Tool</source>
         <translation>Werkzeug ändern</translation>
+    </message>
+    <message>
+        <source>Change Bookmarks</source>
+        <translation>Lesezeichen ändern</translation>
     </message>
 </context>
 <context>
@@ -1849,6 +1872,100 @@ Verwerfung %2</translation>
     <message>
         <source>Text size</source>
         <translation>Schriftgröße</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BookmarkActions</name>
+    <message>
+        <source>&amp;Add Bookmark</source>
+        <translation>Lesezeichen &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Keep the current view as a bookmark, which the session saves</source>
+        <translation>Die jetzige Ansicht als Lesezeichen behalten; die Sitzung speichert es</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Bookmarks…</source>
+        <translation>Lesezeichen &amp;bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Show, rename, replace, move and remove bookmarks</source>
+        <translation>Lesezeichen zeigen, umbenennen, ersetzen, verschieben und entfernen</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Erst ein Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Show this bookmark</source>
+        <translation>Dieses Lesezeichen zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BookmarkDialog</name>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Enter shows a bookmark, F2 renames it, Delete removes it, Alt with an arrow moves it</source>
+        <translation>Eingabe zeigt ein Lesezeichen, F2 benennt es um, Entf entfernt es, Alt mit einem Pfeil verschiebt es</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the current view as a bookmark</source>
+        <translation>Die jetzige Ansicht als Lesezeichen hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Show this bookmark (Enter)</source>
+        <translation>Dieses Lesezeichen zeigen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Re&amp;place</source>
+        <translation>E&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>Replace this bookmark with the current view</source>
+        <translation>Dieses Lesezeichen durch die jetzige Ansicht ersetzen</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Um&amp;benennen</translation>
+    </message>
+    <message>
+        <source>Rename this bookmark (F2)</source>
+        <translation>Dieses Lesezeichen umbenennen (F2)</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Swap with the previous bookmark (Alt+Up)</source>
+        <translation>Mit dem vorigen Lesezeichen tauschen (Alt+Auf)</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Swap with the next bookmark (Alt+Down)</source>
+        <translation>Mit dem nächsten Lesezeichen tauschen (Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this bookmark (Delete)</source>
+        <translation>Dieses Lesezeichen entfernen (Entf)</translation>
     </message>
 </context>
 <context>
@@ -3497,6 +3614,10 @@ Verwerfung %2</translation>
     <message>
         <source>Open a model first</source>
         <translation>Erst ein Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Added bookmark %1</source>
+        <translation>Lesezeichen %1 hinzugefügt</translation>
     </message>
 </context>
 <context>
@@ -12608,6 +12729,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Of a shaded volume, how steeply the values must change, in units of the values for one of length, to be as opaque as the transfer function says; where they change less, the opacity is less in proportion, so that boundaries stand out. 0: the opacity does not depend on it.</source>
         <translation>Wie steil sich die Werte eines beleuchteten Volumens ändern müssen, in Einheiten der Werte je Längeneinheit, um so deckend zu sein, wie die Transferfunktion sagt; wo sie sich weniger ändern, ist die Deckkraft im selben Verhältnis geringer, sodass Grenzen hervortreten. 0: Die Deckkraft hängt davon nicht ab.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bookmarks cannot be shown as they were saved.</source>
+        <translation>%1 von %2 Lesezeichen können nicht so gezeigt werden, wie sie gespeichert wurden.</translation>
     </message>
 </context>
 <context>

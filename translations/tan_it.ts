@@ -379,6 +379,10 @@
         <source>&amp;Tools</source>
         <translation>Str&amp;umenti</translation>
     </message>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>&amp;Segnalibri</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -429,6 +433,21 @@
     <message>
         <source>Coordinates along the edges of the box around the data, in data units</source>
         <translation>Coordinate lungo gli spigoli del parallelepipedo attorno ai dati, nelle unità dei dati</translation>
+    </message>
+</context>
+<context>
+    <name>Bookmarks</name>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>Add Bookmark</source>
+        <translation>Aggiungi segnalibro</translation>
+    </message>
+    <message>
+        <source>Show Bookmark</source>
+        <translation>Mostra segnalibro</translation>
     </message>
 </context>
 <context>
@@ -519,6 +538,10 @@
     <message>
         <source>Change Tool</source>
         <translation>Modifica strumento</translation>
+    </message>
+    <message>
+        <source>Change Bookmarks</source>
+        <translation>Modifica segnalibri</translation>
     </message>
 </context>
 <context>
@@ -1849,6 +1872,100 @@ deformazione %2</translation>
     <message>
         <source>Text size</source>
         <translation>Dimensione testo</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BookmarkActions</name>
+    <message>
+        <source>&amp;Add Bookmark</source>
+        <translation>&amp;Aggiungi segnalibro</translation>
+    </message>
+    <message>
+        <source>Keep the current view as a bookmark, which the session saves</source>
+        <translation>Conserva la vista attuale come segnalibro, che la sessione salva</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Bookmarks…</source>
+        <translation>&amp;Modifica segnalibri…</translation>
+    </message>
+    <message>
+        <source>Show, rename, replace, move and remove bookmarks</source>
+        <translation>Mostra, rinomina, sostituisce, sposta ed elimina i segnalibri</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Aprire prima un modello</translation>
+    </message>
+    <message>
+        <source>Show this bookmark</source>
+        <translation>Mostra questo segnalibro</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::BookmarkDialog</name>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Segnalibri</translation>
+    </message>
+    <message>
+        <source>Enter shows a bookmark, F2 renames it, Delete removes it, Alt with an arrow moves it</source>
+        <translation>Invio mostra un segnalibro, F2 lo rinomina, Canc lo elimina, Alt con una freccia lo sposta</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Aggiungi</translation>
+    </message>
+    <message>
+        <source>Add the current view as a bookmark</source>
+        <translation>Aggiunge la vista attuale come segnalibro</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Mostra</translation>
+    </message>
+    <message>
+        <source>Show this bookmark (Enter)</source>
+        <translation>Mostra questo segnalibro (Invio)</translation>
+    </message>
+    <message>
+        <source>Re&amp;place</source>
+        <translation>&amp;Sostituisci</translation>
+    </message>
+    <message>
+        <source>Replace this bookmark with the current view</source>
+        <translation>Sostituisce questo segnalibro con la vista attuale</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Rinomina</translation>
+    </message>
+    <message>
+        <source>Rename this bookmark (F2)</source>
+        <translation>Rinomina questo segnalibro (F2)</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Sposta s&amp;u</translation>
+    </message>
+    <message>
+        <source>Swap with the previous bookmark (Alt+Up)</source>
+        <translation>Scambia con il segnalibro precedente (Alt+Su)</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>Sposta &amp;giù</translation>
+    </message>
+    <message>
+        <source>Swap with the next bookmark (Alt+Down)</source>
+        <translation>Scambia con il segnalibro successivo (Alt+Giù)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Elimina</translation>
+    </message>
+    <message>
+        <source>Remove this bookmark (Delete)</source>
+        <translation>Elimina questo segnalibro (Canc)</translation>
     </message>
 </context>
 <context>
@@ -3497,6 +3614,10 @@ deformazione %2</translation>
     <message>
         <source>Open a model first</source>
         <translation>Aprire prima un modello</translation>
+    </message>
+    <message>
+        <source>Added bookmark %1</source>
+        <translation>Aggiunto il segnalibro %1</translation>
     </message>
 </context>
 <context>
@@ -12608,6 +12729,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Of a shaded volume, how steeply the values must change, in units of the values for one of length, to be as opaque as the transfer function says; where they change less, the opacity is less in proportion, so that boundaries stand out. 0: the opacity does not depend on it.</source>
         <translation>Quanto rapidamente devono cambiare i valori di un volume ombreggiato, in unità dei valori per unità di lunghezza, per essere opachi come dice la funzione di trasferimento; dove cambiano meno, l&apos;opacità è minore in proporzione, così che i confini risaltano. 0: l&apos;opacità non ne dipende.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bookmarks cannot be shown as they were saved.</source>
+        <translation>%1 segnalibri su %2 non possono essere mostrati come sono stati salvati.</translation>
     </message>
 </context>
 <context>

@@ -317,9 +317,9 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
 /// All else is what a session says.
 Status checkBesideSession(const Arguments& arguments, const std::filesystem::path& session)
 {
-    constexpr std::array<std::string_view, 14> ofPictures{"camera",  "size",    "dpi",    "samples",   "background",
-                                                          "backend", "threads", "depth",  "surfaces",  "output",
-                                                          "json",    "model",   "strict", "token-file"};
+    constexpr std::array<std::string_view, 15> ofPictures{"camera",  "size",    "dpi",    "samples",    "background",
+                                                          "backend", "threads", "depth",  "surfaces",   "output",
+                                                          "json",    "model",   "strict", "token-file", "bookmark"};
     for (const auto& [name, value] : arguments.options)
         if (std::ranges::find(ofPictures, name) == ofPictures.end())
             return Error{ErrorKind::WrongUsage, "'--" + name + "' cannot be combined with '" + session.string() +
@@ -331,12 +331,35 @@ Status checkBesideSession(const Arguments& arguments, const std::filesystem::pat
 /// What says something of sessions alone.
 Status checkWithoutSession(const Arguments& arguments, const std::filesystem::path& model)
 {
-    for (const std::string_view name : {"model", "strict"})
+    for (const std::string_view name : {"model", "strict", "bookmark"})
         if (arguments.has(name))
             return Error{ErrorKind::WrongUsage, "'--" + std::string(name) +
                                                     "' is for sessions and pictures that contain one, and '" +
                                                     model.string() + "' is a model. Leave it out."};
     return {};
+}
+
+/// The session as it is seen at the bookmark that is asked for, if one is.
+Result<SessionDocument> atBookmark(const Arguments& arguments, SessionDocument document,
+                                   const std::filesystem::path& session)
+{
+    const auto name = arguments.value("bookmark");
+    if (!name)
+        return document;
+    const std::vector<Bookmark>& all = document.view.bookmarks;
+    const auto wanted = std::ranges::find(all, *name, &Bookmark::name);
+    if (wanted != all.end()) {
+        document.view = atBookmark(document.view, Bookmark(*wanted));
+        document.view.bookmarks.clear(); // the picture shows this one
+        document.hasCamera = true;
+        return document;
+    }
+    std::string names;
+    for (const Bookmark& bookmark : all)
+        names += (names.empty() ? "'" : ", '") + visibleText(bookmark.name) + "'";
+    return Error{ErrorKind::WrongUsage,
+                 names.empty() ? "'" + session.string() + "' has no bookmarks, so '--bookmark' cannot choose one."
+                               : "'" + session.string() + "' has no bookmark '" + *name + "'. It has " + names + "."};
 }
 
 /// The one that is asked for, or where the session's own is.
@@ -391,7 +414,10 @@ Result<std::vector<SessionDifference>> differencesOf(const Invocation& invocatio
 Result<ModelView> viewBySession(const Invocation& invocation, const RenderRequest& request)
 {
     ModelView view{.isOfSession = true};
-    const auto document = readSession(request.input);
+    const auto saved = readSession(request.input);
+    if (!saved)
+        return saved.error();
+    const auto document = atBookmark(invocation.arguments, *saved, request.input);
     if (!document)
         return document.error();
     const auto place = modelOf(invocation.arguments, *document, request.input);

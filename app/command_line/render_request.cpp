@@ -250,6 +250,10 @@ std::vector<Option> pictureOptions(PluginHost& host)
          .placeholder = "FILE",
          .explanation = "For a session: uses this model instead of its own, with the view of the session. Values and "
                         "colours stay as they are, and so does the camera if the domain is the same."},
+        {.name = "bookmark",
+         .placeholder = "NAME",
+         .explanation = "For a session: draws the view of its bookmark with this name in place of the one that it was "
+                        "saved with."},
         {.name = "strict",
          .placeholder = "",
          .explanation = "For a session: refuses to draw a picture that does not show all that the session specifies "

@@ -58,7 +58,7 @@ Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, cons
                           transfer != nullptr ? *transfer
                                               : sequentialTransferFunction(field.range.minimum, field.range.maximum,
                                                                            usualUnitDistance(field.bounds))};
-    if (domain == DomainClass::Irregular)
+    if (domain != DomainClass::RegularLattice)
         appearance.settings[boundaryId] = std::string(boundaryTranslucent);
     return appearance;
 }

@@ -16,8 +16,8 @@ namespace tetra {
 /// order, then others by id.
 std::vector<Provided<Renderer>> renderingModes(PluginHost& host);
 
-/// The first mode, with the defaults for the field. An irregular domain, whose shape no box tells, begins with its
-/// boundary shown.
+/// The first mode, with the defaults for the field. A domain whose shape no box tells, all but a lattice, begins with
+/// its boundary shown.
 Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field,
                               DomainClass domain);
 

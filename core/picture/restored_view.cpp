@@ -206,6 +206,7 @@ void dropPlacesAndValues(SessionDocument& kept, const ViewValue& start)
     view.isovalues = start.isovalues;
     view.annotations = ofOtherData(std::move(view.annotations));
     view.animation = {};
+    view.bookmarks.clear();
     const bool trackball = view.camera.trackball;
     view.camera = start.camera;
     view.camera.trackball = trackball;
@@ -231,6 +232,30 @@ Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& m
     return appearance;
 }
 
+/// Each as a view of its own; that some are not what they were is told once for all.
+void fitBookmarks(SessionDocument& kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
+                  const FieldExtent& field, Differences& differences)
+{
+    std::size_t changed = 0;
+    for (Bookmark& bookmark : kept.view.bookmarks) {
+        SessionDocument own;
+        own.identity = kept.identity;
+        own.bounds = kept.bounds;
+        own.withDirections = kept.withDirections;
+        own.range = kept.range;
+        own.view = std::move(bookmark.view);
+        own.hasCamera = true;
+        RestoredView restored = restoredView(std::move(own), modes, model, field);
+        bookmark.view = std::move(restored.document.view);
+        if (!restored.document.hasCamera)
+            bookmark.view.camera = framed(bookmark.view, field.bounds, field.object, 1);
+        changed += restored.differences.empty() ? 0 : 1;
+    }
+    if (changed > 0)
+        differences.push_back({"bookmarks", Message::say("%1 of %2 bookmarks cannot be shown as they were saved.",
+                                                         changed, kept.view.bookmarks.size())});
+}
+
 } // namespace
 
 RestoredView restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
@@ -251,6 +276,7 @@ RestoredView restoredView(SessionDocument kept, const std::vector<Provided<Rende
     kept.view.query = corrected(kept.view.query, start.query, model);
     for (Isovalue& isovalue : kept.view.isovalues)
         isovalue = corrected(isovalue, range);
+    fitBookmarks(kept, modes, model, field, restored.differences);
     restored.document = std::move(kept);
     return restored;
 }

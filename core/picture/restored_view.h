@@ -15,7 +15,7 @@ namespace tetra {
 /// A part of a look that a model cannot have.
 struct SessionDifference {
     /// "model", "camera", "focus", "window", "clip", "slices", "animation", "isovalues", "transfer", "values",
-    /// "mode" or "tools".
+    /// "mode", "tools" or "bookmarks".
     std::string part;
     Message text; ///< a sentence: what is shown instead, and why
 };

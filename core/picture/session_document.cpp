@@ -181,7 +181,7 @@ JsonValue sessionJson(const SessionDocument& document, const std::filesystem::pa
         ours["file"] = document.file.string();
     // What is written anew or left out must not come back from the old text, nor parts of settings, functions and ends,
     // which are whole values.
-    JsonObject found = without(document.found, {"background", "camera", "file", "tools", "viewSize"});
+    JsonObject found = without(document.found, {"background", "camera", "file", "tools", "views", "viewSize"});
     found["model"] = without(objectIn(found, "model"), {relativeKey, absoluteKey});
     found["look"] = without(objectIn(found, "look"), {"transfer", "settings"});
     found["annotations"] = without(objectIn(found, "annotations"), {"barEnds", "boldText", "lengths", "numbers",

@@ -99,9 +99,12 @@ Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Pr
         if (!mesh)
             return mesh.error();
         field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
+        if (model->description().domain != DomainClass::RegularLattice) { // no image of an object in something else
+            field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
+            return field;
+        }
         field.surface = surfaceIn(**mesh, field.volumes);
-        if (model->description().domain != DomainClass::Irregular) // of that the boundary is shown, too
-            field.object = objectOutline(**mesh, field.volumes, field.surface);
+        field.object = objectOutline(**mesh, field.volumes, field.surface);
         return field;
     };
     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), look,

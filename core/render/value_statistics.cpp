@@ -81,6 +81,9 @@ constexpr double steepness = 0.75;
 /// A flat cell of four points near a plane may have a gradient beyond all bounds across that plane, where the field has
 /// none: nothing steeper than this is believed, in slopes of the cell's steepest edge.
 constexpr double steepest = 2;
+/// A surface smaller than this part of the square of the mesh's diagonal is hardly seen in a picture of all of it, and
+/// counts less in proportion: grids of flows have their steepest values in a thin layer around a small body.
+constexpr double seenArea = 0.1;
 
 struct GradedCell {
     double low;
@@ -178,16 +181,28 @@ double meanAround(const std::vector<double>& amounts, std::size_t part)
     return sum / static_cast<double>(end - first);
 }
 
-/// The total gradient of each part times a power of its mean gradient.
-std::vector<double> surfaceScores(const ContourSpectrum& spectrum)
+/// The total gradient of each part times a power of its mean gradient, less where the surface is smaller than `seen`.
+std::vector<double> surfaceScores(const ContourSpectrum& spectrum, double seen)
 {
+    const double width = (spectrum.largest - spectrum.least) / static_cast<double>(parts);
     std::vector<double> scores(parts);
     for (std::size_t part = 0; part < parts; ++part) {
         const double area = meanAround(spectrum.areas, part);
         const double gradient = meanAround(spectrum.gradients, part);
-        scores[part] = area > 0 ? gradient * std::pow(gradient / area, steepness) : 0;
+        if (area > 0)
+            scores[part] = gradient * std::pow(gradient / area, steepness) * std::min(1.0, area / width / seen);
     }
     return scores;
+}
+
+/// The square of the diagonal of the box around the mesh.
+double squaredDiagonal(const TetrahedralMesh& mesh)
+{
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : mesh.positions)
+        if (place.allFinite())
+            box.extend(place);
+    return box.isEmpty() ? 0 : box.diagonal().squaredNorm();
 }
 
 } // namespace
@@ -198,7 +213,7 @@ std::optional<double> surfaceValue(const TetrahedralMesh& mesh, double least, do
         return std::nullopt;
     const std::vector<GradedCell> cells = gradedCells(mesh);
     const ContourSpectrum spectrum = closeSpectrum(cells, least, largest);
-    const std::vector<double> scores = surfaceScores(spectrum);
+    const std::vector<double> scores = surfaceScores(spectrum, seenArea * squaredDiagonal(mesh));
     const auto best = std::ranges::max_element(scores);
     if (!(*best > 0))
         return std::nullopt;

@@ -58,16 +58,16 @@ namespace {
 TransferFunction volumeColours()
 {
     constexpr TransferPoint blueToOrange[] = {
-        {0, {0.30f, 0.50f, 0.75f}, 0},    {0.25, {0.45f, 0.70f, 0.82f}, 0}, {0.5, {0.85f, 0.86f, 0.80f}, 0},
-        {0.75, {0.96f, 0.76f, 0.46f}, 0}, {1, {0.95f, 0.52f, 0.16f}, 0},
+        {0, {0.36f, 0.60f, 0.95f}, 0},    {0.25, {0.52f, 0.80f, 0.97f}, 0}, {0.5, {0.95f, 0.95f, 0.90f}, 0},
+        {0.75, {1.00f, 0.80f, 0.48f}, 0}, {1, {1.00f, 0.54f, 0.16f}, 0},
     };
     return spread(blueToOrange, 0, 1, 1);
 }
 
 constexpr std::size_t intervals = 16;       ///< between the points
 constexpr double pathLength = 20;           ///< in unit distances: half of the diagonal
-constexpr double depthOfCloud = 5.5;        ///< the mean optical depth of such a path
-constexpr double depthOfObject = 10;        ///< the same in a background: surfaces before what is inside
+constexpr double depthOfCloud = 7;          ///< the mean optical depth of such a path
+constexpr double depthOfObject = 14;        ///< the same in a background: surfaces before what is inside
 constexpr double mostOpaque = 0.9;          ///< of a unit distance
 constexpr double dominating = 2.5;          ///< times its share if all values were equally frequent
 constexpr double leastWeightOfSmall = 0.15; ///< of the smallest value against the largest

@@ -113,12 +113,17 @@ std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice
 
 double startingError(const Model& model)
 {
-    return startingError([&](double percent) { return meshSizeAt(model, bothWithin(percent)).tetrahedra; });
+    return startingError([&](double percent) { return meshSizeAt(model, bothWithin(percent)).tetrahedra; },
+                         model.description().domain != DomainClass::RegularLattice);
 }
 
-double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt)
+double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt, bool hasOwnShape)
 {
-    constexpr std::uint64_t quick = 1'000'000, workable = 3'000'000;
+    constexpr std::uint64_t small = 250'000, quick = 1'000'000, workable = 3'000'000;
+    if (hasOwnShape)
+        for (const double percent : {0.1, 0.2, 0.5})
+            if (tetrahedraAt(percent) <= small)
+                return percent;
     if (tetrahedraAt(1) <= quick)
         return 1;
     for (const double percent : {2.0, 3.0, 4.0})

@@ -49,7 +49,9 @@ struct CurvePoint {
 TAN_INTERNAL std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice& warping = {},
                                                       int points = 240);
 
-/// startingError() of a model (tan/view.h), given the number of its tetrahedra at an error in %.
-TAN_INTERNAL double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt);
+/// startingError() of a model (tan/view.h), given the number of its tetrahedra at an error in %, and whether the shape
+/// of its domain is simplified, too.
+TAN_INTERNAL double startingError(const std::function<std::uint64_t(double percent)>& tetrahedraAt,
+                                  bool hasOwnShape = false);
 
 } // namespace tetra

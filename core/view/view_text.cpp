@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A view as a text and back: what is told in a place of its own (query_text.cpp, appearance_text.cpp), what is written
-// over the picture, the film, the camera, and all of it.
+// over the picture, the film, the camera, all of it, and its bookmarks, which are views themselves.
 #include "core/view/view_text.h"
 
 #include "core/base/json_writer.h"
@@ -207,9 +207,8 @@ void readTools(const JsonFields& fields, ToolValues& tools)
     }
 }
 
-} // namespace
-
-void readView(const JsonFields& fields, ViewValue& view)
+/// All of a view but its bookmarks.
+void readOneView(const JsonFields& fields, ViewValue& view)
 {
     readQuery(fields.fields("mesh"), view.query);
     readAppearance(fields.fields("look"), view.appearance);
@@ -223,19 +222,55 @@ void readView(const JsonFields& fields, ViewValue& view)
     readTools(fields.fields("tools"), view.tools);
 }
 
-std::string viewToText(const ViewValue& view)
+/// Without names they could not be told apart.
+void readBookmarks(const JsonFields& fields, std::vector<Bookmark>& bookmarks)
 {
-    JsonObject members{{"mesh", toJson(view.query)},
-                       {"look", toJson(view.appearance)},
-                       {"isovalues", toJson(view.isovalues)},
-                       {"annotations", annotationsToJson(view.annotations)},
-                       {"animation", filmToJson(view.animation)},
-                       {"camera", cameraToJson(view.camera)},
-                       {"lens", lensToJson(view.lens)}};
+    if (!fields.has("views"))
+        return;
+    bookmarks.clear();
+    for (const JsonFields& written : fields.list("views")) {
+        Bookmark bookmark;
+        written.read("name", bookmark.name);
+        readOneView(written, bookmark.view);
+        bookmark.view.animation = {};
+        if (!bookmark.name.empty() && bookmarks.size() < mostBookmarks)
+            bookmarks.push_back(std::move(bookmark));
+    }
+}
+
+/// All of a view but its film and its bookmarks.
+JsonObject lookToJson(const ViewValue& view)
+{
+    JsonObject members{{"mesh", toJson(view.query)},          {"look", toJson(view.appearance)},
+                       {"isovalues", toJson(view.isovalues)}, {"annotations", annotationsToJson(view.annotations)},
+                       {"camera", cameraToJson(view.camera)}, {"lens", lensToJson(view.lens)}};
     if (view.background)
         members.append("background", toJson(*view.background));
     if (JsonValue tools = toolsToJson(view.tools); !tools.object()->empty())
         members.append("tools", std::move(tools));
+    return members;
+}
+
+} // namespace
+
+void readView(const JsonFields& fields, ViewValue& view)
+{
+    readOneView(fields, view);
+    readBookmarks(fields, view.bookmarks);
+}
+
+std::string viewToText(const ViewValue& view)
+{
+    JsonObject members = lookToJson(view);
+    members.append("animation", filmToJson(view.animation));
+    JsonArray bookmarks;
+    for (const Bookmark& bookmark : view.bookmarks) {
+        JsonObject written = lookToJson(bookmark.view);
+        written.append("name", bookmark.name);
+        bookmarks.push_back(std::move(written));
+    }
+    if (!bookmarks.empty())
+        members.append("views", std::move(bookmarks));
     return indentedJson(byName(std::move(members)));
 }
 

@@ -16,7 +16,7 @@ template <class View> auto viewParts(View& view)
 {
     return std::tie(view.query, view.appearance.mode, view.appearance.transfer, view.appearance.settings,
                     view.isovalues, view.annotations, view.animation, view.camera, view.background, view.lens,
-                    view.tools);
+                    view.tools, view.bookmarks);
 }
 
 constexpr auto partCount = std::tuple_size_v<decltype(viewParts(std::declval<const ViewValue&>()))>;
@@ -130,6 +130,27 @@ ViewValue withFrame(ViewValue view, const FilmFrame& frame)
     view.query.byBudget = frame.byBudget;
     view.query.budget = frame.budget;
     return view;
+}
+
+ViewValue withBookmark(ViewValue view, const std::string& name)
+{
+    Bookmark bookmark{name, view};
+    bookmark.view.animation = {};
+    bookmark.view.bookmarks.clear();
+    const auto same = std::ranges::find(view.bookmarks, name, &Bookmark::name);
+    if (same != view.bookmarks.end())
+        *same = std::move(bookmark);
+    else if (view.bookmarks.size() < mostBookmarks)
+        view.bookmarks.push_back(std::move(bookmark));
+    return view;
+}
+
+ViewValue atBookmark(const ViewValue& view, const Bookmark& bookmark)
+{
+    ViewValue shown = bookmark.view;
+    shown.animation = view.animation;
+    shown.bookmarks = view.bookmarks;
+    return shown;
 }
 
 ViewValue viewAtFrame(const ViewValue& view, int frame)

@@ -61,8 +61,9 @@ public:
 
 private:
     /// Each part is of a type of its own, in the order of ViewPart.
-    using Part = std::variant<QueryState, std::string, TransferFunction, ParameterValues, std::vector<Isovalue>,
-                              AnnotationState, Animation, Camera, std::optional<Colour>, LensState, ToolValues>;
+    using Part =
+        std::variant<QueryState, std::string, TransferFunction, ParameterValues, std::vector<Isovalue>, AnnotationState,
+                     Animation, Camera, std::optional<Colour>, LensState, ToolValues, std::vector<Bookmark>>;
     std::vector<Part> parts_; ///< in that order
 };
 

@@ -179,6 +179,13 @@ class Pictures(ModuleTest):
             view, differences = self.ball.kept_view(self.folder / name)
             self.assertEqual((view.mode, differences), ("volume", []))
             np.testing.assert_array_equal(self.ball.render(view, size=(80, 60), samples=1), pixels)
+        text = json.loads((self.folder / "a.tansession").read_text())
+        text["views"] = [{"name": "above", "look": {"mode": "isosurface"}, "camera": {"elevation": 80}}]
+        (self.folder / "c.tansession").write_text(json.dumps(text))
+        bookmarks = self.ball.kept_view(self.folder / "c.tansession")[0].bookmarks
+        self.assertEqual([(name, view.mode, json.loads(view.text)["camera"]["elevation"]) for name, view in bookmarks.items()], [("above", "isosurface", 80)])
+        self.assertEqual(tan.View().bookmarks, {})
+        self.assertRaises(tan.WrongUsage, lambda: tan.View.from_text('{"views": [3]}').bookmarks)
         self.ball.save_picture(self.folder / "b.png", size=(80, 60), samples=1, transparent=True, **look)
         stored, texts = png_pixels((self.folder / "b.png").read_bytes())
         np.testing.assert_array_equal(stored, self.ball.render(size=(80, 60), samples=1, transparent=True, **look))

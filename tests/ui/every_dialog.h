@@ -3,7 +3,7 @@
 
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
-#include "ui/window/address_dialog.h"
+#include "ui/dialogs/address_dialog.h"
 #include "ui/window/leaving.h"
 
 #include <QAbstractButton>
@@ -54,6 +54,7 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
                          [](const QString&) {});
          }},
         {"cacheDialog", byAction("modelCache")},
+        {"bookmarkDialog", byAction("bookmark.edit")},
         {"palette", byAction("palette")},
         {"pictureOptions", byAction("savePicture")},
         {"filmOptions", byAction("saveFilm")},

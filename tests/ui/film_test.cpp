@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Films of what the window shows: key frames, the preview, and what is written.
 #include "tests/ui/sample_window.h"
-#include "ui/window/film_dialog.h"
-#include "ui/window/picture_orders.h"
+#include "ui/dialogs/film_dialog.h"
+#include "ui/dialogs/picture_orders.h"
 #include "ui/workbench/film_file.h"
 
 #include <QCheckBox>

@@ -4,8 +4,8 @@
 #include "plugins/samples/samples.h"
 #include "tests/plugins/host/gzipped.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/dialogs/import_dialog.h"
 #include "ui/panels/slice_preview.h"
-#include "ui/window/import_dialog.h"
 
 #include <tan/verify.h>
 

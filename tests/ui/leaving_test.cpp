@@ -2,10 +2,10 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
+#include "ui/dialogs/picture_orders.h"
 #include "ui/opening/recent_files.h"
 #include "ui/panels/build_panel.h"
 #include "ui/session/files.h"
-#include "ui/window/picture_orders.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>

@@ -4,11 +4,11 @@
 #include "core/picture/view_picture.h"
 #include "core/view/lens.h"
 #include "tests/ui/sample_window.h"
+#include "ui/dialogs/picture_orders.h"
 #include "ui/scenes/picture_image.h"
 #include "ui/viewport/lens_tool.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/viewport/view_projection.h"
-#include "ui/window/picture_orders.h"
 
 #include <QToolButton>
 #include <QUndoStack>

@@ -4,9 +4,9 @@
 #include "tests/core/remote/http_server.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/dialogs/cache_dialog.h"
 #include "ui/opening/model_cache.h"
 #include "ui/opening/recent_files.h"
-#include "ui/window/cache_dialog.h"
 
 #include <tan/packed.h>
 

@@ -2,8 +2,8 @@
 // Pictures and films of what the window shows: dialogs, files and what they say of themselves.
 #include "core/picture/session_document.h"
 #include "tests/ui/sample_window.h"
+#include "ui/dialogs/picture_orders.h"
 #include "ui/scenes/picture_image.h"
-#include "ui/window/picture_orders.h"
 
 #include <tan/version.h>
 

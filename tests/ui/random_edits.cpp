@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t mostPoints = 40; ///< a person's function
 constexpr std::size_t mostIsovalues = 4;
 constexpr std::size_t mostKeys = 6;
+constexpr std::size_t mostBookmarksKept = 3;
 
 TransferSelection anySelection(const JoinedFunction& function, std::mt19937& random)
 {
@@ -54,7 +55,8 @@ double RandomEdits::value()
 
 void RandomEdits::editOnce()
 {
-    switch (below(14)) {
+    switch (below(15)) {
+    case 14: return editBookmarks();
     case 13: return editTools();
     case 12:
         return session_.setLens({static_cast<LensState::Shape>(below(3)), number(-0.1, 1.1), number(-0.1, 1.1),
@@ -261,6 +263,25 @@ void RandomEdits::editTools()
     }
     if (text.size() > 60)
         text.clear();
+    session_.setView(std::move(view));
+}
+
+void RandomEdits::editBookmarks()
+{
+    ViewValue view = session_.view();
+    const std::size_t number = below(mostBookmarksKept);
+    const bool isThere = number < view.bookmarks.size();
+    switch (below(4)) {
+    case 0:
+        if (isThere)
+            view.bookmarks.erase(view.bookmarks.begin() + static_cast<std::ptrdiff_t>(number));
+        break;
+    case 1:
+        if (isThere)
+            view = atBookmark(view, Bookmark(view.bookmarks[number]));
+        break;
+    default: view = withBookmark(view, "\"ü\" " + std::to_string(number));
+    }
     session_.setView(std::move(view));
 }
 

@@ -33,6 +33,7 @@ private:
     void editAnimation();
     void editCamera();
     void editTools();
+    void editBookmarks();
     void dragOrNot();
     FocusState anyFocus();
     WindowState anyWindow();

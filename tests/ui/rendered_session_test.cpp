@@ -4,7 +4,7 @@
 #include "tests/app/program.h"
 #include "tests/ui/sample_window.h"
 #include "tests/waiting.h"
-#include "ui/window/picture_orders.h"
+#include "ui/dialogs/picture_orders.h"
 
 #include <tan/render.h>
 

@@ -32,6 +32,7 @@ private slots:
     void theProgramSaysWhatDiffers();
     void theProgramNamesToolsThatAreNotThere();
     void theProgramIsStrict();
+    void theProgramDrawsABookmark();
     void theProgramFindsAMovedModel();
 
 private:
@@ -350,6 +351,41 @@ void RestoredViewTest::theProgramIsStrict()
     build("strict.tan", 1.02F);
     QCOMPARE(render({"strict.tansession", "--strict"}).exitCode, 3);
     QVERIFY(!QFile::exists(path("picture.png")));
+}
+
+/// Of another model's bookmarks those are told that are not what they were.
+void RestoredViewTest::theProgramDrawsABookmark()
+{
+    const QString model = build("marked.tan", 1);
+    saveLook("marked.tansession", model);
+    open(path("marked.tansession"));
+    ViewValue view = session().view();
+    view = withBookmark(view, "as saved");
+    view.isovalues = {{0.3, 1, 0, 0, 1, true}};
+    view.appearance.settings.erase("clip");
+    view.appearance.settings.erase("slices");
+    view.query.window.enabled = false;
+    session().setView(withBookmark(view, "plain"));
+    bool isSaved = false;
+    window_->workbench.opening().sessionFile().save(filePath(path("marked.tansession")),
+                                                    *window_->workbench.opening().sessions().document(),
+                                                    [&](bool saved) { isSaved = saved; });
+    QTRY_VERIFY(isSaved);
+    const auto pictureOf = [this](const QStringList& words) {
+        const Run run = render(QStringList{"marked.tansession"} + words);
+        QFile file(path("picture.png"));
+        return run.exitCode == 0 && file.open(QIODevice::ReadOnly) ? file.readAll() : run.messages;
+    };
+    const QByteArray seen = pictureOf({}), saved = pictureOf({"--bookmark", "as saved"});
+    QVERIFY(seen.startsWith("\x89PNG") && saved.startsWith("\x89PNG"));
+    QVERIFY(QImage::fromData(seen) != QImage::fromData(saved));
+    QCOMPARE(QImage::fromData(pictureOf({"--bookmark", "plain"})), QImage::fromData(seen));
+    const Run unknown = render({"marked.tansession", "--bookmark", "other"});
+    QCOMPARE(unknown.exitCode, 2);
+    QVERIFY2(unknown.messages.contains("'as saved', 'plain'"), unknown.messages);
+    QCOMPARE(render({model, "--bookmark", "plain"}).exitCode, 2);
+    build("shorter.tan", 0.8F, 6);
+    QVERIFY(differencesOf(render({"marked.tansession", "--model", "shorter.tan"})).contains("bookmarks"));
 }
 
 void RestoredViewTest::theProgramFindsAMovedModel()

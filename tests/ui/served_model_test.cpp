@@ -7,10 +7,10 @@
 #include "tests/core/packed/any_order.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/dialogs/address_dialog.h"
 #include "ui/opening/model_cache.h"
 #include "ui/opening/recent_files.h"
 #include "ui/scenes/picture_image.h"
-#include "ui/window/address_dialog.h"
 
 #include <tan/packed.h>
 

@@ -63,6 +63,7 @@ void SessionOpening::apply(const std::filesystem::path& path, const SessionDocum
     else if (!restored.document.hasCamera)
         view.camera = framed(view, model->description().bounds, scenes_.extent().object, session_.shape());
     view.tools = session_.view().tools; // what was measured in these data is no look
+    view.bookmarks = session_.view().bookmarks;
     session_.setView(view, tr("Apply Look"));
     if (!restored.differences.empty())
         emit failed(tr("Not all of the look of %1 could be applied.").arg(shownName(path)) +

@@ -177,6 +177,8 @@ QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& af
         return tr("Move Camera");
     if (parts & ViewPart::Lens)
         return tr("Change Lens");
+    if (parts & ViewPart::Bookmarks)
+        return tr("Change Bookmarks");
     return parts & ViewPart::Tools ? tr("Change Tool") : tr("Change Background");
 }
 
@@ -239,7 +241,7 @@ void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalu
     if (!followsModel_)
         return;
     ViewValue fitting = view_;
-    if (!edited(~(ViewPart::Camera | ViewPart::Background | ViewPart::Tools)))
+    if (!edited(~(ViewPart::Camera | ViewPart::Background | ViewPart::Tools | ViewPart::Bookmarks)))
         fitting.query = startingQuery(*model_, startingError(*model_));
     if (!edited(ViewPart::Transfer))
         fitting.appearance.transfer = usualTransfer_ ? usualTransfer_(fitting.query) : appearance.transfer;

@@ -171,6 +171,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     addNamedViews(actions.lookFrom, actions);
     actions.orientation = menu->addMenu(ActionTexts::tr("&Orientation"));
     actions.orientation->setObjectName("menu.orientation");
+    actions.bookmarks = menu->addMenu(ActionTexts::tr("&Bookmarks"));
+    actions.bookmarks->setObjectName("menu.bookmarks");
     actions.perspective = addAction(*menu, "perspective", ActionTexts::tr("&Perspective"), QKeySequence("Ctrl+P"),
                                     ActionTexts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);

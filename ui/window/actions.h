@@ -50,6 +50,7 @@ struct Actions {
     QMenu* samples = nullptr;     ///< one action each, with the sample's name as its data
     QMenu* lookFrom = nullptr;    ///< namedViews
     QMenu* orientation = nullptr; ///< for those of OrientationActions
+    QMenu* bookmarks = nullptr;   ///< for those of BookmarkActions
     QMenu* languages = nullptr;
     QMenu* panels = nullptr;      ///< for the docks' own actions
     QMenu* modes = nullptr;       ///< for those of ModeActions

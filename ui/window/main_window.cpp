@@ -3,12 +3,17 @@
 
 #include "core/picture/view_picture.h"
 #include "plugins/widgets/icons.h"
+#include "ui/dialogs/address_dialog.h"
+#include "ui/dialogs/cache_dialog.h"
+#include "ui/dialogs/film_dialog.h"
+#include "ui/dialogs/import_dialog.h"
+#include "ui/dialogs/picture_orders.h"
+#include "ui/dialogs/solid_dialog.h"
 #include "ui/opening/recent_files.h"
 #include "ui/panels/animation_panel.h"
 #include "ui/panels/build_panel.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
-#include "ui/panels/solid_dialog.h"
 #include "ui/panels/statistics_panel.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
@@ -26,13 +31,10 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/widgets/wheel_guard.h"
-#include "ui/window/address_dialog.h"
 #include "ui/window/annotation_actions.h"
-#include "ui/window/cache_dialog.h"
+#include "ui/window/bookmark_actions.h"
 #include "ui/window/empty_page.h"
-#include "ui/window/film_dialog.h"
 #include "ui/window/help_actions.h"
-#include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
 #include "ui/window/leaving.h"
 #include "ui/window/mode_actions.h"
@@ -40,7 +42,6 @@
 #include "ui/window/palette_commands.h"
 #include "ui/window/pick_actions.h"
 #include "ui/window/picture_dialog.h"
-#include "ui/window/picture_orders.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
@@ -343,6 +344,10 @@ void MainWindow::connectActions()
     connect(actions_.resetLayout, &QAction::triggered, this,
             [this] { layOutDocks(*this, docks_, workbench_.opening().datasets().dataset() != nullptr); });
     new OrientationActions(session, *actions_.orientation);
+    auto* bookmarks = new BookmarkActions(session, *actions_.bookmarks, *this);
+    connect(bookmarks, &BookmarkActions::added, this, [this](const QString& name) {
+        statusBar()->showMessage(tr("Added bookmark %1").arg(name), statusMessageTime);
+    });
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
     new AnnotationActions(workbench_.session(), *actions_.annotations, this);
@@ -624,7 +629,9 @@ void MainWindow::fillRecent()
 
 void MainWindow::resetView()
 {
-    workbench_.session().setView(workbench_.scenes().startingView(), tr("Reset View"));
+    ViewValue view = workbench_.scenes().startingView();
+    view.bookmarks = workbench_.session().view().bookmarks;
+    workbench_.session().setView(std::move(view), tr("Reset View"));
 }
 
 /// Where the user has turned to something else the model does not push that away.

@@ -2,13 +2,13 @@
 #include "ui/window/picture_dialog.h"
 
 #include "core/picture/session_document.h"
+#include "ui/dialogs/picture_orders.h"
 #include "ui/panels/picture_form.h"
 #include "ui/session/files.h"
 #include "ui/session/shown_mesh_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/keep_session.h"
-#include "ui/window/picture_orders.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

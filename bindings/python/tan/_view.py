@@ -164,6 +164,14 @@ class View:
             raise WrongUsage("'transfer' of the view is no JSON object.")
         return copy.deepcopy(found)
 
+    @property
+    def bookmarks(self) -> Dict[str, View]:
+        """Other views that were kept beside this one, by their names: those of a session (Model.kept_view())."""
+        written = self._text.get("views", [])
+        if not isinstance(written, list) or not all(isinstance(view, dict) and isinstance(view.get("name"), str) for view in written):
+            raise WrongUsage("'views' of the view is no list of JSON objects with names.")
+        return {view["name"]: View.from_text(json.dumps({key: value for key, value in view.items() if key != "name"})) for view in written}
+
     def changed(self, **look: Any) -> View:
         """The same view but for this."""
         other = copy.deepcopy(self)

@@ -558,9 +558,10 @@ private:
 /// A value within [least, largest] whose isosurface is likely to be a real boundary of materials, as the skin of a head
 /// or the walls of a casting, rather than noise. Of all isosurfaces it is the one for which a product of two functions
 /// of the contour spectrum is largest: the total gradient on it, which grows with its size, and a power of the mean
-/// gradient, which tells a boundary between two materials from noise within one. (C. Bajaj, V. Pascucci, D. Schikore:
-/// The contour spectrum, IEEE Visualization 1997.) Nothing for a constant field. The same for the same mesh on every
-/// machine and any number of threads, but for rounding. O(cells).
+/// gradient, which tells a boundary between two materials from noise within one; a surface that is too small to be seen
+/// beside the whole mesh counts less. (C. Bajaj, V. Pascucci, D. Schikore: The contour spectrum, IEEE Visualization
+/// 1997.) Nothing for a constant field. The same for the same mesh on every machine and any number of threads, but for
+/// rounding. O(cells).
 TAN_API std::optional<double> surfaceValue(const TetrahedralMesh& mesh, double least, double largest);
 
 /// How the values of a mesh share its volume, whatever the sizes of its cells: the counts are parts

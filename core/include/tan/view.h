@@ -162,7 +162,8 @@ struct TAN_API QueryState {
 
 /// An error (%) to begin with: 1 % if its mesh is quick to extract and to draw. Else the most accurate round number
 /// from 2 % upwards whose mesh can still be worked with: what a coarser one shows is more often its error than the
-/// data. A few meshSizeAt().
+/// data. Of a domain with a shape of its own, which warps, too, down to 0.1 % as long as the mesh is small. A few
+/// meshSizeAt().
 TAN_API double startingError(const Model& model);
 
 /// Focus, window and values as they are offered at first, all off: in the middle of the domain, a quarter of its
@@ -349,6 +350,8 @@ TAN_API Animation corrected(Animation animation);
 /// With a key after the last one, a usual time later; the first is at zero.
 TAN_API Animation withKey(Animation animation, const FilmFrame& frame);
 
+struct Bookmark;
+
 /// How a model is looked at, all of it: a value. TAn's window makes its changes undoable, sessions keep it, pictures
 /// and films are made of it.
 struct ViewValue {
@@ -361,8 +364,24 @@ struct ViewValue {
     std::optional<Colour> background{}; ///< none: the one that fits the desktop's colours
     LensState lens{};                   ///< over the picture
     ToolValues tools{};                 ///< an empty text is as good as none, and is not kept
+    std::vector<Bookmark> bookmarks{};  ///< other views of the model, which are kept beside this one
     bool operator==(const ViewValue&) const = default;
 };
+
+/// A view with a name, to come back to. It has neither a film nor bookmarks of its own.
+struct Bookmark {
+    std::string name; ///< UTF-8, not empty
+    ViewValue view;
+    bool operator==(const Bookmark&) const = default;
+};
+
+inline constexpr std::size_t mostBookmarks = 100;
+
+/// With a bookmark of what is seen, in the place of the one of that name if there is one, else behind the others; the
+/// same if there are too many already.
+TAN_API ViewValue withBookmark(ViewValue view, const std::string& name);
+/// What the bookmark shows, with the film and the bookmarks of `view`.
+TAN_API ViewValue atBookmark(const ViewValue& view, const Bookmark& bookmark);
 
 /// The parts of a view that edits tell apart.
 enum class ViewPart : std::uint32_t {
@@ -377,6 +396,7 @@ enum class ViewPart : std::uint32_t {
     Background = 256,
     Lens = 512,
     Tools = 1024,
+    Bookmarks = 2048,
     Appearance = Mode | Transfer | Settings,
     Scene = Query | Appearance | Isovalues, ///< what the scene is made of
 };
@@ -449,13 +469,13 @@ TAN_API ViewValue viewAtFrame(const ViewValue& view, int frame);
 ///      "lengths": {"style": "plain", "decimals": 0}, "textSize": 16, "boldText": true},
 ///      "animation": {...}, "camera": {...}, "background": [0, 0, 0.5],
 ///      "lens": {"shape": "circle", "x": 0.5, "y": 0.5, "radius": 0.25, "magnification": 3, "error": 0.25},
-///      "tools": {"ruler": "..."}}
+///      "tools": {"ruler": "..."}, "views": [{"name": "From the left", "mesh": {...}, ...}]}
 ///
 /// Cameras and transfer functions are in the forms that their own files have. Settings keep their type:
 /// {"integer": 3}, {"number": 0.5}, true, "text". A background that nobody chose is left out, and so are tools that
-/// keep nothing. Members are in the order of their names, numbers the shortest that are read as the same again,
-/// whatever the locale. Of annotations, texts that are those of the data and how numbers and texts look are left out
-/// where they are as usual.
+/// keep nothing, and "views", the bookmarks, if there are none. Members are in the order of their names, numbers the
+/// shortest that are read as the same again, whatever the locale. Of annotations, texts that are those of the data and
+/// how numbers and texts look are left out where they are as usual.
 TAN_API std::string viewToText(const ViewValue& view);
 
 /// What the text leaves open is as in `usual`; of a camera, what fits a box of side 1. Members that are not known are

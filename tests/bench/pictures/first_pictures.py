@@ -17,6 +17,7 @@ import subprocess
 import sys
 
 SIZE = 800, 600
+NOTHING_WRITTEN = dict.fromkeys(("colour_bar", "axes", "scale_bar", "title", "accuracy", "box_axes"), False)
 DATASETS = {  # a name and its file
     "bucky": "buckyball/bucky_32x32x32_uint8.nhdr",
     "c60": "buckyball/c60large_128x128x128_uint8.nhdr",
@@ -47,6 +48,10 @@ def input_of(name, data, folder):
 
 
 def draw(build, data, folder):
+    """As the window shows them: all that is not said is as the model is seen at first."""
+    sys.path.insert(0, str(build / "lib" / "python3" / "dist-packages"))
+    import tan as module  # only here: the other steps need none
+
     tan = build / "bin" / "tan"
     for part in ("samples", "models", "tan"):
         (folder / part).mkdir(parents=True, exist_ok=True)
@@ -57,9 +62,9 @@ def draw(build, data, folder):
         model = folder / "models" / f"{name}.tan"
         if not model.exists():
             subprocess.run([tan, "build", source, "-o", model], check=True)
-        irregular = source.suffix == ".vtu"  # of these the window shows the boundary at first
+        opened = module.open(str(model))
         for what, mode in (("volume", "volume"), ("surface", "isosurface")):
-            subprocess.run([tan, "render", model, "--mode", mode, *(["--boundary", "translucent"] if irregular else []), "--no-outline", "--size", "%dx%d" % SIZE, "-o", folder / "tan" / f"{name}-{what}.png"], check=True)
+            opened.save_picture(str(folder / "tan" / f"{name}-{what}.png"), mode=mode, size=SIZE, settings={"outline": False}, **NOTHING_WRITTEN)
 
 
 def convert(data, folder):

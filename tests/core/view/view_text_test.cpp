@@ -194,7 +194,11 @@ private slots:
     {
         Random random(1);
         for (int round = 0; round < 200; ++round) {
-            const ViewValue view = anyView(random);
+            ViewValue view = anyView(random);
+            for (int number = round % 3; number > 0; --number)
+                view.bookmarks.push_back({"\"ü\" " + std::to_string(number), anyView(random)});
+            for (Bookmark& bookmark : view.bookmarks)
+                bookmark.view.animation = {};
             const auto again = viewFromText(viewToText(view));
             QVERIFY2(again.ok(), again ? "" : again.error().text().c_str());
             QVERIFY2(*again == view, viewToText(view).c_str());
@@ -253,6 +257,21 @@ private slots:
                 (ToolValues{{"other", "c"}}));
         const auto wrong = viewFromText(R"({"tools": {"other": 3}})", usual);
         QVERIFY(!wrong.ok() && wrong.error().text().find("\"tools.other\"") != std::string::npos);
+    }
+
+    void bookmarksOfATextReplaceTheUsualOnes()
+    {
+        ViewValue usual;
+        usual.bookmarks = {{"one", {}}};
+        QVERIFY(*viewFromText("{}", usual) == usual);
+        const auto read =
+            viewFromText(R"({"views": [{"name": "a", "mesh": {"error": 3}, "views": [{"name": "b"}]}, {}]})", usual);
+        QCOMPARE(read->bookmarks.size(), std::size_t(1)); // what has no name is none, and none has its own
+        QCOMPARE(read->bookmarks[0].name, std::string("a"));
+        QCOMPARE(read->bookmarks[0].view.query.error, 3.0);
+        QVERIFY(read->bookmarks[0].view.bookmarks.empty());
+        const auto wrong = viewFromText(R"({"views": [{"name": "a", "mesh": {"error": "b"}}]})");
+        QVERIFY(!wrong.ok() && wrong.error().text().find("\"views[0].mesh.error\"") != std::string::npos);
     }
 
     void whatIsMissingIsAsUsual()

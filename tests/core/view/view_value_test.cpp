@@ -12,7 +12,7 @@ using namespace tetra;
 namespace {
 
 /// One change of each part, in the order of ViewPart.
-const std::array<std::function<void(ViewValue&)>, 11> changes = {
+const std::array<std::function<void(ViewValue&)>, 12> changes = {
     [](ViewValue& view) { view.query.focus.others.emplace_back(Sphere{}); },
     [](ViewValue& view) { view.appearance.mode = "volume"; },
     [](ViewValue& view) { view.appearance.transfer.unitDistance = 2; },
@@ -23,7 +23,8 @@ const std::array<std::function<void(ViewValue&)>, 11> changes = {
     [](ViewValue& view) { view.camera.azimuth = 31; },
     [](ViewValue& view) { view.background = Colour{}; },
     [](ViewValue& view) { view.lens.x = 0.4; },
-    [](ViewValue& view) { view.tools["ruler"] = "1"; }};
+    [](ViewValue& view) { view.tools["ruler"] = "1"; },
+    [](ViewValue& view) { view.bookmarks.emplace_back(); }};
 constexpr unsigned allChanges = (1U << changes.size()) - 1;
 
 /// With those of the changes whose bits are set.
@@ -63,6 +64,28 @@ private slots:
             QVERIFY(differingParts({}, changed(bits)) == partsIn(bits));
             QVERIFY(differingParts(changed(bits), changed(allChanges)) == partsIn(allChanges & ~bits));
         }
+    }
+
+    void bookmarksHaveNamesOfTheirOwn()
+    {
+        ViewValue view = changed(allChanges & ~2048U);
+        view = withBookmark(view, "one");
+        view.camera.azimuth = 5;
+        view = withBookmark(view, "other");
+        QCOMPARE(view.bookmarks.size(), std::size_t(2));
+        QVERIFY(view.bookmarks[0].view.bookmarks.empty() && view.bookmarks[1].view.bookmarks.empty());
+        QVERIFY(view.bookmarks[0].view.animation == Animation());
+        QCOMPARE(view.bookmarks[0].view.camera.azimuth, 31.0);
+        view.lens.x = 0.1;
+        const ViewValue back = atBookmark(view, view.bookmarks[0]);
+        QVERIFY(differingParts(back, view) == (ViewPart::Camera | ViewPart::Lens));
+        view = withBookmark(view, "one"); // in its place
+        QCOMPARE(view.bookmarks.size(), std::size_t(2));
+        QCOMPARE(view.bookmarks[0].name, std::string("one"));
+        QCOMPARE(view.bookmarks[0].view.lens.x, 0.1);
+        for (std::size_t number = 0; number < 2 * mostBookmarks; ++number)
+            view = withBookmark(view, std::to_string(number));
+        QCOMPARE(view.bookmarks.size(), mostBookmarks);
     }
 
     /// Data are upright as they say, images that say nothing as their slices are.

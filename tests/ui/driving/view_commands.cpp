@@ -96,6 +96,8 @@ Drivers wholeViewCommands()
         edit("action.fit", &fitView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
         edit("action.fitWhole", &fitWholeView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
         edit("action.resetView", &resets, &changeEverything),
+        edit("action.bookmark.add", [](ViewValue& view, const DrivenWindow&) { view = withBookmark(view, "View 1"); }),
+        opening("action.bookmark.edit", "bookmarkDialog"),
     };
 }
 

@@ -2,10 +2,10 @@
 /// The tools of plugins in the window (D17): chosen, clicked, dragged and used by keys, undone, saved.
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/dialogs/picture_orders.h"
 #include "ui/scenes/picture_image.h"
 #include "ui/tools/tool_desk.h"
 #include "ui/viewport/value_pick.h"
-#include "ui/window/picture_orders.h"
 
 #include <QClipboard>
 #include <QDockWidget>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/solid_dialog.h"
+#include "ui/dialogs/solid_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/import_dialog.h"
+#include "ui/dialogs/import_dialog.h"
 
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"

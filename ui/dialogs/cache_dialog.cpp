@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/cache_dialog.h"
+#include "ui/dialogs/cache_dialog.h"
 
 #include "ui/opening/model_cache.h"
 #include "ui/session/files.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/film_dialog.h"
+#include "ui/dialogs/film_dialog.h"
 
 #include "plugins/widgets/number_text.h"
+#include "ui/dialogs/picture_orders.h"
 #include "ui/session/files.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/form_labels.h"
-#include "ui/window/picture_orders.h"
 #include "ui/workbench/film_file.h"
 
 #include <QComboBox>

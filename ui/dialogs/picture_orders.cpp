@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/picture_orders.h"
+#include "ui/dialogs/picture_orders.h"
 
 #include "core/picture/annotations/annotation_painter.h"
 #include "core/picture/kept_tools.h"
