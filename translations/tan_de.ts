@@ -1949,7 +1949,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Swap with the previous bookmark (Alt+Up)</source>
-        <translation>Mit dem vorigen Lesezeichen tauschen (Alt+Auf)</translation>
+        <translation>Mit dem vorigen Lesezeichen tauschen (Alt+Pfeil auf)</translation>
     </message>
     <message>
         <source>Move &amp;Down</source>
@@ -1957,7 +1957,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Swap with the next bookmark (Alt+Down)</source>
-        <translation>Mit dem nächsten Lesezeichen tauschen (Alt+Ab)</translation>
+        <translation>Mit dem nächsten Lesezeichen tauschen (Alt+Pfeil ab)</translation>
     </message>
     <message>
         <source>&amp;Remove</source>

@@ -14,6 +14,7 @@
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "ui/animation/frame_pacer.h"
+#include "ui/scenes/picture_image.h"
 #include "ui/work/steady_heap.h"
 
 #include <tan/query.h>
@@ -24,6 +25,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFileInfo>
+#include <QImage>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
@@ -34,29 +36,45 @@
 namespace tetra {
 namespace {
 
-constexpr int width = 800;
-constexpr int height = 600;
 constexpr int frames = 200;
+constexpr int compared = 12; ///< views in which the moving picture is compared with the full one
 constexpr int fineSamples = 2;
 constexpr double movingTolerance = 4; ///< degrees, as in the window
 constexpr double wantedRate = 15;
 constexpr double unitDistances = 40; ///< in the diagonal
+
+/// How it is drawn.
+struct Look {
+    int width = 800;
+    int height = 600;
+    bool lit = false; ///< and with the function that volumes have at first, else a plain one
+
+    double pixels() const { return static_cast<double>(width) * height; }
+};
 
 struct Level {
     std::shared_ptr<const Scene> scene;
     std::uint64_t tetrahedra = 0;
 };
 
-Result<Level> makeLevel(const std::shared_ptr<const Model>& model, MeshExtractor& extractor, const MeshQuery& query)
+TransferFunction functionOf(const Look& look, const ModelDescription& description, const TetrahedralMesh& mesh)
+{
+    constexpr int parts = 256;
+    const double least = description.range.minimum, largest = description.range.maximum;
+    const double unitDistance = description.bounds.diagonal().norm() / unitDistances;
+    return look.lit ? fittedTransferFunction(volumeHistogram(mesh, least, largest, parts), unitDistance)
+                    : sequentialTransferFunction(least, largest, unitDistance);
+}
+
+Result<Level> makeLevel(const std::shared_ptr<const Model>& model, MeshExtractor& extractor, const MeshQuery& query,
+                        const Look& look)
 {
     const auto mesh = extractor.extract(query);
     if (!mesh)
         return mesh.error();
     const ModelDescription& description = model->description();
     VolumeCache maker({*mesh, &(*mesh)->mesh});
-    const auto volume = maker.update(sequentialTransferFunction(description.range.minimum, description.range.maximum,
-                                                                description.bounds.diagonal().norm() / unitDistances),
-                                     false);
+    const auto volume = maker.update(functionOf(look, description, (*mesh)->mesh), look.lit);
     if (!volume)
         return volume.error();
     auto scene = std::make_shared<Scene>();
@@ -66,19 +84,19 @@ Result<Level> makeLevel(const std::shared_ptr<const Model>& model, MeshExtractor
 }
 
 /// The mesh that the window would show and those for moving pictures.
-Result<std::vector<Level>> makeLevels(const std::shared_ptr<const Model>& model, double error)
+Result<std::vector<Level>> makeLevels(const std::shared_ptr<const Model>& model, double error, const Look& look)
 {
     MeshExtractor extractor(model);
     MeshQuery query;
     query.error = error;
     std::vector<Level> levels;
-    auto finest = makeLevel(model, extractor, query);
+    auto finest = makeLevel(model, extractor, query, look);
     if (!finest)
         return finest.error();
     levels.push_back(*finest);
     for (const std::uint64_t budget : coarserMeshes(finest->tetrahedra)) {
         query.budget = budget;
-        auto level = makeLevel(model, extractor, query);
+        auto level = makeLevel(model, extractor, query, look);
         if (!level)
             return level.error();
         levels.push_back(*level);
@@ -86,11 +104,11 @@ Result<std::vector<Level>> makeLevels(const std::shared_ptr<const Model>& model,
     return levels;
 }
 
-PictureOptions optionsFor(double reduction, int samplesPerAxis, double tolerance, int threads)
+PictureOptions optionsFor(const Look& look, double reduction, int samplesPerAxis, double tolerance, int threads)
 {
     PictureOptions options;
-    options.width = static_cast<int>(std::lround(width / reduction));
-    options.height = static_cast<int>(std::lround(height / reduction));
+    options.width = static_cast<int>(std::lround(look.width / reduction));
+    options.height = static_cast<int>(std::lround(look.height / reduction));
     options.samplesPerAxis = samplesPerAxis;
     options.orderTolerance = tolerance;
     options.threads = threads;
@@ -121,7 +139,8 @@ struct Turn {
     double shareInBudget = 0; ///< after the first second
 };
 
-Turn turnRound(FramePacer& pacer, RenderBackend& backend, const std::vector<Level>& levels, Camera camera, int threads)
+Turn turnRound(FramePacer& pacer, RenderBackend& backend, const std::vector<Level>& levels, Camera camera,
+               const Look& look, int threads)
 {
     Turn turn;
     double clock = 0;
@@ -129,10 +148,10 @@ Turn turnRound(FramePacer& pacer, RenderBackend& backend, const std::vector<Leve
     int inBudget = 0;
     for (int frame = 0; frame < frames; ++frame) {
         camera = turned(camera, 360.0 / frames, 0);
-        const FramePlan plan = pacer.nextFrame(static_cast<double>(width) * height);
+        const FramePlan plan = pacer.nextFrame(look.pixels());
         const Level& level = levels[plan.level];
-        turn.seconds.push_back(
-            draw(backend, pacer, plan.level, level, camera, optionsFor(plan.reduction, 1, movingTolerance, threads)));
+        turn.seconds.push_back(draw(backend, pacer, plan.level, level, camera,
+                                    optionsFor(look, plan.reduction, 1, movingTolerance, threads)));
         if (clock >= 1) {
             ++counted;
             inBudget += turn.seconds.back() <= 1 / wantedRate ? 1 : 0;
@@ -146,23 +165,61 @@ Turn turnRound(FramePacer& pacer, RenderBackend& backend, const std::vector<Leve
 }
 
 /// The steps up to the full picture after letting go; the last one's time is that of the full picture alone.
-std::vector<double> refine(FramePacer& pacer, const Level& finest, const Camera& camera, int threads)
+std::vector<double> refine(FramePacer& pacer, const Level& finest, const Camera& camera, const Look& look, int threads)
 {
     const auto backend = makeCpuBackend();
     std::vector<double> seconds;
-    const auto steps = pacer.refinement(static_cast<double>(width) * height, fineSamples);
+    const auto steps = pacer.refinement(look.pixels(), fineSamples);
     for (const RefinementStep& step : steps) {
         const double tolerance = step == steps.back() ? 0 : movingTolerance;
         seconds.push_back(draw(*backend, pacer, 0, finest, camera,
-                               optionsFor(step.reduction, step.samplesPerAxis, tolerance, threads)));
+                               optionsFor(look, step.reduction, step.samplesPerAxis, tolerance, threads)));
     }
     return seconds;
 }
 
-BenchCase measure(const std::shared_ptr<const Model>& model, const QString& name, double error, int threads)
+QImage imageOf(RenderBackend& backend, const Level& level, const Camera& camera, const PictureOptions& options)
+{
+    const auto picture = backend.render(*level.scene, camera, options);
+    if (!picture)
+        qFatal("%s", picture.error().text().c_str());
+    return tetra::imageOf(*picture).convertToFormat(QImage::Format_RGB32);
+}
+
+/// The mean difference of the channels of two pictures of one size, of 255.
+double meanDifference(const QImage& one, const QImage& other)
+{
+    double sum = 0;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x) {
+            const QRgb a = one.pixel(x, y), b = other.pixel(x, y);
+            sum += std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) + std::abs(qBlue(a) - qBlue(b));
+        }
+    return sum / (3.0 * one.width() * one.height());
+}
+
+/// Between the moving pictures, as large as the window shows them, and the full ones of the same views.
+double differenceOfMoving(FramePacer& pacer, const std::vector<Level>& levels, Camera camera, const Look& look,
+                          int threads)
+{
+    const auto backend = makeCpuBackend();
+    const FramePlan plan = pacer.nextFrame(look.pixels());
+    double sum = 0;
+    for (int view = 0; view < compared; ++view) {
+        camera = turned(camera, 360.0 / compared, 0);
+        const QImage moving = imageOf(*backend, levels[plan.level], camera,
+                                      optionsFor(look, plan.reduction, 1, movingTolerance, threads));
+        const QImage full = imageOf(*backend, levels.front(), camera, optionsFor(look, 1, fineSamples, 0, threads));
+        sum += meanDifference(moving.scaled(full.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation), full);
+    }
+    return sum / compared;
+}
+
+BenchCase measure(const std::shared_ptr<const Model>& model, const QString& name, double error, const Look& look,
+                  int threads)
 {
     Result<std::vector<Level>> levels = std::vector<Level>{};
-    const double preparing = secondsOf([&] { levels = makeLevels(model, error); });
+    const double preparing = secondsOf([&] { levels = makeLevels(model, error, look); });
     if (!levels)
         qFatal("%s", levels.error().text().c_str());
     FramePacer pacer;
@@ -172,10 +229,10 @@ BenchCase measure(const std::shared_ptr<const Model>& model, const QString& name
         sizes.push_back({static_cast<double>(level.tetrahedra), true, 0});
     pacer.setLevels(std::move(sizes));
 
-    const Camera camera = fitted(Camera(), model->description().bounds);
+    const Camera camera = fitted(Camera(), model->description().bounds, static_cast<double>(look.width) / look.height);
     const auto backend = makeCpuBackend();
-    const Turn turn = turnRound(pacer, *backend, *levels, camera, threads);
-    const std::vector<double> steps = refine(pacer, levels->front(), camera, threads);
+    const Turn turn = turnRound(pacer, *backend, *levels, camera, look, threads);
+    const std::vector<double> steps = refine(pacer, levels->front(), camera, look, threads);
     double sum = 0;
     for (const double seconds : turn.seconds)
         sum += seconds;
@@ -196,6 +253,7 @@ BenchCase measure(const std::shared_ptr<const Model>& model, const QString& name
                 {"tetrahedra", static_cast<qint64>(levels->front().tetrahedra)},
                 {"moving_tetrahedra", turn.meanTetrahedra},
                 {"moving_reduction", turn.meanReduction},
+                {"moving_difference", differenceOfMoving(pacer, *levels, camera, look, threads)},
                 {"preparing_seconds", preparing}};
     return one;
 }
@@ -263,11 +321,14 @@ int main(int argc, char** argv)
     parser.addOption({"json", "Print one JSON object."});
     parser.addOption({"threads", "Of the back end.", "N", "2"});
     parser.addOption({"models", "What to turn, with commas between.", "LIST", "c60,engine"});
+    parser.addOption({"lit", "Turn a lit volume, with the transfer function that the window begins with."});
+    parser.addOption({"picture", "Pixels of a turning picture.", "WxH", "800x600"});
     parser.addOption({"size", "Points of C60 along an axis.", "N", "128"});
     parser.addOption({"data", "The folder of the datasets.", "DIR", TAN_SOURCE_DIR "/../shared/data"});
     parser.addOption({"model", "Turn this model in place of these; may be repeated.", "FILE.tan"});
     parser.addOption({"error", "The mesh's, in %; without it what the window shows at first.", "PERCENT"});
     parser.addOption({"edits-only", "Measure edits alone."});
+    parser.addOption({"turns-only", "Measure no edits."});
     parser.addOption({"events", "Measure what the window takes for its events, and nothing else."});
     parser.addOption({"acts", "How much is done in the window then.", "N", "1000"});
     parser.process(application);
@@ -286,8 +347,14 @@ int main(int argc, char** argv)
             continue;
         }
         const double error = parser.isSet("error") ? parser.value("error").toDouble() : startingError(**model);
+        const QStringList sides = parser.value("picture").split('x');
+        const Look look{sides.value(0).toInt(), sides.value(1).toInt(), parser.isSet("lit")};
+        if (look.width <= 0 || look.height <= 0)
+            qFatal("--picture takes a size such as 1280x800.");
         if (!parser.isSet("edits-only"))
-            cases.push_back(measure(*model, name, error, parser.value("threads").toInt()));
+            cases.push_back(measure(*model, name, error, look, parser.value("threads").toInt()));
+        if (parser.isSet("turns-only"))
+            continue;
         cases.push_back(cameraDrag(host, (*model)->path(), name));
         std::ranges::move(editToPicture(host, (*model)->path(), name), std::back_inserter(cases));
     }

@@ -365,15 +365,15 @@ void Viewport::resizeEvent(QResizeEvent* event)
     byHand_ = false;
 }
 
-void Viewport::setLitVolume(bool lit)
+void Viewport::setDarkGround(bool dark)
 {
-    if (std::exchange(litVolume_, lit) != lit)
+    if (std::exchange(darkGround_, dark) != dark)
         followBackground();
 }
 
 void Viewport::followBackground()
 {
-    const bool dark = litVolume_ || palette().color(QPalette::Window).lightness() < 128;
+    const bool dark = darkGround_ || palette().color(QPalette::Window).lightness() < 128;
     view_.background = session_.view().background.value_or(usualBackground(dark));
     canvas_->setView(view_);
     emit backgroundChanged();

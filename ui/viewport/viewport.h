@@ -36,8 +36,8 @@ public:
     const Camera& camera() const noexcept { return session_.view().camera; }
     /// The session's, or the one that fits the palette.
     const Colour& background() const noexcept { return view_.background; }
-    /// Whether the view is of a lit volume, behind which the usual background is dark.
-    void setLitVolume(bool lit);
+    /// Whether the background is dark if nobody has chosen one, and whatever the desktop's colours are.
+    void setDarkGround(bool dark);
     /// Where in the picture that lies which is seen at a pixel: elsewhere if the lens is there.
     QPointF beneathLens(QPointF pixel) const;
     /// From places to this widget's coordinates.
@@ -114,7 +114,7 @@ private:
     View view_;                       ///< its scene has the outlines, too; its camera may be on the way
     Canvas* canvas_ = nullptr;        ///< a child widget
     bool previewing_ = false;         ///< the view's camera is another one
-    bool litVolume_ = false;          ///< what is shown
+    bool darkGround_ = false;         ///< that is wanted
     bool byHand_ = false;             ///< the session's camera is being moved from here: no glide
     std::optional<double> frameRate_; ///< else the usual one of the back end
     MovingQuality::Kind movingKind_ = MovingQuality::Kind::FrameRate;

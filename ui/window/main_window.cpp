@@ -770,7 +770,7 @@ void MainWindow::connectFollowing()
     const auto followLight = [this] {
         const Renderer* const mode = workbench_.scenes().renderer();
         const ParameterValues& settings = workbench_.session().view().appearance.settings;
-        viewport_->setLitVolume(mode != nullptr && hasDarkGround(*mode, settings));
+        viewport_->setDarkGround(mode != nullptr && hasDarkGround(*mode, settings));
     };
     session.whenChanged(ViewPart::Appearance, viewport_, followLight);
     connect(&session, &Session::modelChanged, viewport_, followLight);
