@@ -3619,6 +3619,10 @@ Verwerfung %2</translation>
         <source>Added bookmark %1</source>
         <translation>Lesezeichen %1 hinzugefügt</translation>
     </message>
+    <message>
+        <source>The file does not say which way is up; Ctrl+U turns the model upside down</source>
+        <translation>Die Datei sagt nicht, wo oben ist; Strg+U stellt das Modell auf den Kopf</translation>
+    </message>
 </context>
 <context>
     <name>tetra::Message</name>

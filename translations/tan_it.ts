@@ -3619,6 +3619,10 @@ deformazione %2</translation>
         <source>Added bookmark %1</source>
         <translation>Aggiunto il segnalibro %1</translation>
     </message>
+    <message>
+        <source>The file does not say which way is up; Ctrl+U turns the model upside down</source>
+        <translation>Il file non dice qual è l&apos;alto; Ctrl+U capovolge il modello</translation>
+    </message>
 </context>
 <context>
     <name>tetra::Message</name>

@@ -61,7 +61,8 @@ const std::vector<Option>& barOptions()
          .byDefault = "the name of the values"},
         {.name = barUnit,
          .placeholder = "TEXT",
-         .explanation = "The unit of the values, written in brackets behind their name."},
+         .explanation = "The unit of the values, written in brackets behind their name.",
+         .byDefault = "that of the data, if they state one"},
         {.name = barNumbers,
          .placeholder = "FORMAT",
          .explanation = "How the numbers at the colour bar are written: auto, as short as tells them apart; plain:N, "

@@ -214,7 +214,7 @@ SurfaceContent contentOf(const Model& model, const MeshQuery& query, const Extra
 {
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
     for (const MadeSurface& surface : surfaces.all) {
-        const Colour colour = distinctColour(content.parts.size());
+        const Colour colour = surfaceColour(content.parts.size());
         content.parts.push_back({.name = "isovalue " + formatNumber(surface.value),
                                  .positions = surface.mesh.positions,
                                  .normals = surface.mesh.normals,

@@ -206,7 +206,8 @@ Framing framingOf(const FieldExtent& field, const Renderer& renderer, const Mesh
                   const ParameterValues& given, const AnnotationState& annotations, double aspectRatio)
 {
     const bool hasOutline = parameterValue<bool>(renderer.parameters(field), given, outlineId);
-    const auto object = query.window ? std::span<const Eigen::Vector3d>() : framedObject(field, renderer);
+    const auto object =
+        query.window ? std::span<const Eigen::Vector3d>() : framedObject(field, &renderer, viewOf(given));
     Eigen::AlignedBox3d part = field.bounds;
     if (query.window && !hasOutline)
         part = part.intersection({query.window->box.least, query.window->box.largest});
@@ -449,7 +450,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     const Eigen::AlignedBox3d& bounds = view.model->description().bounds;
     const Framing framing = [&](const Camera& camera) {
         return framed({.annotations = seen.annotations, .camera = camera}, bounds,
-                      framedObject(*field, *renderer->plugin), aspectRatioOf(request.picture));
+                      framedObject(*field, renderer->plugin, seen), aspectRatioOf(request.picture));
     };
     if (!kept.hasCamera)
         seen.camera = framing(seen.camera);

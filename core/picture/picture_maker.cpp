@@ -175,7 +175,7 @@ Camera PictureMaker::framed(const ViewValue& view, double aspectRatio) const
 {
     const auto renderer = parts_->rendererOf(view);
     return tetra::framed(view, parts_->field.bounds,
-                         renderer ? framedObject(parts_->field, *renderer->plugin) : parts_->field.object, aspectRatio);
+                         framedObject(parts_->field, renderer ? renderer->plugin : nullptr, view), aspectRatio);
 }
 
 Result<KeptView> PictureMaker::keptView(const std::filesystem::path& file) const

@@ -82,6 +82,15 @@ bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
            (one.camera == other.camera && one.width == other.width && one.height == other.height);
 }
 
+SceneRequest withQuery(SceneRequest request, MeshQuery query)
+{
+    const auto transfer = request.values.find(transferId);
+    if (request.usualTransfer && transfer != request.values.end())
+        transfer->second = request.usualTransfer(query);
+    request.query = std::move(query);
+    return request;
+}
+
 SceneRequest lensScene(const LensOrder& order, const LensPicture& place, const Camera& camera)
 {
     SceneRequest request = withMesh(order.scene);

@@ -34,7 +34,14 @@ struct SceneRequest {
     bool faultyCells = false; ///< outlined over the rest, as far as the model knows where they lie (C10)
     /// Where the samples come from, if `values` ask for them (shownId); without it, the mesh is shown.
     std::function<Result<std::shared_ptr<const Dataset>>(const Model& model, const Progress& progress)> samples{};
+    /// If nobody has chosen a transfer function: the one of another query's mesh. For who draws coarser meshes of the
+    /// same scene (withQuery()). Any thread may call it.
+    std::function<TransferFunction(const MeshQuery& query)> usualTransfer{};
 };
+
+/// The same of another mesh, with the transfer function of that one if nobody has chosen one: it paints nothing into
+/// the background that the larger error of a coarser mesh has made.
+SceneRequest withQuery(SceneRequest request, MeshQuery query);
 
 /// Whether the samples are to be seen in the place of the mesh, or what both differ in.
 bool asksForSamples(const SceneRequest& request);

@@ -9,8 +9,10 @@
 #include "core/picture/rendering_modes.h"
 #include "core/picture/shown_error.h"
 #include "core/picture/tool_painter.h"
+#include "core/render/object_values.h"
 #include "core/view/appearance.h"
 #include "core/view/view_value.h"
+#include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/api/slice_parameters.h"
 
@@ -123,6 +125,12 @@ TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, con
     return startingAppearance(modes, seenWith(field, query, model), model.description().domain).transfer;
 }
 
+TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, const Model& model,
+                               const FieldExtent& field, const MeshQuery& query)
+{
+    return startingAppearance(modes, seenWith(field, query, model), model.description().domain).transfer;
+}
+
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
                        double aspectRatio)
 {
@@ -135,9 +143,25 @@ ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model
     return view;
 }
 
-std::span<const Eigen::Vector3d> framedObject(const FieldExtent& field, const Renderer& renderer)
+std::span<const Eigen::Vector3d> framedObject(const FieldExtent& field, const Renderer* renderer, const ViewValue& view)
 {
-    return hasParameter(renderer.parameters(field), slicesId) ? std::span<const Eigen::Vector3d>() : field.object;
+    if (renderer == nullptr || field.object.empty())
+        return field.object;
+    const Appearance& look = view.appearance;
+    const std::vector<Parameter> shown = matteringParameters(renderer->parameters(field), look.settings);
+    const auto boundary = look.settings.find(boundaryId);
+    const bool hasBoundary = hasParameter(shown, boundaryId) && boundary != look.settings.end() &&
+                             boundary->second != ParameterValue(std::string(boundaryOff));
+    if (hasBoundary || hasParameter(shown, slicesId))
+        return {};
+    const ObjectValues object(field.volumes, field.surface);
+    const auto isWithin = [&](const Isovalue& isovalue) {
+        return !isovalue.visible || object.hasAllBeyond(isovalue.value);
+    };
+    const bool isAllWithin =
+        (!hasParameter(shown, isovaluesId) || std::ranges::all_of(view.isovalues, isWithin)) &&
+        (!hasParameter(shown, transferId) || look.transfer.opacities.empty() || object.hasAllSeenOf(look.transfer));
+    return isAllWithin ? std::span<const Eigen::Vector3d>(field.object) : std::span<const Eigen::Vector3d>();
 }
 
 const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id)

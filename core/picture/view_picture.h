@@ -37,13 +37,18 @@ FieldExtent knownExtentOf(const std::shared_ptr<const Model>& model, const Progr
 /// the background that the error of the mesh has made. The same for window and command line.
 TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, const Model& model,
                                const FieldExtent& field, const QueryState& query);
+TransferFunction usualTransfer(const std::vector<Provided<Renderer>>& modes, const Model& model,
+                               const FieldExtent& field, const MeshQuery& query);
 
 /// How a model is seen that nobody has looked at yet, in a picture of this width / height.
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
                        double aspectRatio = 1);
 
-/// What a picture of this renderer frames (framed()): slices reach through all of the domain.
-std::span<const Eigen::Vector3d> framedObject(const FieldExtent& field, const Renderer& renderer);
+/// What a picture of a view frames (framed()): the object, unless more of the field than that is shown: by isovalues,
+/// by the transfer function (without points: the usual one), by the boundary, or by slices, which reach through all of
+/// the domain. Null: there is no renderer of the view's mode.
+std::span<const Eigen::Vector3d> framedObject(const FieldExtent& field, const Renderer* renderer,
+                                              const ViewValue& view);
 
 /// The renderer of this id; null if there is none.
 const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/render/object_values.h"
+
 #include <tan/render.h>
-#include <tan/transfer.h>
 
 #include <Eigen/Geometry>
 
@@ -83,22 +84,12 @@ double diagonalOf(std::span<const Eigen::Vector3d> places)
 std::vector<Eigen::Vector3d> objectOutline(const TetrahedralMesh& mesh, const ValueHistogram& volumes,
                                            std::optional<double> surface)
 {
-    constexpr double besideBackground = 1.0 / 30, hardlySeen = 0.1, tiny = 1.0 / 16, nearlyAll = 0.9;
-    const auto background = backgroundValues(volumes);
-    if (!background)
+    constexpr double tiny = 1.0 / 16, nearlyAll = 0.9;
+    const ObjectValues object(volumes, surface);
+    if (!object.isBesideBackground())
         return {};
-    const double beside = besideBackground * (volumes.largest - volumes.least);
-    const TransferFunction function = fittedTransferFunction(volumes, 1);
-    double most = 0;
-    for (const OpacityPoint& point : function.opacities)
-        most = std::max(most, evaluate(function, point.value).extinction);
-    const auto places = farthestOut(mesh, [&](std::size_t vertex) {
-        const double value = mesh.values[vertex];
-        if (surface && (background->commonest < *surface ? value >= *surface : value <= *surface))
-            return true;
-        return (value < background->least - beside || value > background->largest + beside) &&
-               evaluate(function, value).extinction > hardlySeen * most;
-    });
+    const auto places =
+        farthestOut(mesh, [&](std::size_t vertex) { return object.has(static_cast<double>(mesh.values[vertex])); });
     const double share = diagonalOf(places) / diagonalOf(mesh.positions);
     return share > tiny && share < nearlyAll ? withRoom(places) : std::vector<Eigen::Vector3d>();
 }

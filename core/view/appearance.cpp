@@ -24,14 +24,14 @@ bool hasColour(const Isovalue& isovalue, const Colour& colour)
     return isovalue.red == colour.red && isovalue.green == colour.green && isovalue.blue == colour.blue;
 }
 
-/// The first distinct colour that none has; n isovalues cannot have more than n of them.
+/// The first colour of surfaces that none has; n isovalues cannot have more than n of them.
 Colour freeColour(const std::vector<Isovalue>& existing)
 {
     std::size_t index = 0;
-    const auto inUse = [&](const Isovalue& isovalue) { return hasColour(isovalue, distinctColour(index)); };
+    const auto inUse = [&](const Isovalue& isovalue) { return hasColour(isovalue, surfaceColour(index)); };
     while (index < existing.size() && std::ranges::any_of(existing, inUse))
         ++index;
-    return distinctColour(index);
+    return surfaceColour(index);
 }
 
 double middleOfWidestGap(const std::vector<Isovalue>& existing, const ValueRange& range)

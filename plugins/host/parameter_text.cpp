@@ -60,8 +60,8 @@ Result<ParameterValue> parseIsovalues(const Parameter& parameter, std::string_vi
         if (!isWithinBounds(parameter, isovalue->value))
             return notIn(parameter, part);
         isovalues.push_back(*isovalue);
-        if (isovalues.size() > 1 && part.find(':') == std::string_view::npos) { // told apart from those before it
-            const Colour colour = distinctColour(isovalues.size() - 1);
+        if (part.find(':') == std::string_view::npos) { // told apart from those before it
+            const Colour colour = surfaceColour(isovalues.size() - 1);
             isovalues.back().red = colour.red;
             isovalues.back().green = colour.green;
             isovalues.back().blue = colour.blue;

@@ -125,7 +125,7 @@ const std::vector<Room>& rooms()
         {"plugins/host",
          {"core/include", "core/base", "core/mesh", "core/data", "core/history", "core/build", "plugins/api"}},
         {"core/picture",
-         {"core/include", "core/base", "core/mesh", "core/data", "core/history", "core/verify",
+         {"core/include", "core/base", "core/mesh", "core/data", "core/history", "core/verify", "core/render",
           "core/render/isosurface", "core/render/volume", "core/view", "plugins/api", "plugins/host",
           "core/picture/drawing", "core/picture/annotations"}},
         {"plugins/builders", {"core/include", "plugins/api"}},

@@ -64,6 +64,7 @@ class DraftBuilderTest : public QObject {
 private slots:
     void initTestCase();
     void meshesFallBelowTheShownOne();
+    void aUsualFunctionIsThatOfTheDraft();
     void anotherLookKeepsTheMeshes();
     void nothingArrivesAfterClear();
     void nothingArrivesAfterAnotherMesh();
@@ -141,6 +142,30 @@ void DraftBuilderTest::meshesFallBelowTheShownOne()
         QVERIFY(made[i].tetrahedra > budgets[i] / 2);
         QVERIFY(testing::partsOf(*made[i].scene).volume.has_value());
     }
+}
+
+/// A coarser mesh is off by more, which must not be painted into the background.
+void DraftBuilderTest::aUsualFunctionIsThatOfTheDraft()
+{
+    Shown full = shown("volume");
+    const TransferFunction ofFull = transferFunctionFromPoints({{0, {1, 1, 1}, 0.5F}, {255, {1, 1, 1}, 0.5F}}, 1);
+    const TransferFunction ofDraft = transferFunctionFromPoints({{0, {1, 0, 0}, 0}, {255, {1, 0, 0}, 0.1F}}, 1);
+    full.request.values["transfer"] = ofFull;
+    MeshQuery coarser = full.request.query;
+    coarser.budget = 100;
+    QVERIFY(withQuery(full.request, coarser).values == full.request.values); // somebody has chosen it
+    std::atomic<std::size_t> asked{0}, wrong{0};
+    full.request.usualTransfer = [&](const MeshQuery& query) {
+        ++asked;
+        wrong += query.budget && *query.budget < full.scene.mesh.tetrahedra ? 0 : 1;
+        return ofDraft;
+    };
+    const SceneRequest draft = withQuery(full.request, coarser);
+    QVERIFY(draft.query == coarser && draft.values.at("transfer") == ParameterValue(ofDraft));
+    asked = 0;
+    wrong = 0;
+    const auto made = drafts(full);
+    QVERIFY(asked >= made.size() && wrong == 0);
 }
 
 void DraftBuilderTest::anotherLookKeepsTheMeshes()

@@ -22,6 +22,7 @@ private slots:
     void everyActionOfTheMenusIsThere();
     void whatCannotBeDoneSaysWhy();
     void aCommandIsFoundAndDone();
+    void explanationsAreSearchedLast();
     void panelsAndAccuraciesAreFound();
     void escapeGivesTheKeysBack();
     void whatHadTheKeysMayBeGone();
@@ -132,6 +133,25 @@ void PaletteTest::aCommandIsFoundAndDone()
     QVERIFY(list().topLevelItem(0)->isDisabled());
     QTest::keyClick(&search(), Qt::Key_Return);
     QVERIFY(search().isVisible());
+}
+
+/// What no name has may be in an explanation; that is listed, and not done by Enter.
+void PaletteTest::explanationsAreSearchedLast()
+{
+    openSample();
+    openPalette();
+    search().setText("restore default colours"); // of Reset View
+    QCOMPARE(list().topLevelItemCount(), 1);
+    QCOMPARE(list().topLevelItem(0)->text(0), QString("View: Reset View"));
+    QVERIFY(!list().topLevelItem(0)->isDisabled() && list().currentItem() == nullptr);
+    const int steps = window_->workbench.session().undoStack().index();
+    window_->workbench.session().setError(3);
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QVERIFY(search().isVisible());
+    QCOMPARE(window_->workbench.session().undoStack().index(), steps + 1);
+    QTest::keyClick(&search(), Qt::Key_Down);
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QCOMPARE(window_->workbench.session().undoStack().index(), steps + 2);
 }
 
 void PaletteTest::panelsAndAccuraciesAreFound()

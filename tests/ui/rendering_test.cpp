@@ -34,6 +34,7 @@ private slots:
     void theModeChangesWithoutAnotherMesh();
     void settingsStayWhenTheModeChanges();
     void litVolumesHaveADarkGround();
+    void draftsFollowTheUsualFunction();
     void whereTheDataAreMissingTheMeshIsShown();
     void aCropBoxShowsTheMeshInPlaceOfTheData();
     void aDefaultThatIsConfirmedIsNoEdit();
@@ -213,6 +214,20 @@ void RenderingTest::litVolumesHaveADarkGround()
     QVERIFY(ground().red < 0.2F);
     window_->find<QAction>("action.mode.isosurface").trigger();
     QCOMPARE(ground(), light);
+}
+
+/// While nobody has chosen one, moving pictures have functions of their own.
+void RenderingTest::draftsFollowTheUsualFunction()
+{
+    showVolume();
+    const auto request = [this] { return window_->workbench.scenes().sceneRequest(); };
+    QVERIFY(request().usualTransfer);
+    TransferFunction other = session().view().appearance.transfer;
+    other.opacities.back().opacity /= 2;
+    session().setTransfer(other);
+    QVERIFY(!request().usualTransfer);
+    undo();
+    QVERIFY(request().usualTransfer);
 }
 
 void RenderingTest::aDefaultThatIsConfirmedIsNoEdit()

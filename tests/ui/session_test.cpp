@@ -322,7 +322,7 @@ void SessionTest::newIsovaluesFillTheWidestGapInFreeColours()
     while (session_->view().isovalues.size() > 3)
         session_->removeIsovalue(3);
     session_->addIsovalue();
-    QCOMPARE(session_->view().isovalues[3].red, distinctColour(0).red);
+    QCOMPARE(session_->view().isovalues[3].red, materials.front().colour.red);
 }
 
 void SessionTest::openingAnotherModelForgetsTheEdits()

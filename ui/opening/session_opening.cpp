@@ -61,7 +61,7 @@ void SessionOpening::apply(const std::filesystem::path& path, const SessionDocum
     if (!look.hasCamera)
         view.camera = session_.view().camera;
     else if (!restored.document.hasCamera)
-        view.camera = framed(view, model->description().bounds, scenes_.extent().object, session_.shape());
+        view.camera = framed(view, model->description().bounds, scenes_.framedObject(view), session_.shape());
     view.tools = session_.view().tools; // what was measured in these data is no look
     view.bookmarks = session_.view().bookmarks;
     session_.setView(view, tr("Apply Look"));

@@ -300,7 +300,7 @@ void AnnotationRows::showTexts(const AnnotationState& state)
     const std::array<QString, 3> usual{
         model ? QString::fromStdString(usualTitle(*model)) : QString(),
         model ? QString::fromStdString(usualQuantity(model->description(), annotationLanguage())) : QString(),
-        {}};
+        model ? QString::fromStdString(usualUnit(model->description())) : QString()};
     const bool hasBar = state[AnnotationKind::ColourBar].shown;
     for (std::size_t i = 0; i < texts_.size(); ++i) {
         if (const auto text = QString::fromStdString(state.*texts[i]); texts_[i]->text() != text)

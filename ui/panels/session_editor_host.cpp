@@ -2,6 +2,7 @@
 #include "ui/panels/session_editor_host.h"
 
 #include "core/data/value_scale.h"
+#include "core/picture/annotations/annotation_content.h"
 #include "core/view/appearance.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/session/files.h"
@@ -210,8 +211,7 @@ ValueFacts SessionEditorHost::valueFacts() const
     if (!session_.model())
         return {};
     const ModelDescription& model = session_.model()->description();
-    const auto unit = std::ranges::find(model.taken, TakenPart::Unit, &Taken::part);
-    return {unit != model.taken.end() ? unit->what.text() : std::string(), model.sampleType};
+    return {usualUnit(model), model.sampleType};
 }
 
 bool SessionEditorHost::showsIsovalues() const

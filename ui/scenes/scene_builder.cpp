@@ -205,8 +205,7 @@ try {
     for (std::size_t i = 0; i < queries.size(); ++i) {
         if (i == pipelines.size())
             pipelines.push_back(std::make_unique<ScenePipeline>(makeCpuBackend(), extractor));
-        SceneRequest coarser = withMesh(request);
-        coarser.query = queries[queries.size() - 1 - i];
+        const SceneRequest coarser = withQuery(withMesh(request), queries[queries.size() - 1 - i]);
         const auto built = pipelines[i]->make(coarser, progress);
         if (!built || built->mesh.tetrahedra == 0 || built->mesh.tetrahedra >= shown.tetrahedra)
             return;

@@ -22,6 +22,7 @@ SceneService::SceneService(PluginHost& host, Session& session)
 {
     session_.setUsualTransfer(
         [this](const QueryState& query) { return usualTransfer(modes_, *session_.model(), field_, query); });
+    session_.setFramedObject([this](const ViewValue& view) { return framedObject(view); });
     connect(&session_, &Session::modelChanged, this, &SceneService::requestScene);
     connect(&session_, &Session::modelGrown, this, &SceneService::requestScene);
     session_.whenChanged(ViewPart::Scene, this, &SceneService::requestScene);
@@ -42,6 +43,7 @@ SceneService::SceneService(PluginHost& host, Session& session)
 SceneService::~SceneService()
 {
     session_.setUsualTransfer({});
+    session_.setFramedObject({});
 }
 
 bool SceneService::prepare(const FieldExtent& field)
@@ -98,6 +100,12 @@ ViewValue SceneService::startingView(const Model& model) const
     return tetra::startingView(modes_, model, field_, session_.shape());
 }
 
+std::vector<Eigen::Vector3d> SceneService::framedObject(const ViewValue& view) const
+{
+    const auto object = tetra::framedObject(field_, rendererOf(modes_, view.appearance.mode), view);
+    return {object.begin(), object.end()};
+}
+
 std::vector<ErrorRemark> SceneService::errorRemarks(const BuiltScene& scene) const
 {
     return errorRemarksOf(field_, scene.mesh, sceneRequest().values, *scene.scene);
@@ -140,6 +148,10 @@ SceneRequest SceneService::requestOf(ViewValue view) const
 {
     view.camera = settled_;
     SceneRequest request = withSamples(sceneOf(session_.model(), renderer(), renderingParameters(), view), host_);
+    if (view.appearance.transfer == usualTransfer(modes_, *session_.model(), field_, view.query))
+        request.usualTransfer = [modes = modes_, field = field_, model = session_.model()](const MeshQuery& query) {
+            return tetra::usualTransfer(modes, *model, field, query);
+        };
     request.camera = camera_;
     request.width = pixels_.width();
     request.height = pixels_.height();

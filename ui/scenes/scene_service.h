@@ -55,6 +55,8 @@ public:
     /// This one is chosen from now on, wherever a mode has it.
     void editTransfer(const std::string& id) { wantedTransfer_ = id; }
     const FieldExtent& extent() const noexcept { return field_; }
+    /// What a picture of this view of the model frames; none: all of the model.
+    std::vector<Eigen::Vector3d> framedObject(const ViewValue& view) const;
     /// How `model`, for which this was prepared, is seen if nobody has ever looked at it.
     ViewValue startingView(const Model& model) const;
     /// The same of the session's model. There must be one.

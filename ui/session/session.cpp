@@ -445,7 +445,8 @@ void Session::fitCamera()
         return;
     const Eigen::AlignedBox3d shown = shownBounds(), &whole = model_->description().bounds;
     const bool isWhole = shown.min() == whole.min() && shown.max() == whole.max();
-    const Camera camera = isWhole ? framed(view_, whole, object_, shape_) : fitted(view_.camera, shown, shape_);
+    const Camera camera = isWhole ? framed(view_, whole, framedObject_ ? framedObject_(view_) : object_, shape_)
+                                  : fitted(view_.camera, shown, shape_);
     if (camera == view_.camera)
         return fitCameraToWhole();
     setCamera(camera);

@@ -53,6 +53,10 @@ public:
     /// One that is as this says follows every edit of the query from now on, so that it goes with the error that is
     /// shown; any other was chosen and stays.
     void setUsualTransfer(UsualTransfer usual) { usualTransfer_ = std::move(usual); }
+    /// What a picture of a view of the present model frames; none: all of the model.
+    using FramedObject = std::function<Object(const ViewValue& view)>;
+    /// What fitCamera() frames from now on.
+    void setFramedObject(FramedObject framed) { framedObject_ = std::move(framed); }
     /// `next` with that transfer function, if it has the usual one of `before` and another query.
     ViewValue following(const ViewValue& before, ViewValue next) const;
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
@@ -61,6 +65,8 @@ public:
     void grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Appearance& appearance,
               Object object = {});
     void close();
+    /// Whether the model was opened as nobody had seen it before.
+    bool isFirstLook() const noexcept { return model_ != nullptr && followsModel_; }
     /// The width / height of the picture. A camera that shows what there is to see whole, as the model was opened, goes
     /// on doing so until somebody moves it.
     void setShape(double aspectRatio);
@@ -99,7 +105,7 @@ public:
     void setAnimation(const Animation& animation);
     void setCamera(const Camera& camera, Gesture gesture = 0);
     /// From the present direction: what is shown of the model, or its focus, in the middle of the picture, so that it
-    /// is turned about that; of all of the model, what is no background. If that is what is seen already, all of it.
+    /// is turned about that; of all of the model, the framed object. If that is what is seen already, all of it.
     void fitCamera();
     /// All of the model.
     void fitCameraToWhole();
@@ -150,6 +156,7 @@ private:
     std::shared_ptr<const Model> model_;
     ViewValue view_;
     UsualTransfer usualTransfer_;
+    FramedObject framedObject_;
     std::optional<ShownMesh> shown_;
     QUndoStack undoStack_;
     bool followsModel_ = false; ///< what was not edited, as it was not chosen

@@ -91,6 +91,17 @@ void CommandPalette::search(const QString& typed)
     for (const auto& [match, length, index] : found)
         addItem(index, match == std::get<0>(found.front()));
     if (found.empty())
+        listExplained(query);
+}
+
+/// What explains itself by the words typed is listed where no name has them, to be chosen: Enter alone does none of it.
+void CommandPalette::listExplained(const QString& query)
+{
+    for (std::size_t index = 0; index < commands_.size(); ++index)
+        if (const PaletteCommand& command = commands_[index];
+            wordMatch(query, command.text + ' ' + command.explanation))
+            addItem(index, false);
+    if (list_->topLevelItemCount() == 0)
         (new QTreeWidgetItem(list_, {tr("Nothing found")}))->setDisabled(true);
 }
 

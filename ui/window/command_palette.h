@@ -31,6 +31,7 @@ public:
 
 private:
     void search(const QString& query);
+    void listExplained(const QString& query);
     void addItem(std::size_t index, bool isBest);
     void run();
     void leave();

@@ -79,6 +79,7 @@ constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
 constexpr int layoutVersion = 4;
 constexpr int statusMessageTime = 5000; // milliseconds
+constexpr int hintTime = 10'000;        // likewise
 constexpr int keepLayoutAfter = 300;    // likewise
 
 /// The local files of a drag, and addresses on servers: a browser gives these as URLs or as text.
@@ -723,6 +724,10 @@ void MainWindow::showModel()
         viewport_->setFocus();
         if (model->path() == insteadOfBuilding_)
             docks_.build->hide();
+        const ModelDescription& data = model->description();
+        if (data.domain == DomainClass::RegularLattice && data.space.empty() && workbench_.session().isFirstLook())
+            statusBar()->showMessage(tr("The file does not say which way is up; Ctrl+U turns the model upside down"),
+                                     hintTime);
     }
     insteadOfBuilding_.clear();
     showWhatCanBeClosed();

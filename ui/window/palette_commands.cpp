@@ -64,6 +64,7 @@ PaletteCommand namedCommand(const QString& name, const QString& way, const QStri
 PaletteCommand commandOf(QAction& action, const QString& way)
 {
     PaletteCommand command = namedCommand(action.objectName(), way, plain(action.text()));
+    command.explanation = action.toolTip();
     command.keys = action.shortcut().toString(QKeySequence::NativeText);
     command.reason = reasonOf(action);
     command.run = [action = QPointer(&action)] {

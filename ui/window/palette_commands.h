@@ -19,6 +19,7 @@ struct PaletteCommand {
     QString text;           ///< with the menus that lead to it: "View: Look From: Front"
     qsizetype ownStart = 0; ///< where its own name begins in that
     QString spoken;         ///< the same by what is read out of it, where that is not what stands beside it; else empty
+    QString explanation;    ///< what its tooltip says; empty if it has none of its own
     QString keys;           ///< its shortcut, for reading
     QString reason;         ///< why it cannot be done now; empty if it can
     std::function<void()> run;

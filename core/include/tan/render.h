@@ -179,6 +179,12 @@ inline constexpr std::array<Material, 7> materials{{
     {"chalk", Message::marked("Chalk"), {245 / 255.0f, 245 / 255.0f, 242 / 255.0f}},
 }};
 
+/// The colour of the index-th of several surfaces for which nobody has chosen one: of bone, and then distinct ones.
+constexpr Colour surfaceColour(std::size_t index)
+{
+    return index == 0 ? materials.front().colour : distinctColour(index);
+}
+
 /// What a thing that is shown in two resolutions has of a place: the weight of the finer one, or what is left of it.
 struct FocusShare {
     std::vector<FocusRegion> regions; ///< OpenGL takes at most 16

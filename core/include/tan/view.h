@@ -256,7 +256,7 @@ struct AnnotationState {
     std::optional<BarEnds> barEnds{}; ///< usable ones; none: those of the data's values
     std::string title{};              ///< empty: the model's name
     std::string quantity{};           ///< what the colour bar shows; empty: the name of the data's values
-    std::string unit{};               ///< of that, in brackets behind it; empty: none
+    std::string unit{};               ///< of that, in brackets behind it; empty: that of the data
     NumberFormat numbers{};           ///< of the colour bar
     NumberFormat lengths{};           ///< of the scale bar and of the axes with numbers
     double textSize = usualTextSize;  ///< within its limits

@@ -6,6 +6,8 @@
 #include "core/picture/annotations/field_name.h"
 #include "core/view/appearance.h"
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
@@ -21,6 +23,12 @@ std::string usualQuantity(const ModelDescription& description, const AnnotationL
 {
     return holdsLogarithms(description.parameters) ? visibleText(nameOfLogarithms(description.valueName))
                                                    : fieldName(description, language);
+}
+
+std::string usualUnit(const ModelDescription& description)
+{
+    const auto unit = std::ranges::find(description.taken, TakenPart::Unit, &Taken::part);
+    return unit != description.taken.end() ? visibleText(unit->what.text()) : std::string();
 }
 
 std::string usualTitle(const Model& model)
@@ -43,6 +51,7 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
         content.isovalues = seenOnes(view.isovalues);
     content.logarithms = holdsLogarithms(description.parameters);
     content.field = usualQuantity(description, language);
+    content.unit = usualUnit(description);
     if (description.space.find_first_not_of("RLAPSI") == std::string::npos)
         content.space = description.space;
     content.lengthUnit = visibleText(description.lengthUnit);

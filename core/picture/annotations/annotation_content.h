@@ -31,6 +31,7 @@ struct AnnotationContent {
     /// The values are logarithms to base 10: the bar's axis tells what they are of, and `field` names that.
     bool logarithms = false;
     std::string field{};       ///< name of the values, unless the state has another one
+    std::string unit{};        ///< of the values, unless the state has another one; empty if it is not known
     std::string space{};       ///< ModelDescription::space: the letters of the axes, if there are three
     std::string lengthUnit{};  ///< ModelDescription::lengthUnit; empty if it is not known
     Eigen::AlignedBox3d box{}; ///< of all points of the data; empty: there is nothing to put axes along
@@ -42,9 +43,10 @@ struct AnnotationContent {
     std::shared_ptr<const Fonts> fonts{}; ///< null: the system's sans-serif, opened for each picture anew
 };
 
-/// What the values of a model are called at a colour bar, and the model in a title, as long as nobody calls them
-/// otherwise.
+/// What the values of a model and their unit are called at a colour bar, and the model in a title, as long as nobody
+/// calls them otherwise.
 std::string usualQuantity(const ModelDescription& description, const AnnotationLanguage& language);
+std::string usualUnit(const ModelDescription& description);
 std::string usualTitle(const Model& model);
 
 /// Of a picture of a model, seen by this view. `parameters`: those of its renderer that matter as they are set. The

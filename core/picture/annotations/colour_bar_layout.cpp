@@ -45,9 +45,10 @@ PlacedText barName(const AnnotationContent& content, double most, const TextMeas
 {
     const AnnotationState& state = content.state;
     const std::string name = state.quantity.empty() ? content.field : visibleText(state.quantity);
-    if (state.unit.empty())
+    const std::string of = state.unit.empty() ? content.unit : visibleText(state.unit);
+    if (of.empty())
         return fittedText(name, most, measure);
-    const std::string unit = (name.empty() ? "(" : " (") + visibleText(state.unit) + ")";
+    const std::string unit = (name.empty() ? "(" : " (") + of + ")";
     const double left = most - std::ceil(measure.width(unit));
     const std::string shown = name.empty() || measure.width(name + unit) <= most ? name
                               : left > 0                                         ? fittedText(name, left, measure).text

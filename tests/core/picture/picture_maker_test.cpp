@@ -98,6 +98,32 @@ private slots:
         QCOMPARE(maker_->keptView(path("silent.png")).error().kind, ErrorKind::BadInput);
     }
 
+    /// Of C60 the balls in their background are framed, unless more than that is shown.
+    void whatIsShownIsFramed()
+    {
+        ViewValue view = maker_->startingView();
+        const auto distance = [&] { return maker_->framed(view).distance; };
+        const auto whole = [&] { return fitted(view.camera, maker_->model()->description().bounds, 4.0 / 3).distance; };
+        const double near = distance();
+        QVERIFY(near < 0.95 * whole());
+        const ValueRange range = maker_->model()->description().range;
+        view.isovalues.front().value = range.minimum + 0.01 * range.extent();
+        QCOMPARE(distance(), whole());
+        view.isovalues.front().visible = false;
+        QCOMPARE(distance(), near);
+        view.appearance.settings["boundary"] = std::string("translucent");
+        QCOMPARE(distance(), whole());
+        view.appearance.settings.clear();
+        view.appearance.mode = "volume"; // whatever the isovalues are
+        view.isovalues.front().visible = true;
+        QCOMPARE(distance(), near);
+        view.appearance.transfer =
+            transferFunctionFromPoints({{range.minimum, {1, 1, 1}, 0.5F}, {range.maximum, {1, 1, 1}, 0.5F}}, 1);
+        QCOMPARE(distance(), whole());
+        view.appearance.mode = "slice";
+        QCOMPARE(distance(), whole());
+    }
+
     void framesAreThoseOfTheFilm()
     {
         ViewValue film = maker_->startingView();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture frames what there is to see in a background, whatever its shape, its place and the camera.
+#include "core/render/object_values.h"
 #include "tests/core/render/lattice_mesh.h"
 
 #include <tan/render.h>
@@ -90,6 +91,34 @@ private slots:
         QVERIFY(!outline.empty());
         const auto inverse = [&](const Vector3d& point) { return 1e6 - 3e5 * field(point); };
         QCOMPARE(outlineOf(latticeMesh(cells, extent, Split::Five, inverse)), outline);
+    }
+
+    /// An isovalue or a function that shows more than the object is told from one that does not.
+    void valuesOfTheObject()
+    {
+        const Ellipsoid field{Vector3d(1.2, 0.9, 1), Vector3d(0.3, 0.4, 0.2)};
+        for (const double sign : {1.0, -1.0}) {
+            const TetrahedralMesh mesh =
+                latticeMesh(cells, extent, Split::Five, [&](const Vector3d& point) { return sign * field(point); });
+            const auto [least, largest] = std::ranges::minmax(mesh.values);
+            const ValueHistogram volumes = volumeHistogram(mesh, least, largest, 256);
+            const ObjectValues object(volumes, sign * 0.5);
+            QVERIFY(object.isBesideBackground());
+            QVERIFY(object.has(sign * 0.6) && object.has(sign) && !object.has(0));
+            QVERIFY(object.hasAllBeyond(sign * 0.5) && object.hasAllBeyond(sign * 0.9));
+            QVERIFY(!object.hasAllBeyond(sign * 0.005) && !object.hasAllBeyond(-sign * 0.1));
+            for (const double unitDistance : {0.01, 1.0, 30.0})
+                for (const double error : {0.0, 0.1})
+                    QVERIFY(object.hasAllSeenOf(fittedTransferFunction(volumes, unitDistance, error)));
+            const auto flat = [&](double from) {
+                return transferFunctionFromPoints(
+                    {{std::min(from, sign), {1, 1, 1}, 0.5F}, {std::max(from, sign), {1, 1, 1}, 0.5F}}, 1);
+            };
+            QVERIFY(!object.hasAllSeenOf(flat(0)));
+        }
+        const TetrahedralMesh slope = latticeMesh(8, extent, Split::Five, [](const Vector3d& p) { return p.sum(); });
+        const ObjectValues everything(volumeHistogram(slope, 0, 3 * extent, 256), {});
+        QVERIFY(!everything.isBesideBackground() && everything.has(0.1) && everything.hasAllBeyond(0.1));
     }
 
     /// All that there is, is to be seen: there is no object in front of it.

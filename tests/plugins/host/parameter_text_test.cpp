@@ -164,7 +164,7 @@ private slots:
         QVERIFY(parsed);
         const auto& values = std::get<std::vector<Isovalue>>(*parsed);
         QCOMPARE(values.size(), std::size_t(4));
-        QVERIFY(values[0] == Isovalue{.value = 1});
+        QCOMPARE(values[0].blue, materials.front().colour.blue);
         QCOMPARE(values[1].blue, distinctColour(1).blue);
         QCOMPARE(values[2].red, 1.0f);
         QCOMPARE(values[2].blue, 0.0f);
