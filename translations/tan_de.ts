@@ -2286,6 +2286,14 @@ Verwerfung %2</translation>
         <source>Materials</source>
         <translation>Materialien</translation>
     </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CommandPalette</name>

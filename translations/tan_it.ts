@@ -2286,6 +2286,14 @@ deformazione %2</translation>
         <source>Materials</source>
         <translation>Materiali</translation>
     </message>
+    <message>
+        <source>White</source>
+        <translation>Bianco</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Nero</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CommandPalette</name>

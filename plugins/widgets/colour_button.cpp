@@ -86,6 +86,9 @@ void ColourButton::fillMenu(QMenu* menu)
             QColor::fromRgbF(red, green, blue), paletteNames.size() + index);
     }
     menu->addSeparator();
+    add(tr("White"), Qt::white, paletteNames.size() + materials.size());
+    add(tr("Black"), Qt::black, paletteNames.size() + materials.size() + 1);
+    menu->addSeparator();
     QAction* other = menu->addAction(tr("Other Colour…"), this, &ColourButton::chooseOther);
     other->setObjectName(objectName() + ".other");
 }

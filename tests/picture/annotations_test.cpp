@@ -181,6 +181,8 @@ void AnnotationsTest::anIsovalueIsMorePreciseThanTheTicks()
     QCOMPARE(among(128, 0, 255), std::string("128"));
     QCOMPARE(among(0.123456, 0, 1), std::string("0.1235"));
     QCOMPARE(among(0, -1, 1), std::string("0"));
+    QCOMPARE(among(15000, 0, 30000), std::string("15000")); // as the ticks, 20000 and 25000
+    QCOMPARE(among(17384.6, 0, 30000), std::string("17385"));
     QCOMPARE(numberAmong(1518.123, {}), std::string("1518"));
     // Whatever the scale: what is read back lies between the same ticks, a tenth of their distance off at most.
     for (const double offset : {0.0, 3.0, 1e3, -1e6})

@@ -202,6 +202,12 @@ void OutputTest::aPictureHasASizeInCentimetres()
     height.setValue(8);
     QCOMPARE(form.settings().size, QSize(2400, 1600));
     QCOMPARE(form.findChild<QComboBox*>("print.preset")->currentText(), QString("Custom"));
+    width.setValue(12);
+    dpi.selectAll();
+    QTest::keyClicks(&dpi, "300"); // 3 and 30 are no resolutions that anybody wants
+    QTest::keyClick(&dpi, Qt::Key_Return);
+    QCOMPARE(form.settings().size, QSize(1417, 945));
+    QCOMPARE(width.value(), 12.0);
     form.findChild<QSpinBox*>("print.width")->setValue(300); // from here on it is a number of pixels
     dpi.setValue(254);
     QCOMPARE(form.settings().size, QSize(300, 200));

@@ -35,6 +35,7 @@ private slots:
     void settingsStayWhenTheModeChanges();
     void litVolumesHaveADarkGround();
     void draftsFollowTheUsualFunction();
+    void settingsFollowAModelThatGrows();
     void whereTheDataAreMissingTheMeshIsShown();
     void aCropBoxShowsTheMeshInPlaceOfTheData();
     void aDefaultThatIsConfirmedIsNoEdit();
@@ -228,6 +229,23 @@ void RenderingTest::draftsFollowTheUsualFunction()
     QVERIFY(!request().usualTransfer);
     undo();
     QVERIFY(request().usualTransfer);
+}
+
+/// A model that grows may have an object, around which no box is drawn, where a coarser one had none.
+void RenderingTest::settingsFollowAModelThatGrows()
+{
+    const auto outline = [this] { return window_->find<QCheckBox>("rendering.setting.outline").isChecked(); };
+    auto& scenes = window_->workbench.scenes();
+    FieldExtent field = scenes.extent();
+    const auto grow = [&](std::vector<Eigen::Vector3d> object) {
+        field.object = std::move(object);
+        scenes.setExtent(field);
+        session().grow(session().model(), session().view().isovalues, session().view().appearance, field.object);
+    };
+    grow({});
+    QVERIFY(outline());
+    grow({{1, 1, 1}, {2, 2, 2}});
+    QVERIFY(!outline());
 }
 
 void RenderingTest::aDefaultThatIsConfirmedIsNoEdit()

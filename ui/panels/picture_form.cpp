@@ -143,6 +143,7 @@ void PictureForm::addPrint(QFormLayout& form)
                    tr("Print resolution in pixels per inch; the number of pixels changes only after a size in "
                       "centimetres was entered"));
     dpi_->setValue(QSettings().value(name + "/dpi", usualDpi).toInt());
+    dpi_->setKeyboardTracking(false); // half of a number is another resolution
     connect(dpi_, &QSpinBox::valueChanged, this, &PictureForm::chooseResolution);
     form.addRow(tr("Print &resolution"), dpi_);
 }

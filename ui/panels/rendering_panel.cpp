@@ -43,6 +43,14 @@ QString explanationOf(const PluginHost& host, const std::string& id)
     return {};
 }
 
+ParameterValues defaultsOf(const std::vector<Parameter>& parameters)
+{
+    ParameterValues defaults;
+    for (const Parameter& parameter : parameters)
+        defaults[parameter.id] = parameter.defaultValue;
+    return defaults;
+}
+
 } // namespace
 
 RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
@@ -59,6 +67,7 @@ RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget
     connect(settings_, &ParameterForm::edited, this, [this](const QString& id) { setSetting(id.toStdString()); });
     connect(frameRate_, &QSpinBox::valueChanged, this, &RenderingPanel::setFrameRate);
     connect(&workbench_.session(), &Session::modelChanged, this, &RenderingPanel::showModel);
+    connect(&workbench_.session(), &Session::modelGrown, this, &RenderingPanel::showAppearance);
     workbench_.session().whenChanged(ViewPart::Mode | ViewPart::Settings, this, &RenderingPanel::showAppearance);
     frameRate_->setValue(QSettings().value(frameRateKey, automatic).toInt());
     setFrameRate(frameRate_->value());
@@ -201,10 +210,13 @@ void RenderingPanel::showAppearance()
     const Appearance& appearance = workbench_.session().view().appearance;
     mode_->setCurrentIndex(mode_->findData(QString::fromStdString(appearance.mode)));
     explanation_->setText(explanationOf(workbench_.host(), appearance.mode));
-    if (appearance.mode != shownMode_ || appearance.mode.empty()) {
-        settings_->setParameters(settingParameters(workbench_.scenes().renderingParameters()));
+    auto parameters = settingParameters(workbench_.scenes().renderingParameters());
+    const auto defaults = defaultsOf(parameters);
+    if (appearance.mode != shownMode_ || appearance.mode.empty() || defaults != shownDefaults_) {
+        settings_->setParameters(std::move(parameters));
         showExamples();
     }
+    shownDefaults_ = defaults; // which follow the model, and that may grow
     shownMode_ = appearance.mode;
     settings_->setValues(appearance.settings);
 }

@@ -53,6 +53,7 @@ private:
     QSpinBox* movingShare_;
     QSpinBox* idleTime_;
     std::string shownMode_;
+    ParameterValues shownDefaults_; ///< of its settings
 };
 
 } // namespace tetra

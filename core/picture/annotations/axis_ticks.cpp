@@ -180,7 +180,10 @@ std::string numberAmong(double value, const std::vector<double>& ticks, const Nu
         return shortNumber(value, signs, fewestDigits);
     constexpr int mostDigits = 15;
     // From the first of the number down to the one below the first of the distance.
-    const double digits = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(apart)) + 2;
+    const double first = std::floor(std::log10(std::abs(value)));
+    double digits = first - std::floor(std::log10(apart)) + 2;
+    if (std::max(largestMagnitude(ticks), std::abs(value)) < largestPlain)
+        digits = std::max(digits, first + 1); // without a power of ten, as the ticks
     return shortNumber(value, signs, static_cast<int>(std::clamp<double>(digits, fewestDigits, mostDigits)));
 }
 

@@ -205,7 +205,9 @@ Colour paletteColour(int index)
                                                                    {176, 186, 198},
                                                                    {150, 142, 132},
                                                                    {96, 156, 196},
-                                                                   {245, 245, 242}}};
+                                                                   {245, 245, 242},
+                                                                   {255, 255, 255}, // for grounds, too
+                                                                   {0, 0, 0}}};
     const auto [red, green, blue] = colours[static_cast<std::size_t>(index)];
     const QColor colour(red, green, blue);
     return {static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()), static_cast<float>(colour.blueF())};

@@ -102,7 +102,7 @@ Drivers toolControls(); ///< of the tools of this build
 Driver::Step inDock(const QString& dock);
 
 /// Of the menus of colours, by its place there.
-inline constexpr int paletteSize = 14;
+inline constexpr int paletteSize = 16;
 Colour paletteColour(int index);
 
 /// Does what somebody does by keys with a control of this kind: steps a number, checks a box, takes another entry.
