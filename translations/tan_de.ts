@@ -12746,6 +12746,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>%1 of %2 bookmarks cannot be shown as they were saved.</source>
         <translation>%1 von %2 Lesezeichen können nicht so gezeigt werden, wie sie gespeichert wurden.</translation>
     </message>
+    <message>
+        <source>The look is one of &apos;%1&apos;, and these values are &apos;%2&apos;: title and names are left out, and colours and isovalues are spread over the range of these.</source>
+        <translation>Das Aussehen ist eines von „%1“, und diese Werte sind „%2“: Titel und Namen werden weggelassen, Farben und Isowerte über den Bereich dieser Werte gespreizt.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

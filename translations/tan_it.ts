@@ -12746,6 +12746,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>%1 of %2 bookmarks cannot be shown as they were saved.</source>
         <translation>%1 segnalibri su %2 non possono essere mostrati come sono stati salvati.</translation>
     </message>
+    <message>
+        <source>The look is one of &apos;%1&apos;, and these values are &apos;%2&apos;: title and names are left out, and colours and isovalues are spread over the range of these.</source>
+        <translation>L&apos;aspetto è di «%1», e questi valori sono «%2»: titolo e nomi sono omessi, e colori e isovalori sono distribuiti sull&apos;intervallo di questi.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

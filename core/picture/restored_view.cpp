@@ -5,6 +5,7 @@
 // value of the model can be is left out. Whatever is left out is told.
 #include "core/picture/restored_view.h"
 
+#include "core/base/text.h"
 #include "core/picture/view_picture.h"
 #include "core/view/appearance.h"
 #include "core/view/view_value.h"
@@ -102,6 +103,62 @@ Message noneWithin(const ValueRange& range)
     return Message::say(
         "None of the isovalues lies within the model's values, %1 to %2, so the default ones are shown.",
         formatNumber(range.minimum), formatNumber(range.maximum));
+}
+
+/// The values of one range, spread over another one.
+struct SpreadValues {
+    ValueRange from;
+    ValueRange to;
+
+    double factor() const { return from.extent() > 0 ? to.extent() / from.extent() : 1; }
+    void spread(double& value) const { value = to.minimum + (value - from.minimum) * factor(); }
+    void spread(TransferFunction& function) const
+    {
+        for (ColourPoint& point : function.colours)
+            spread(point.value);
+        for (OpacityPoint& point : function.opacities)
+            spread(point.value);
+        if (function.mask) {
+            spread(function.mask->least);
+            spread(function.mask->largest);
+        }
+    }
+    void spread(std::vector<Isovalue>& isovalues) const
+    {
+        for (Isovalue& isovalue : isovalues)
+            spread(isovalue.value);
+    }
+};
+
+/// A look at other values, such as the pressure in place of the speed: what is said of those is not said of these, and
+/// what was a share of their range is the same share of this one.
+void fitOtherValues(SessionDocument& kept, const Model& model, Differences& differences)
+{
+    ViewValue& view = kept.view;
+    const ValueRange& range = model.description().range;
+    const SpreadValues values{kept.range.value_or(range), range};
+    values.spread(view.isovalues);
+    values.spread(view.appearance.transfer);
+    view.appearance.settings.erase(fullGradientId);
+    for (auto& [id, setting] : view.appearance.settings)
+        if (auto* function = std::get_if<TransferFunction>(&setting))
+            values.spread(*function);
+        else if (auto* isovalues = std::get_if<std::vector<Isovalue>>(&setting))
+            values.spread(*isovalues);
+    values.spread(view.query.values.least);
+    values.spread(view.query.values.largest);
+    view.query.focus.valueFalloff *= values.factor();
+    for (KeyFrame& key : view.animation.keys) {
+        values.spread(key.frame.isovalues);
+        values.spread(key.frame.transfer);
+    }
+    view.annotations = ofOtherData(std::move(view.annotations));
+    kept.range = range;
+    differences.push_back(
+        {"annotations",
+         Message::say("The look is one of '%1', and these values are '%2': title and names are left out, "
+                      "and colours and isovalues are spread over the range of these.",
+                      visibleText(kept.valueName), visibleText(model.description().valueName))});
 }
 
 /// From another range.
@@ -243,6 +300,7 @@ void fitBookmarks(SessionDocument& kept, const std::vector<Provided<Renderer>>& 
         own.bounds = kept.bounds;
         own.withDirections = kept.withDirections;
         own.range = kept.range;
+        own.valueName = kept.valueName;
         own.view = std::move(bookmark.view);
         own.hasCamera = true;
         RestoredView restored = restoredView(std::move(own), modes, model, field);
@@ -265,6 +323,9 @@ RestoredView restoredView(SessionDocument kept, const std::vector<Provided<Rende
     start.appearance.transfer = usualTransfer(modes, model, field, corrected(kept.view.query, start.query, model));
     const ValueRange& range = model.description().range;
     RestoredView restored;
+    fitBookmarks(kept, modes, model, field, restored.differences); // by what is known of the session's model
+    if (isOfOtherValues(kept, model))
+        fitOtherValues(kept, model, restored.differences);
     if (!isOfSameDomain(kept, model))
         fitPlaces(kept, start, model, restored.differences);
     if (!isOfSameRange(kept, model))
@@ -276,7 +337,6 @@ RestoredView restoredView(SessionDocument kept, const std::vector<Provided<Rende
     kept.view.query = corrected(kept.view.query, start.query, model);
     for (Isovalue& isovalue : kept.view.isovalues)
         isovalue = corrected(isovalue, range);
-    fitBookmarks(kept, modes, model, field, restored.differences);
     restored.document = std::move(kept);
     return restored;
 }

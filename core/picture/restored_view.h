@@ -15,7 +15,7 @@ namespace tetra {
 /// A part of a look that a model cannot have.
 struct SessionDifference {
     /// "model", "camera", "focus", "window", "clip", "slices", "animation", "isovalues", "transfer", "values",
-    /// "mode", "tools" or "bookmarks".
+    /// "mode", "tools", "bookmarks" or "annotations".
     std::string part;
     Message text; ///< a sentence: what is shown instead, and why
 };

@@ -27,6 +27,7 @@ constexpr const char* formatName = "tan-session";
 constexpr int formatVersion = 1;
 constexpr const char* relativeKey = "relativePath";
 constexpr const char* absoluteKey = "absolutePath";
+constexpr std::string_view arrayKey = "array";
 /// Corners of one domain may differ by so much of its diagonal: data may be written in other digits.
 constexpr double sameCorner = 1e-9;
 
@@ -134,6 +135,8 @@ void readModelFacts(const JsonObject& model, SessionDocument& document)
         for (const JsonValue& corner : *corners->array())
             if (const auto place = JsonFields::threeOf(&corner))
                 document.bounds.extend(Eigen::Vector3d((*place)[0], (*place)[1], (*place)[2]));
+    if (const JsonValue* const array = model.find(arrayKey); array != nullptr && array->string() != nullptr)
+        document.valueName = *array->string();
     const JsonValue* const range = model.find("range");
     const JsonArray* const ends = range != nullptr ? range->array() : nullptr;
     if (ends == nullptr || ends->size() != 2)
@@ -167,6 +170,8 @@ JsonValue sessionJson(const SessionDocument& document, const std::filesystem::pa
     if (!document.bounds.isEmpty())
         model["bounds"] = JsonArray{jsonThree(document.bounds.min()), jsonThree(document.bounds.max())};
     model["withDirections"] = document.withDirections;
+    if (!document.valueName.empty())
+        model[std::string(arrayKey)] = document.valueName;
     if (document.range)
         model["range"] = JsonArray{document.range->minimum, document.range->maximum};
     JsonObject ours = {{"format", formatName}, {"version", formatVersion}, {"model", model}};
@@ -206,6 +211,7 @@ SessionDocument documentOf(const Model& model, const ViewValue& view)
             .bounds = description.bounds,
             .withDirections = !description.lattice.isAlongAxes(),
             .range = description.range,
+            .valueName = description.valueName,
             .view = view,
             .hasCamera = true};
 }
@@ -239,6 +245,12 @@ bool isOfSameRange(const SessionDocument& document, const Model& model)
     const ValueRange& range = model.description().range;
     return !document.range || document.identity == modelIdentity(model) ||
            (document.range->minimum == range.minimum && document.range->maximum == range.maximum);
+}
+
+bool isOfOtherValues(const SessionDocument& document, const Model& model)
+{
+    const std::string& name = model.description().valueName;
+    return !document.valueName.empty() && !name.empty() && document.valueName != name;
 }
 
 bool isSessionFile(const std::filesystem::path& path)

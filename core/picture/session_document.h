@@ -31,6 +31,7 @@ struct SessionDocument {
     Eigen::AlignedBox3d bounds{};          ///< of the model; empty if the file does not say
     bool withDirections = false;           ///< its places are those of a lattice that does not lie along the axes
     std::optional<ValueRange> range{};     ///< of its values; nothing if the file does not say
+    std::string valueName{};               ///< what its values are called (ModelDescription); empty: not known
     ViewValue view{};
     bool hasCamera = false; ///< else the view's is none that anybody chose
     /// Of the view, width and height in pixels: lines and texts take as much of a picture as they do of that. Zeros if
@@ -59,6 +60,8 @@ bool lacksDirections(const SessionDocument& document, const Model& model);
 /// same domain, or the same range; or the document does not say.
 bool isOfSameDomain(const SessionDocument& document, const Model& model);
 bool isOfSameRange(const SessionDocument& document, const Model& model);
+/// Whether its values are called otherwise than this model's: another array, say.
+bool isOfOtherValues(const SessionDocument& document, const Model& model);
 
 /// Whether the file's name is that of a session.
 bool isSessionFile(const std::filesystem::path& path);

@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
+#include <QDialog>
 #include <QPushButton>
 
 #include <algorithm>
@@ -270,8 +271,15 @@ void ControlsTest::enterDoesWhatTheDialogIsFor()
     const auto isMeant = [](const OpenableDialog& dialog) { return QString(dialog.name) == QTest::currentDataTag(); };
     const auto dialog = std::ranges::find_if(dialogs, isMeant);
     QVERIFY(dialog != dialogs.end());
-    dialog->open(*window_);
-    QVERIFY(window_->find<QPushButton>(button).isDefault());
+    for (int time = 0; time < 2; ++time) {
+        dialog->open(*window_);
+        auto& opened = window_->find<QDialog>(dialog->name);
+        QVERIFY(window_->find<QPushButton>(button).isDefault());
+        for (auto* other : opened.findChildren<QPushButton*>()) // as the last one that was used
+            if (other->isEnabled() && other->objectName() != button)
+                other->setFocus();
+        opened.close();
+    }
 }
 
 void ControlsTest::everyPanelSaysWhatItIs()

@@ -26,6 +26,7 @@ private slots:
     void whatAnotherModelCannotHaveIsNamed();
     void aSessionThatLostSomethingStaysAsItIs();
     void theLookOfASessionIsTakenOver();
+    void theLookOfAnotherArrayIsSpread();
     void aKeptViewMayLackDirections();
     void aModelIsLocated();
     void theProgramTakesALook();
@@ -40,7 +41,8 @@ private:
     QString path(const QString& name) const { return folder_.filePath(name); }
     /// A model of x + y + z on a lattice of so many points along x, times `factor`; other than 0, `mirrored` is where
     /// its first point lies, from which x falls.
-    QString build(const QString& name, float factor, std::uint32_t sizeX = 8, double mirrored = 0) const;
+    QString build(const QString& name, float factor, std::uint32_t sizeX = 8, double mirrored = 0,
+                  const std::string& array = {}) const;
     void open(const QString& file) const;
     /// The session of a model with two isovalues, a transfer function, a camera, a window and a clip plane of their
     /// own.
@@ -88,7 +90,8 @@ void RestoredViewTest::cleanup()
     window_.reset();
 }
 
-QString RestoredViewTest::build(const QString& name, float factor, std::uint32_t sizeX, double mirrored) const
+QString RestoredViewTest::build(const QString& name, float factor, std::uint32_t sizeX, double mirrored,
+                                const std::string& array) const
 {
     constexpr std::uint32_t size = 8;
     Dataset dataset = sampleDataset(size);
@@ -103,6 +106,7 @@ QString RestoredViewTest::build(const QString& name, float factor, std::uint32_t
                 values.push_back(factor * static_cast<float>(x % size + y + z) / (3 * (size - 1)));
     dataset.values = ScalarField::of(std::move(values));
     dataset.source.hash = contentHash(dataset.values, nullptr);
+    dataset.source.valueName = array;
     const auto model = buildSampleModel(*window_->host, dataset, folder_.path().toStdString());
     std::filesystem::create_directories(filePath(path(name)).parent_path());
     std::filesystem::rename(model, filePath(path(name)));
@@ -194,6 +198,49 @@ void RestoredViewTest::aSessionThatLostSomethingStaysAsItIs()
     QVERIFY(dialog.isVisible()); // for another file
     dialog.reject();
     QVERIFY(before && *readTextFile(filePath(look)) == *before);
+}
+
+/// What was said of the speed is not said of the pressure, and its colours are those of the same shares of the range.
+void RestoredViewTest::theLookOfAnotherArrayIsSpread()
+{
+    const QString model = build("speed.tan", 1, 8, 0, "speed");
+    saveLook("speed.tansession", model);
+    open(path("speed.tansession"));
+    ViewValue named = session().view();
+    named.annotations.title = "Speed";
+    named.annotations.quantity = "Speed";
+    named.annotations.unit = "m/s";
+    named.annotations.barEnds = BarEnds{0, 2};
+    named.query.values = {true, 0.25, 0.5};
+    named = withBookmark(named, "one");
+    session().setView(named);
+    bool isSaved = false;
+    window_->workbench.opening().sessionFile().save(filePath(path("speed.tansession")),
+                                                    *window_->workbench.opening().sessions().document(),
+                                                    [&](bool saved) { isSaved = saved; });
+    QTRY_VERIFY(isSaved);
+    build("pressure.tan", 10, 8, 0, "pressure");
+    const Run run = render({"speed.tansession", "--model", "pressure.tan"});
+    QVERIFY2(run.exitCode == 0, run.messages);
+    QCOMPARE(differencesOf(run), (QStringList{"bookmarks", "annotations"}));
+    QVERIFY2(run.messages.contains("'speed'") && run.messages.contains("'pressure'"), run.messages);
+    build("step.tan", 10, 8, 0, "speed"); // of the same array nothing is moved
+    QCOMPARE(differencesOf(render({"speed.tansession", "--model", "step.tan"})), QStringList());
+
+    open(path("pressure.tan"));
+    window_->workbench.opening().sessions().applyLook(filePath(path("speed.tansession")));
+    QTRY_COMPARE(session().undoStack().count(), 1);
+    const ViewValue& view = session().view();
+    QCOMPARE(view.isovalues[0].value, 10 * firstIsovalue);
+    QCOMPARE(view.isovalues[1].value, 10 * secondIsovalue);
+    QCOMPARE(view.appearance.transfer.opacities.front().value, 2.0);
+    QCOMPARE(view.appearance.transfer.opacities.back().value, 8.0);
+    QCOMPARE(view.query.values.largest, 5.0);
+    QVERIFY(view.annotations.title.empty() && view.annotations.quantity.empty() && view.annotations.unit.empty() &&
+            !view.annotations.barEnds);
+    QCOMPARE(view.camera.azimuth, 100.0);
+    QCOMPARE(window_->messages().size(), 1);
+    QVERIFY2(window_->messages().first().contains("'speed'"), qPrintable(window_->messages().first()));
 }
 
 void RestoredViewTest::theLookOfASessionIsTakenOver()

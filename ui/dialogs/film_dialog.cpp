@@ -6,6 +6,7 @@
 #include "ui/session/files.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/first_focus.h"
 #include "ui/widgets/form_labels.h"
 #include "ui/workbench/film_file.h"
 
@@ -154,6 +155,7 @@ void FilmDialog::ask()
     lookAtTarget();
     showTarget();
     show();
+    focusFirst(*this);
     raise();
     activateWindow();
     lookAtTarget();

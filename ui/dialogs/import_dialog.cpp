@@ -9,6 +9,7 @@
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/check_label.h"
+#include "ui/widgets/first_focus.h"
 #include "ui/widgets/scale_input.h"
 
 #include <QComboBox>
@@ -197,6 +198,7 @@ void ImportDialog::ask(const ImportQuestion& question)
     layoutHelp_->setVisible(withLayout_);
     resize(withLayout_ ? QSize(900, 620) : QSize(520, 480));
     show();
+    focusFirst(*this);
     raise();
     activateWindow();
 }

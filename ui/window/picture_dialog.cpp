@@ -8,6 +8,7 @@
 #include "ui/session/shown_mesh_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/first_focus.h"
 #include "ui/window/keep_session.h"
 
 #include <QCheckBox>
@@ -62,6 +63,7 @@ void PictureDialog::ask()
 {
     form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations);
     show();
+    focusFirst(*this);
     raise();
     activateWindow();
 }

@@ -150,11 +150,22 @@ CutPlane facing(const Eigen::Vector3d& place, const Eigen::Vector3d& direction)
     return {normal, normal.dot(place)};
 }
 
+/// No finer than anybody can drag: a decimal number of a hundred-thousandth of the box.
+double readableOffset(double offset, const Eigen::AlignedBox3d& box)
+{
+    constexpr int digits = 5;
+    const double inverse = std::pow(10, digits - std::floor(std::log10(box.diagonal().norm())));
+    const double rounded =
+        inverse >= 1 ? std::round(offset * inverse) / inverse : std::round(offset * inverse) * std::round(1 / inverse);
+    return std::isfinite(rounded) ? rounded : offset;
+}
+
 ToolAnswer moveCentre(const HeldPlanes& planes, const HandleMove& move)
 {
     CutPlane plane = planes.held();
     plane.offset +=
         move.byKeys ? plane.normal.dot(move.to - move.from) : alongNormal(move.from, plane.normal, move.pointer);
+    plane.offset = readableOffset(plane.offset, planes.box());
     return planes.with(plane, Message::marked("Move Plane"));
 }
 
@@ -272,12 +283,15 @@ ToolAnswer PlaneTool::clicked(const ToolSurroundings& surroundings, const ToolPo
     const HeldPlanes planes(surroundings);
     if (!planes.canBeAny())
         return {};
-    if (!planes.holdsOne())
-        return planes.withAnother(facing(pointer.place, pointer.direction), Message::marked("Add Plane"));
+    if (!planes.holdsOne()) {
+        CutPlane plane = facing(pointer.place, pointer.direction);
+        plane.offset = readableOffset(plane.offset, planes.box());
+        return planes.withAnother(plane, Message::marked("Add Plane"));
+    }
     if (!pointer.seen)
         return {};
     CutPlane plane = planes.held();
-    plane.offset = plane.normal.dot(pointer.seen->place);
+    plane.offset = readableOffset(plane.normal.dot(pointer.seen->place), planes.box());
     return planes.with(plane, Message::marked("Move Plane"));
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/first_focus.h"
+
+#include <QWidget>
+
+namespace tetra {
+
+void focusFirst(QWidget& dialog)
+{
+    for (QWidget* next = dialog.nextInFocusChain(); next != &dialog; next = next->nextInFocusChain())
+        if (dialog.isAncestorOf(next) && next->isEnabled() && next->isVisibleTo(&dialog) &&
+            (next->focusPolicy() & Qt::TabFocus) == Qt::TabFocus)
+            return next->setFocus(Qt::TabFocusReason);
+}
+
+} // namespace tetra
