@@ -8,6 +8,7 @@
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -71,7 +72,8 @@ QPushButton* BookmarkDialog::addButton(QLayout& layout, const char* name, const 
 
 bool BookmarkDialog::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() != QEvent::KeyPress)
+    const bool isOfEditor = list_->findChild<QLineEdit*>() != nullptr; // which hands on the keys that end it
+    if (event->type() != QEvent::KeyPress || isOfEditor)
         return QDialog::eventFilter(watched, event);
     const auto& key = *static_cast<QKeyEvent*>(event);
     const bool alt = key.modifiers().testFlag(Qt::AltModifier);
@@ -88,6 +90,8 @@ bool BookmarkDialog::eventFilter(QObject* watched, QEvent* event)
 
 void BookmarkDialog::fill()
 {
+    if (renaming_)
+        return;
     const int selected = list_->currentRow();
     filling_ = true;
     list_->clear();
@@ -167,7 +171,9 @@ void BookmarkDialog::takeName(int row)
     if (list_->item(row)->text() != shownText(bookmark.name) && !name.empty() &&
         std::ranges::find(view.bookmarks, name, &Bookmark::name) == view.bookmarks.end())
         bookmark.name = name;
+    renaming_ = true;
     session_.setView(std::move(view));
+    renaming_ = false;
     // In its own time: the editor is still open.
     QMetaObject::invokeMethod(this, &BookmarkDialog::fill, Qt::QueuedConnection);
 }

@@ -44,6 +44,7 @@ private:
     QListWidget* list_;
     std::vector<QPushButton*> ofBookmarks_; ///< that need one to be selected
     bool filling_ = false;
+    bool renaming_ = false; ///< the item's editor is open
 };
 
 } // namespace tetra

@@ -58,9 +58,10 @@ void BookmarkActions::follow()
     for (int index = 0; index < std::ssize(bookmarks); ++index) {
         const QString name = shownText(bookmarks[static_cast<std::size_t>(index)].name).replace('&', "&&");
         const QByteArray id = "bookmark." + QByteArray::number(index + 1);
-        QAction* action = addAction(menu_, id.constData(), name,
-                                    index < withKeys ? QKeySequence(QString("Alt+%1").arg(index + 1)) : QKeySequence(),
-                                    tr("Show this bookmark"));
+        QAction* action =
+            addAction(menu_, id.constData(), name,
+                      index < withKeys ? QKeySequence(QString("Ctrl+Shift+%1").arg(index + 1)) : QKeySequence(),
+                      tr("Show this bookmark"));
         connect(action, &QAction::triggered, this, [this, index] { showBookmark(session_, index); });
         bookmarks_.append(action);
     }

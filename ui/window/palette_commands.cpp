@@ -166,6 +166,7 @@ void addSettings(std::vector<PaletteCommand>& commands, QDockWidget& dock, const
             continue;
         PaletteCommand& command = commands.emplace_back(namedCommand(control->objectName(), dock.windowTitle(), own));
         command.isSetting = true;
+        command.explanation = control->toolTip();
         if (const QString spoken = control->accessibleName(); spoken != own && !spoken.isEmpty())
             command.spoken = joined(dock.windowTitle(), spoken);
         if (!control->isEnabledTo(&dock))

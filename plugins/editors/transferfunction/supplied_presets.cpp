@@ -41,7 +41,7 @@ std::vector<Listed> tomographs()
          QT_TRANSLATE_NOOP("PresetNames", "CT: skin and bone"),
          "head Haut Knochen Kopf pelle osso ossa testa TC",
          {{-650, skin, 0},
-          {-350, skin, 0.16F},
+          {-350, skin, 0.28F},
           {-120, skin, 0.04F},
           {100, flesh, 0.03F},
           {220, marrow, 0.08F},

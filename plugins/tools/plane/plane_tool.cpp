@@ -47,6 +47,16 @@ std::string textOf(const CutPlane& plane, bool isSlice)
     return clipPlanesText(std::array{ClipPlane{normal, plane.offset + 0.0}});
 }
 
+/// No finer than anybody can drag: a decimal number of a hundred-thousandth of the box.
+double readableOffset(double offset, const Eigen::AlignedBox3d& box)
+{
+    constexpr int digits = 5;
+    const double inverse = std::pow(10, digits - std::floor(std::log10(box.diagonal().norm())));
+    const double rounded =
+        inverse >= 1 ? std::round(offset * inverse) / inverse : std::round(offset * inverse) * std::round(1 / inverse);
+    return std::isfinite(rounded) ? rounded : offset;
+}
+
 /// Which planes there are, and which one is held: the tool's reading of the settings.
 class HeldPlanes {
 public:
@@ -100,7 +110,8 @@ public:
     ToolAnswer withAnother(const CutPlane& plane, const Message& name) const
     {
         auto planes = planes_;
-        planes.push_back({plane, textOf(plane, isSlice_)});
+        const CutPlane added{plane.normal, readableOffset(plane.offset, box())};
+        planes.push_back({added, textOf(added, isSlice_)});
         return answer(planes, planes.size() - 1, name);
     }
     ToolAnswer without(const Message& name) const
@@ -148,16 +159,6 @@ CutPlane facing(const Eigen::Vector3d& place, const Eigen::Vector3d& direction)
 {
     const Eigen::Vector3d normal = nearestAxis(direction);
     return {normal, normal.dot(place)};
-}
-
-/// No finer than anybody can drag: a decimal number of a hundred-thousandth of the box.
-double readableOffset(double offset, const Eigen::AlignedBox3d& box)
-{
-    constexpr int digits = 5;
-    const double inverse = std::pow(10, digits - std::floor(std::log10(box.diagonal().norm())));
-    const double rounded =
-        inverse >= 1 ? std::round(offset * inverse) / inverse : std::round(offset * inverse) * std::round(1 / inverse);
-    return std::isfinite(rounded) ? rounded : offset;
 }
 
 ToolAnswer moveCentre(const HeldPlanes& planes, const HandleMove& move)
@@ -283,11 +284,8 @@ ToolAnswer PlaneTool::clicked(const ToolSurroundings& surroundings, const ToolPo
     const HeldPlanes planes(surroundings);
     if (!planes.canBeAny())
         return {};
-    if (!planes.holdsOne()) {
-        CutPlane plane = facing(pointer.place, pointer.direction);
-        plane.offset = readableOffset(plane.offset, planes.box());
-        return planes.withAnother(plane, Message::marked("Add Plane"));
-    }
+    if (!planes.holdsOne())
+        return planes.withAnother(facing(pointer.place, pointer.direction), Message::marked("Add Plane"));
     if (!pointer.seen)
         return {};
     CutPlane plane = planes.held();
