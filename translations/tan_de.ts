@@ -12750,6 +12750,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>The look is one of &apos;%1&apos;, and these values are &apos;%2&apos;: title and names are left out, and colours and isovalues are spread over the range of these.</source>
         <translation>Das Aussehen ist eines von „%1“, und diese Werte sind „%2“: Titel und Namen werden weggelassen, Farben und Isowerte über den Bereich dieser Werte gespreizt.</translation>
     </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isoflächen</translation>
+    </message>
+    <message>
+        <source>Shows the isosurfaces beside the slices.</source>
+        <translation>Zeigt neben den Schnitten die Isoflächen.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

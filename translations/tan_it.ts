@@ -12750,6 +12750,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>The look is one of &apos;%1&apos;, and these values are &apos;%2&apos;: title and names are left out, and colours and isovalues are spread over the range of these.</source>
         <translation>L&apos;aspetto è di «%1», e questi valori sono «%2»: titolo e nomi sono omessi, e colori e isovalori sono distribuiti sull&apos;intervallo di questi.</translation>
     </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isosuperfici</translation>
+    </message>
+    <message>
+        <source>Shows the isosurfaces beside the slices.</source>
+        <translation>Mostra le isosuperfici accanto alle sezioni.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

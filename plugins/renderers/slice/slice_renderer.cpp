@@ -28,6 +28,7 @@ using namespace tetra;
 constexpr const char* axisId = "slice-axis";
 constexpr const char* placeId = "slice-place";
 constexpr const char* opacityId = "slice-opacity";
+constexpr const char* surfacesId = "isosurfaces";
 constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
 constexpr const char* allAxes = Message::marked("all").text;
 constexpr const char* opaqueSlices = Message::marked("opaque").text;
@@ -88,6 +89,23 @@ Parameter opacityParameter()
                         "transfer 'function' makes a layer of its unit of thickness.");
     parameter.defaultValue = std::string(opaqueSlices);
     parameter.choices = {opaqueSlices, opacityOfFunction};
+    return parameter;
+}
+
+Parameter surfacesParameter()
+{
+    Parameter parameter;
+    parameter.id = surfacesId;
+    parameter.label = Message::marked("Isosurfaces");
+    parameter.explanation = Message::marked("Shows the isosurfaces beside the slices.");
+    parameter.defaultValue = false;
+    return parameter;
+}
+
+Parameter isovaluesBesideSlices(const FieldExtent& field)
+{
+    Parameter parameter = isovaluesParameter(field);
+    parameter.onlyWith = {surfacesId, {true}};
     return parameter;
 }
 
@@ -275,7 +293,7 @@ void addSlice(const std::vector<SlicePiece>& pieces, std::size_t number, const s
 class SliceSession : public RendererSession {
 public:
     explicit SliceSession(const RendererMeshes& meshes)
-        : bounds_(meshes.bounds), mesh_(meshes.mesh), boundary_(meshes.mesh)
+        : bounds_(meshes.bounds), mesh_(meshes.mesh), surfaces_(meshes.mesh), boundary_(meshes.mesh)
     {
     }
 
@@ -290,8 +308,11 @@ public:
         const auto planes = planesOf(view, bounds_);
         if (!planes)
             return planes.error();
-        if (const Status kept = keepCuts(*planes, progress.part(0, 0.8)); !kept)
+        if (const Status kept = keepCuts(*planes, progress.part(0, 0.6)); !kept)
             return kept.error();
+        if (view.value<bool>(surfacesId))
+            if (const Status added = addIsosurfaces(surfaces_, view, progress.part(0.6, 0.8), *scene); !added)
+                return added.error();
         const bool opaque = view.value<std::string>(opacityId) != opacityOfFunction;
         for (std::size_t i = 0; i < slices_.size(); ++i)
             addSlice(slices_[i]->pieces(function, opaque), i + 1, (*planes)[i].text, *scene);
@@ -325,6 +346,7 @@ private:
 
     Eigen::AlignedBox3d bounds_;
     std::shared_ptr<const TetrahedralMesh> mesh_;
+    IsosurfaceCache surfaces_;
     BoundaryCache boundary_;
     std::vector<std::shared_ptr<Slice>> slices_; ///< shared, so that none is copied when the list changes
 };
@@ -336,9 +358,19 @@ class SliceRenderer : public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return {axisParameter(),          placeParameter(),    slicesParameter(field),     opacityParameter(),
-                transferParameter(field), boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
-                boundaryLitParameter(),   clipParameter(),     outlineParameter()};
+        return {axisParameter(),
+                placeParameter(),
+                slicesParameter(field),
+                opacityParameter(),
+                transferParameter(field),
+                surfacesParameter(),
+                isovaluesBesideSlices(field),
+                boundaryParameter(),
+                boundaryOpacityParameter(),
+                boundaryFarSideParameter(),
+                boundaryLitParameter(),
+                clipParameter(),
+                outlineParameter()};
     }
 
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override

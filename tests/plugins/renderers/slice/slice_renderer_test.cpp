@@ -126,6 +126,22 @@ private slots:
         QCOMPARE(partsOf(*scene).lines.size(), std::size_t(1));
     }
 
+    /// Of x + y / 4 + z / 16 = 0.6 in the unit cube the area is known: a plane that meets all four edges along x.
+    void isosurfacesStandBesideTheSlices()
+    {
+        const auto session = open("slice", linearCube());
+        ParameterValues values{{"isovalues", std::vector{Isovalue{.value = 0.6}}}};
+        QCOMPARE(prepared(*session, values)->drawables.size(), std::size_t(4)); // with the outline
+        values["isosurfaces"] = true;
+        const auto scene = prepared(*session, values);
+        QCOMPARE(slicesOf(*scene).size(), std::size_t(3));
+        double area = 0;
+        for (const Drawable& drawable : scene->drawables)
+            if (drawable.value == 0.6)
+                area += areaOf(*surfaceOf(drawable).mesh);
+        QVERIFY(std::abs(area - std::sqrt(1 + 1.0 / 16 + 1.0 / 256)) < 1e-6);
+    }
+
     void parametersAreDescribed()
     {
         for (const auto& parameter : rendererNamed("slice").parameters({{-1, 3}, unitBox}))
