@@ -61,7 +61,9 @@ void StoryTest::dragAccuracy(const WindowFixture& window)
 {
     auto& slider = window.find<QSlider>("accuracy.slider");
     const Session& session = window.workbench.session();
-    const std::uint32_t sitesBefore = session.meshSize().sites;
+    QueryState onePercent = session.view().query;
+    onePercent.error = 1;
+    const std::uint32_t sitesBefore = plannedSize(onePercent, *session.model()).sites;
     const QPoint middle = slider.rect().center();
     QTest::mousePress(&slider, Qt::LeftButton, {}, {slider.width() * 40 / 100, middle.y()});
     for (int percent = 42; percent <= 70; percent += 2)

@@ -42,7 +42,7 @@
 #include "ui/window/palette_commands.h"
 #include "ui/window/pick_actions.h"
 #include "ui/window/picture_dialog.h"
-#include "ui/window/plugin_window.h"
+#include "ui/dialogs/plugin_window.h"
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
 #include "ui/window/task_line.h"

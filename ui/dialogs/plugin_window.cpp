@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/plugin_window.h"
+#include "ui/dialogs/plugin_window.h"
 
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
