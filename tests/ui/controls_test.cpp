@@ -5,12 +5,12 @@
 #include "ui/window/help_texts.h"
 
 #include <QAccessible>
+#include <QDialog>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
-#include <QDialog>
 #include <QPushButton>
 
 #include <algorithm>
