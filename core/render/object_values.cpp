@@ -8,7 +8,7 @@ namespace tetra {
 namespace {
 
 constexpr double besideBackground = 1.0 / 30; ///< of the range
-constexpr double hardlySeen = 0.05;           ///< of the largest extinction
+constexpr double hardlySeen = 0.1;            ///< of the largest extinction
 constexpr int looks = 128;                    ///< at values of a range
 
 double mostExtinction(const TransferFunction& function)

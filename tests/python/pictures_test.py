@@ -92,7 +92,7 @@ class Pictures(ModuleTest):
         model = tan.build(object.astype("f4"), self.folder / "room.tan", error=2)
         for look in ({}, {"azimuth": 130, "elevation": 40}, {"mode": "volume"}):
             pixels = model.render(size=(240, 180), samples=1, transparent=True, settings={"outline": False}, **BARE, **look)
-            rows, columns = np.nonzero(pixels[..., 3] > 12)
+            rows, columns = np.nonzero(pixels[..., 3] > 24)  # the thin haze at its end may go on
             self.assertGreater(max(np.ptp(rows) / 180, np.ptp(columns) / 240), 0.75, look)
             self.assertTrue(0 < rows.min() and rows.max() < 179 and 0 < columns.min() and columns.max() < 239, look)
         far = model.render(size=(240, 180), samples=1, transparent=True, settings={"outline": False}, box_axes=True, **BARE)

@@ -578,7 +578,7 @@ TAN_API ValueHistogram volumeHistogram(const TetrahedralMesh& mesh, double least
 
 /// The places of an object in a background that are farthest out, to frame it in a picture (fitted()). The object are
 /// those vertices whose values are more than a thirtieth of the range beside the background (backgroundValues()) and
-/// have a twentieth of the largest extinction in the function that volumes have at first (fittedTransferFunction()),
+/// have a tenth of the largest extinction in the function that volumes have at first (fittedTransferFunction()),
 /// and those on the other side of `surface` than the background; of them, the farthest in each of 128 directions all
 /// around. Nothing if there is no background, and if the mesh is to be framed as the object is nearly as large, or tiny
 /// in it: above nine tenths of its diagonal, or below a sixteenth. `volumes`: of the same mesh (volumeHistogram()).
