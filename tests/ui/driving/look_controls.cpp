@@ -105,7 +105,8 @@ Drivers sliceSettings()
                       }),
             settingOf("slice", "slices", std::string("z=4"), isOne('z', "4"), typePlane),
             settingOf("slice", "slice-opacity", std::string("function"),
-                      [](const SceneFacts& scene) { return scene.saved.size() > 3; })};
+                      [](const SceneFacts& scene) { return scene.saved.size() > 3; }),
+            settingOf("slice", "isosurfaces", true, [](const SceneFacts& scene) { return scene.surfaces == 4; })};
 }
 
 Driver projection()
