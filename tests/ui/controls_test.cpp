@@ -274,7 +274,7 @@ void ControlsTest::enterDoesWhatTheDialogIsFor()
     for (int time = 0; time < 2; ++time) {
         dialog->open(*window_);
         auto& opened = window_->find<QDialog>(dialog->name);
-        QVERIFY(window_->find<QPushButton>(button).isDefault());
+        QTRY_VERIFY(window_->find<QPushButton>(button).isDefault());
         for (auto* other : opened.findChildren<QPushButton*>()) // as the last one that was used
             if (other->isEnabled() && other->objectName() != button)
                 other->setFocus();

@@ -155,7 +155,7 @@ void FilmDialog::ask()
     lookAtTarget();
     showTarget();
     show();
-    focusFirst(*this);
+    focusFirst(*this, *save_);
     raise();
     activateWindow();
     lookAtTarget();

@@ -198,7 +198,7 @@ void ImportDialog::ask(const ImportQuestion& question)
     layoutHelp_->setVisible(withLayout_);
     resize(withLayout_ ? QSize(900, 620) : QSize(520, 480));
     show();
-    focusFirst(*this);
+    focusFirst(*this, *read_);
     raise();
     activateWindow();
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/first_focus.h"
 
-#include <QWidget>
+#include <QPushButton>
 
 namespace tetra {
 
-void focusFirst(QWidget& dialog)
+void focusFirst(QWidget& dialog, QPushButton& meant)
 {
+    meant.setDefault(true);
     for (QWidget* next = dialog.nextInFocusChain(); next != &dialog; next = next->nextInFocusChain())
         if (dialog.isAncestorOf(next) && next->isEnabled() && next->isVisibleTo(&dialog) &&
             (next->focusPolicy() & Qt::TabFocus) == Qt::TabFocus)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+class QPushButton;
 class QWidget;
 
 namespace tetra {
 
-/// Gives the keys to the first control of a dialog that is shown again: else the last one that was used would have
-/// them, and Enter would press it if it is a button.
-void focusFirst(QWidget& dialog);
+/// A dialog that is shown again begins anew: its first control has the keys, and Enter presses `meant`. Else the button
+/// that was used last would have both.
+void focusFirst(QWidget& dialog, QPushButton& meant);
 
 } // namespace tetra

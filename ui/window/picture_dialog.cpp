@@ -48,12 +48,12 @@ QWidget* PictureDialog::makeButtons()
         button->setObjectName(QString("picture.") + name);
         return button;
     };
-    QPushButton* save = add("save", tr("&Save…"), QDialogButtonBox::ActionRole);
+    save_ = add("save", tr("&Save…"), QDialogButtonBox::ActionRole);
     QPushButton* copy = add("copy", tr("&Copy"), QDialogButtonBox::ActionRole);
     QPushButton* close = add("close", tr("Cl&ose"), QDialogButtonBox::RejectRole);
-    save->setDefault(true);
+    save_->setDefault(true);
     copy->setToolTip(tr("Copy it to the clipboard"));
-    connect(save, &QPushButton::clicked, this, &PictureDialog::save);
+    connect(save_, &QPushButton::clicked, this, &PictureDialog::save);
     connect(copy, &QPushButton::clicked, this, &PictureDialog::copy);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     return buttons;
@@ -63,7 +63,7 @@ void PictureDialog::ask()
 {
     form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations);
     show();
-    focusFirst(*this);
+    focusFirst(*this, *save_);
     raise();
     activateWindow();
 }

@@ -6,6 +6,7 @@
 #include <QDialog>
 
 class QCheckBox;
+class QPushButton;
 
 namespace tetra {
 
@@ -35,6 +36,7 @@ private:
     const KeepSession& session_;
     PictureForm* form_;
     QCheckBox* metadata_;
+    QPushButton* save_ = nullptr;
 };
 
 } // namespace tetra
