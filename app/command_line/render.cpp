@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -340,18 +341,16 @@ Status checkWithoutSession(const Arguments& arguments, const std::filesystem::pa
     return {};
 }
 
-/// The session as it is seen at the bookmark that is asked for, if one is.
+/// The session as it is seen at the bookmark that is asked for, if one is; without the others, which no picture shows.
 Result<SessionDocument> atBookmark(const Arguments& arguments, SessionDocument document,
                                    const std::filesystem::path& session)
 {
+    const std::vector<Bookmark> all = std::exchange(document.view.bookmarks, {});
     const auto name = arguments.value("bookmark");
     if (!name)
         return document;
-    const std::vector<Bookmark>& all = document.view.bookmarks;
-    const auto wanted = std::ranges::find(all, *name, &Bookmark::name);
-    if (wanted != all.end()) {
-        document.view = atBookmark(document.view, Bookmark(*wanted));
-        document.view.bookmarks.clear(); // the picture shows this one
+    if (const auto wanted = std::ranges::find(all, *name, &Bookmark::name); wanted != all.end()) {
+        document.view = atBookmark(document.view, *wanted);
         document.hasCamera = true;
         return document;
     }

@@ -7,6 +7,8 @@
 
 #include <tan/open.h>
 
+#include <utility>
+
 namespace tetra {
 
 SessionOpening::SessionOpening(Session& session, SceneService& scenes, SessionFile& file, ModelOpening& models,
@@ -56,7 +58,9 @@ void SessionOpening::applyLook(const std::filesystem::path& path)
 void SessionOpening::apply(const std::filesystem::path& path, const SessionDocument& look)
 {
     const std::shared_ptr<const Model> model = session_.model(); // which may have grown meanwhile
-    const RestoredView restored = restoredView(look, scenes_.modes(), *model, scenes_.extent());
+    SessionDocument taken = look;
+    taken.view.bookmarks.clear(); // this model has its own
+    const RestoredView restored = restoredView(std::move(taken), scenes_.modes(), *model, scenes_.extent());
     ViewValue view = restored.document.view;
     if (!look.hasCamera)
         view.camera = session_.view().camera;
