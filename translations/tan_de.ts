@@ -12758,6 +12758,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Shows the isosurfaces beside the slices.</source>
         <translation>Zeigt neben den Schnitten die Isoflächen.</translation>
     </message>
+    <message>
+        <source>its meshes do not grow with their accuracy</source>
+        <translation>seine Netze wachsen nicht mit ihrer Genauigkeit</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

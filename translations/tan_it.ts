@@ -12758,6 +12758,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Shows the isosurfaces beside the slices.</source>
         <translation>Mostra le isosuperfici accanto alle sezioni.</translation>
     </message>
+    <message>
+        <source>its meshes do not grow with their accuracy</source>
+        <translation>le sue mesh non crescono con la loro accuratezza</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

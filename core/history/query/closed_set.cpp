@@ -318,6 +318,8 @@ bool Growth::isHopeless() const
 Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
                                     std::uint32_t prefix, const Progress& progress)
 {
+    if (prefix > links.siteCount()) // more than the finest mesh has, which is all that was read
+        return inconsistentModel(model, Message::say("its meshes do not grow with their accuracy"));
     return Growth(model, links, criterion, Growth::firstSites(model, prefix), Growth::noBudget).run(progress);
 }
 
