@@ -175,7 +175,8 @@ JsonValue sessionJson(const SessionDocument& document, const std::filesystem::pa
     if (document.range)
         model["range"] = JsonArray{document.range->minimum, document.range->maximum};
     JsonObject ours = {{"format", formatName}, {"version", formatVersion}, {"model", model}};
-    ours[shadedKey] = ours[outlineKey] = true;
+    ours[shadedKey] = true;
+    ours[outlineKey] = true;
     if (const auto view = parseJson(viewToText(document.view)); view && view->object() != nullptr)
         ours = over(std::move(ours), *view->object());
     if (!document.hasCamera)
