@@ -11,14 +11,13 @@ extern "C" int dlclose(void* /*library*/) noexcept
     return 0;
 }
 
-/// Libraries, not ours, that keep some memory to the end: those of Mesa's OpenGL, of the session bus, and libltdl with
-/// the list of its folders (argz).
+/// Libraries, not ours, that keep some memory to the end: those of Mesa's OpenGL and of the session bus. Those of other
+/// programs: leaks.supp.
 extern "C" const char* __lsan_default_suppressions()
 {
     return "leak:_dri.so\n"
            "leak:libGLX_mesa.so\n"
-           "leak:libdbus-1.so\n"
-           "leak:argz_add_sep\n";
+           "leak:libdbus-1.so\n";
 }
 
 #endif
