@@ -162,10 +162,12 @@ void limitWork(const WorkLimits& limits)
 
 void allowOneFile()
 {
+#ifndef TAN_IS_WATCHED // it looks at memory through pipes, and takes what it cannot look at for damaged
     rlim_t free = 0;
     while (fcntl(static_cast<int>(free), F_GETFD) != -1)
         ++free;
     setLimit(RLIMIT_NOFILE, free + 1, RLIM_INFINITY);
+#endif
 }
 
 Error memoryLimitMet(std::string_view library)
