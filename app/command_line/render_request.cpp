@@ -249,7 +249,8 @@ std::vector<Option> pictureOptions(PluginHost& host)
         {.name = "model",
          .placeholder = "FILE",
          .explanation = "For a session: uses this model instead of its own, with the view of the session. Values and "
-                        "colours stay as they are, and so does the camera if the domain is the same."},
+                        "colours stay as they are, but are spread over the range of another array, and the camera "
+                        "stays if the domain is the same."},
         {.name = "bookmark",
          .placeholder = "NAME",
          .explanation = "For a session: draws the view of its bookmark with this name in place of the one that it was "

@@ -306,7 +306,9 @@ void fitBookmarks(SessionDocument& kept, const std::vector<Provided<Renderer>>& 
         RestoredView restored = restoredView(std::move(own), modes, model, field);
         bookmark.view = std::move(restored.document.view);
         if (!restored.document.hasCamera)
-            bookmark.view.camera = framed(bookmark.view, field.bounds, field.object, 1);
+            bookmark.view.camera =
+                framed(bookmark.view, field.bounds,
+                       framedObject(field, rendererOf(modes, bookmark.view.appearance.mode), bookmark.view), 1);
         changed += restored.differences.empty() ? 0 : 1;
     }
     if (changed > 0)

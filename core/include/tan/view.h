@@ -162,8 +162,8 @@ struct TAN_API QueryState {
 
 /// An error (%) to begin with: 1 % if its mesh is quick to extract and to draw. Else the most accurate round number
 /// from 2 % upwards whose mesh can still be worked with: what a coarser one shows is more often its error than the
-/// data. Of a domain with a shape of its own, which warps, too, down to 0.1 % as long as the mesh is small. A few
-/// meshSizeAt().
+/// data. Where the domain has a shape of its own, which a mesh simplifies as well, the error is as small as 0.1 % if
+/// that mesh is small. A few meshSizeAt().
 TAN_API double startingError(const Model& model);
 
 /// Focus, window and values as they are offered at first, all off: in the middle of the domain, a quarter of its
