@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QRandomGenerator>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTabletEvent>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -21,6 +22,7 @@ private slots:
     void init();
     void cleanup();
     void openingIsNoStep();
+    void aFirstLookTellsHowToTurnTheModel();
     void aDragIsOneStep();
     void aLongDragCostsNothingButThePictures();
     void aSeriesIsOneStepAndAPauseEndsIt();
@@ -95,6 +97,26 @@ void ViewHistoryTest::openingIsNoStep()
     window_->window.open(QString::fromStdString(path));
     QTRY_COMPARE(stack().count(), 0);
     QVERIFY(session().view().background == (Colour{1, 0, 0})); // as it was seen last
+}
+
+/// Of data that do not say which way is up, when nobody has seen them before.
+void ViewHistoryTest::aFirstLookTellsHowToTurnTheModel()
+{
+    window_->window.statusBar()->clearMessage(); // of the model that is open
+    const QSignalSpy told(window_->window.statusBar(), &QStatusBar::messageChanged);
+    const auto hints = [&] {
+        return std::ranges::count_if(
+            told, [](const QList<QVariant>& message) { return message[0].toString().contains("Ctrl+U"); });
+    };
+    const QString seen = QString::fromStdString(window_->workbench.session().model()->path());
+    const QString other = window_->folder.filePath("other.tan");
+    QVERIFY(QFile::copy(seen, other));
+    window_->window.open(other);
+    QTRY_COMPARE(window_->workbench.session().model()->path().filename().string(), std::string("other.tan"));
+    QCOMPARE(hints(), 1);
+    window_->window.open(seen);
+    QTRY_VERIFY(window_->workbench.session().model()->path().filename().string() != "other.tan");
+    QCOMPARE(hints(), 1);
 }
 
 void ViewHistoryTest::aDragIsOneStep()
