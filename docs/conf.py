@@ -11,7 +11,7 @@ from docutils import nodes
 
 HERE = pathlib.Path(__file__).resolve().parent
 # In the order in which they are read; pages that are not named come after these.
-USERS = ["index", "why", "first-steps", "tutorial-ct", "tutorial-cfd", "tutorial-large", "gallery", "manual", "accuracy", "scaling", "recipes",
+USERS = ["index", "why", "first-steps", "tutorial-ct", "tutorial-cfd", "tutorial-large", "gallery", "manual", "accuracy", "scaling", "many-machines", "recipes",
          "command-line", "python", "python-reference", "paraview", "formats", "troubleshooting", "faq", "limitations", "glossary"]
 OLD_SCRIPTS = ["jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js"]  # for themes that need them, as this one does not
 

@@ -41,6 +41,7 @@ int exitCode(ErrorKind kind)
     case ErrorKind::BadInput: return 3;
     case ErrorKind::CannotWrite:
     case ErrorKind::OutOfResource: return 4;
+    case ErrorKind::NotYet: return 5;
     case ErrorKind::Cancelled: break;
     }
     return 130;
@@ -128,6 +129,7 @@ std::string_view kindName(ErrorKind kind)
     case ErrorKind::BadInput: return "bad-input";
     case ErrorKind::CannotWrite: return "cannot-write";
     case ErrorKind::OutOfResource: return "out-of-resource";
+    case ErrorKind::NotYet: return "not-yet";
     case ErrorKind::Cancelled: break;
     }
     return "cancelled";

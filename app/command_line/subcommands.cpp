@@ -25,9 +25,10 @@ void addRemarks(std::span<const Message> remarks, Outcome& outcome)
 
 std::span<const Subcommand> subcommands()
 {
-    static constexpr std::array<Subcommand, 14> all = {{
+    static constexpr std::array<Subcommand, 15> all = {{
         {"sample", sampleSyntax, runSample},
         {"build", buildSyntax, runBuild},
+        {"merge", mergeSyntax, runMerge},
         {"info", infoSyntax, runInfo},
         {"verify", verifySyntax, runVerify},
         {"extract", extractSyntax, runExtract},

@@ -3,7 +3,7 @@
 
 #include "app/command_line/subcommand.h"
 
-/// One source for each, of the same name.
+/// One source for each, of the same name, here or in building/.
 namespace tetra {
 
 Syntax sampleSyntax(PluginHost& host);
@@ -11,6 +11,9 @@ Result<Outcome> runSample(const Invocation& invocation);
 
 Syntax buildSyntax(PluginHost& host);
 Result<Outcome> runBuild(const Invocation& invocation);
+
+Syntax mergeSyntax(PluginHost& host);
+Result<Outcome> runMerge(const Invocation& invocation);
 
 Syntax infoSyntax(PluginHost& host);
 Result<Outcome> runInfo(const Invocation& invocation);

@@ -49,15 +49,6 @@ Error cannotWrite(const std::filesystem::path& target, const Message& reason, co
     return {ErrorKind::CannotWrite, Message::say("Cannot write '%1': %2. %3", target.string(), reason, whatToDo)};
 }
 
-Error cannotWrite(const std::filesystem::path& target, int systemError)
-{
-    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    Error error = cannotWrite(target, systemErrorText(systemError), remedy(systemError, folder));
-    if (isLackOfResources(systemError))
-        error.kind = ErrorKind::OutOfResource;
-    return error;
-}
-
 /// Calls a system function again for as long as a signal interrupts it.
 template <class Function> auto uninterrupted(Function&& function)
 {
@@ -74,10 +65,10 @@ Status checkTargetAndMode(const std::filesystem::path& target, std::optional<mod
     if (::stat(target.c_str(), &existing) != 0) {
         if (errno == ENOENT)
             return {};
-        return cannotWrite(target, errno);
+        return cannotWriteFile(target, errno);
     }
     if (S_ISDIR(existing.st_mode))
-        return cannotWrite(target, EISDIR);
+        return cannotWriteFile(target, EISDIR);
     if (!S_ISREG(existing.st_mode))
         return cannotWrite(target, Message::say("it is not a regular file"), Message::say("Choose another name."));
     // A rename would replace a read-only file, and the superuser may write any: neither is what its owner meant.
@@ -92,7 +83,7 @@ Status checkTargetAndMode(const std::filesystem::path& target, std::optional<mod
 Status keepMode(int descriptor, const std::optional<mode_t>& mode, const std::filesystem::path& target)
 {
     if (mode && ::fchmod(descriptor, *mode) != 0 && errno != EPERM && errno != ENOTSUP)
-        return cannotWrite(target, errno);
+        return cannotWriteFile(target, errno);
     return {};
 }
 
@@ -131,6 +122,15 @@ int syncFolder(const std::filesystem::path& folder)
 }
 
 } // namespace
+
+Error cannotWriteFile(const std::filesystem::path& target, int systemError)
+{
+    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    Error error = cannotWrite(target, systemErrorText(systemError), remedy(systemError, folder));
+    if (isLackOfResources(systemError))
+        error.kind = ErrorKind::OutOfResource;
+    return error;
+}
 
 Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::size_t bufferBytes,
                                       const std::filesystem::path& workFolder)
@@ -171,7 +171,7 @@ Status FileWriter::makeTemporary(const std::filesystem::path& workFolder)
             temporary_.clear();
             if (systemError == EEXIST)
                 continue;
-            return cannotWrite(target_, systemError);
+            return cannotWriteFile(target_, systemError);
         }
         const FileLock lock = lockFile(descriptor_, temporary_);
         if (lock == FileLock::Taken || lock == FileLock::Impossible)
@@ -294,7 +294,7 @@ Status FileWriter::put(std::span<const std::byte> bytes, std::uint64_t offset)
 
 Status FileWriter::fail(int systemError)
 {
-    failure_ = cannotWrite(target_, systemError);
+    failure_ = cannotWriteFile(target_, systemError);
     discard(); // a full disk gets its space back at once
     return *failure_;
 }
@@ -337,17 +337,17 @@ Status replaceFile(const std::filesystem::path& made, const std::filesystem::pat
         return possible;
     const int descriptor = ::open(made.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0)
-        return cannotWrite(behind, errno);
+        return cannotWriteFile(behind, errno);
     Status done = keepMode(descriptor, mode, behind);
     if (done && uninterrupted([&] { return ::fsync(descriptor); }) != 0)
-        done = cannotWrite(behind, errno);
+        done = cannotWriteFile(behind, errno);
     ::close(descriptor);
     if (done && ::rename(made.c_str(), behind.c_str()) != 0)
-        done = cannotWrite(behind, errno);
+        done = cannotWriteFile(behind, errno);
     if (!done)
         return done;
     const int problem = syncFolder(behind.parent_path());
-    return problem == 0 ? Status() : cannotWrite(behind, problem);
+    return problem == 0 ? Status() : cannotWriteFile(behind, problem);
 }
 
 std::filesystem::path behindLinks(const std::filesystem::path& path)

@@ -71,6 +71,9 @@ private:
 /// Writes a file that is in memory already.
 TAN_INTERNAL Status writeWholeFile(const std::filesystem::path& target, std::span<const std::byte> content);
 
+/// "Cannot write 'FILE': REASON. REMEDY" of an errno.
+Error cannotWriteFile(const std::filesystem::path& target, int systemError);
+
 /// The file that writing to `path` would make or replace: what its symbolic links lead to, whether that exists or not;
 /// `path` itself if it is no link, or if its links go round in a circle.
 TAN_INTERNAL std::filesystem::path behindLinks(const std::filesystem::path& path);

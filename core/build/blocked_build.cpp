@@ -27,14 +27,18 @@ constexpr double refinedShare = 0.7;
 /// Tells what the build will take on the disk as soon as that shows, and refuses it if there is no room.
 class DiskCheck {
 public:
-    DiskCheck(std::filesystem::path workFolder, const Dataset& dataset)
-        : workFolder_(std::move(workFolder)), type_(dataset.values.type()), domain_(dataset.domain)
+    /// What is told is of the model and the work files, or of these alone.
+    enum class Of { Build, WorkFiles };
+
+    DiskCheck(std::filesystem::path workFolder, const Dataset& dataset, Of of)
+        : workFolder_(std::move(workFolder)), type_(dataset.values.type()), domain_(dataset.domain), of_(of)
     {
     }
 
     Status check(const RunTotals& soFar, const RunTotals& expected)
     {
-        const DiskNeed need = diskNeed(expected, type_, domain_);
+        const DiskNeed need =
+            of_ == Of::WorkFiles ? DiskNeed{0, expected.fileBytes} : diskNeed(expected, type_, domain_);
         tell(textOf(need));
         const std::uint64_t free = freeDiskBytes(workFolder_);
         if (free == 0) // not known
@@ -66,6 +70,7 @@ private:
     std::filesystem::path workFolder_;
     SampleType type_;
     DomainClass domain_;
+    Of of_;
     mutable std::mutex mutex_; ///< one block is counted while others report
     Message told_;
 };
@@ -76,7 +81,7 @@ public:
         : dataset_(dataset), build_(build), target_(target)
     {
         options_.division = BlockDivision(dataset.lattice.size, build.cells);
-        options_.reuseIntact = target.resume;
+        options_.resumes = target.resume;
         options_.samplesIntact = [this] { return dataset_.checkIntact(); };
     }
 
@@ -85,8 +90,11 @@ public:
 private:
     Status refineCoarsely(const Progress& progress);
     Status refine(const Progress& progress);
-    Result<BuildReport> merge(RunFiles& runs, const Progress& progress) const;
-    void show(RunFiles& runs, const Progress& progress) const;
+    Status makeChecked(const std::filesystem::path& folder, DiskCheck::Of of, const Progress& progress);
+    Result<BuildReport> refinePart(const PartNumber& part, const Progress& progress);
+    Result<BuildReport> mergeParts(const Progress& progress);
+    Result<BuildReport> merge(const RunFiles& runs, const Progress& progress) const;
+    void show(const RunFiles& runs, const Progress& progress) const;
     std::unique_ptr<RunFiles> runsOf(const std::filesystem::path& folder, double stopKey) const;
     std::uint64_t fingerprint(double stopKey) const;
     bool watched() const { return target_.preview || target_.keepWhenCancelled != nullptr; }
@@ -102,6 +110,10 @@ private:
 
 Result<BuildReport> BuildInBlocks::run(const Progress& progress)
 {
+    if (target_.part && target_.part->merges)
+        return mergeParts(progress);
+    if (target_.part)
+        return refinePart({target_.part->number, target_.part->count}, progress);
     if (const Status claimed = claimWork(target_.workFolder, fingerprint(build_.stopKey)); !claimed)
         return claimed.error();
     const double begun = watched() ? coarseShare : 0;
@@ -134,6 +146,8 @@ Status BuildInBlocks::refineCoarsely(const Progress& progress)
             own.report(fraction, Message::marked("Refining all blocks coarsely"));
         });
         auto runs = runsOf(folder, stopKey);
+        if (const Status opened = runs->openOwn(target_.resume, telling.withCallback({})); !opened)
+            return opened;
         if (const Status made = build_.makeRuns(options_, stopKey, *runs, telling); !made)
             return made;
         if (target_.preview)
@@ -151,14 +165,58 @@ Status BuildInBlocks::refineCoarsely(const Progress& progress)
 
 Status BuildInBlocks::refine(const Progress& progress)
 {
-    DiskCheck disk(target_.workFolder, dataset_);
+    constexpr double openedShare = 0.05;
+    runs_ = runsOf(target_.workFolder, build_.stopKey);
+    if (const Status opened = runs_->openOwn(target_.resume, progress.part(0, openedShare)); !opened)
+        return opened;
+    return makeChecked(target_.workFolder, DiskCheck::Of::Build, progress.part(openedShare, 1));
+}
+
+/// Makes the runs that are not there, as long as the disk has room.
+Status BuildInBlocks::makeChecked(const std::filesystem::path& folder, DiskCheck::Of of, const Progress& progress)
+{
+    DiskCheck disk(folder, dataset_, of);
     BlockRunsOptions checked = options_;
     checked.check = [&](const RunTotals& soFar, const RunTotals& expected) { return disk.check(soFar, expected); };
-    runs_ = runsOf(target_.workFolder, build_.stopKey);
     return build_.makeRuns(checked, build_.stopKey, *runs_, disk.telling(progress));
 }
 
-Result<BuildReport> BuildInBlocks::merge(RunFiles& runs, const Progress& progress) const
+/// What the report counts of a part: points on faces of blocks as often as there are blocks that have them.
+Result<BuildReport> BuildInBlocks::refinePart(const PartNumber& part, const Progress& progress)
+{
+    constexpr double openedShare = 0.05;
+    runs_ = runsOf(target_.part->folder, build_.stopKey);
+    if (const Status opened = runs_->openPart(part, progress.part(0, openedShare)); !opened)
+        return opened.error();
+    const BlockShare share = shareOf(part, runs_->blockCount());
+    if (!runs_->partIsFinished()) {
+        options_.part = part;
+        options_.waits = target_.part->waits;
+        if (const Status made =
+                makeChecked(target_.part->folder, DiskCheck::Of::WorkFiles, progress.part(openedShare, 1));
+            !made)
+            return made.error();
+        if (const Status finished = runs_->finishPart(); !finished)
+            return finished.error();
+    }
+    BuildReport report;
+    for (std::uint32_t block = share.first; block < share.end; ++block) {
+        report.sites += runs_->header(block).siteCount;
+        report.tetrahedra += runs_->header(block).tetrahedronCount;
+    }
+    return report;
+}
+
+Result<BuildReport> BuildInBlocks::mergeParts(const Progress& progress)
+{
+    constexpr double openedShare = 0.2;
+    runs_ = runsOf(target_.part->folder, build_.stopKey);
+    if (const Status opened = runs_->openParts(progress.part(0, openedShare)); !opened)
+        return opened.error();
+    return merge(*runs_, progress.part(openedShare, 1));
+}
+
+Result<BuildReport> BuildInBlocks::merge(const RunFiles& runs, const Progress& progress) const
 {
     const HistoryTraits traits{.warpingWeight = build_.warpingWeight, .blockCells = options_.division.blockCells()};
     const ModelFileOpener open = [&](const FixedCounts& counts) {
@@ -179,7 +237,7 @@ Result<BuildReport> BuildInBlocks::merge(RunFiles& runs, const Progress& progres
 }
 
 /// What cannot be shown is not missed: it may be too large to be looked at.
-void BuildInBlocks::show(RunFiles& runs, const Progress& progress) const
+void BuildInBlocks::show(const RunFiles& runs, const Progress& progress) const
 {
     const RunUnits units{build_.valueExtent, build_.diagonal, build_.warpingWeight};
     target_.preview([&](HistorySink& history) {

@@ -37,8 +37,8 @@ struct BlockedBuild {
 std::vector<double> coarseErrors(const SiteDensity& density, double finalError);
 
 /// Refines the blocks one by one, and merges them into one model, whose bytes are the same whether it was watched,
-/// kept, resumed or none of these. A build that is cancelled and kept becomes the model of the finest of its
-/// coarseErrors() that all blocks have come to; once they are being merged, the whole one.
+/// kept, resumed, made in parts (BuildTarget::part) or none of these. A build that is cancelled and kept becomes the
+/// model of the finest of its coarseErrors() that all blocks have come to; once they are being merged, the whole one.
 Result<BuildReport> buildInBlocks(const Dataset& dataset, const BlockedBuild& build, const BuildTarget& target,
                                   const Progress& progress);
 

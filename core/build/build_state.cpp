@@ -5,6 +5,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/folder.h"
 #include "core/base/mapped_file.h"
+#include "core/history/blocks/run_files.h"
 
 #include <tan/version.h>
 
@@ -37,12 +38,12 @@ std::uint64_t buildFingerprint(std::string_view files, const Dataset& dataset, s
 
 namespace {
 
-/// Whether there is anything that a build could go on with: the state of one, or the runs of blocks.
+/// Whether there is anything that a build could go on with: the state of one, or runs of blocks.
 bool holdsWork(const std::filesystem::path& folder)
 {
     std::error_code unreadable; // whoever writes there says so
-    return std::ranges::any_of(pathsIn(folder, unreadable), [](const std::filesystem::path& path) {
-        return path.filename() == "state" || path.extension() == ".run";
+    return std::ranges::any_of(pathsIn(folder, unreadable), [&](const std::filesystem::path& path) {
+        return path.filename() == "state" || holdsRuns(path);
     });
 }
 

@@ -18,6 +18,8 @@ DiskNeed diskNeed(const RunTotals& expected, SampleType type, DomainClass domain
 
 Message textOf(const DiskNeed& need)
 {
+    if (need.model == 0)
+        return Message::say("work files %1", neededBytesText(need.workFiles));
     return Message::say("model about %1, work files %2", neededBytesText(need.model), neededBytesText(need.workFiles));
 }
 

@@ -90,7 +90,10 @@ Result<std::uint32_t> blocksFor(const Dataset& dataset, const Refinement& refine
                                   "independently could not agree about their faces. Set the block to \"none\".")};
     }
     const auto cells = chooseBlocks(refinement.block, dataset.lattice, usableBytes());
-    if (cells && *cells > 0 && !target.ofFixedSize)
+    if (cells && *cells == 0 && target.part)
+        return Error{ErrorKind::WrongUsage, Message::say("A build is cut into parts where its blocks are. Choose the "
+                                                         "edge of a block, such as 32 cells.")};
+    if (cells && *cells > 0 && !target.ofFixedSize && !target.part)
         return Error{ErrorKind::WrongUsage,
                      Message::say("This target cannot be built in blocks. Set the block to \"none\".")};
     return cells;

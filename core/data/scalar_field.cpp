@@ -93,6 +93,17 @@ Result<ScalarField> ScalarField::scanned(SampleType type, std::uint64_t count, s
     return field;
 }
 
+ScalarField ScalarField::ofKnownRange(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples,
+                                      const ValueRange& range)
+{
+    ScalarField field;
+    field.type_ = type;
+    field.count_ = count;
+    field.samples_ = std::move(samples);
+    field.range_ = range;
+    return field;
+}
+
 bool ScalarField::findRange(const Progress& progress)
 {
     return visitSampleType(type_, [&]<class T>() {

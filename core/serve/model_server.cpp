@@ -158,6 +158,7 @@ ServedAnswer refusal(const Error& error, const ServedFile& file)
             "The disk of the server's cache folder has no room to unpack " + name +
                 ", or cannot be written. The server's operator can correct this; the file itself can be downloaded.");
     case ErrorKind::OutOfResource:
+    case ErrorKind::NotYet:
         return comeAgain(errorAnswer(503, "The server lacks memory, threads or open files for " + name +
                                               ", or the file is being changed. Ask again later."));
     case ErrorKind::Cancelled: return errorAnswer(504, "The client no longer waits for this.");

@@ -45,6 +45,7 @@ struct BuildAbilities {
     bool resumes = false;     ///< goes on with what an interrupted build left (BuildTarget::resume)
     bool keeps = true;        ///< what is finished when it is cancelled can become a model: the history is handed over
                               ///< while it runs, or then (BuildTarget::keepWhenCancelled)
+    bool takesParts = false;  ///< is cut into parts (BuildTarget::part)
 };
 
 /// Makes a multiresolution history out of a dataset (R8, R11). Runs on a worker thread; touches no widget and no GL.

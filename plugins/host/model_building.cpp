@@ -138,6 +138,8 @@ Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& d
     if (control.resume)
         leaveNote(target.workFolder, buildNote(dataset, provided, given));
     target.keepWhenCancelled = control.keepWhenCancelled;
+    if (control.partsIn)
+        target.part = BuildPart{.folder = *control.partsIn, .merges = true};
     if (control.live != nullptr)
         target.preview = [live = control.live](const auto& hand) { live->show(hand); };
     auto report = builder.build(*taken, values, target, progress.part(takenEnd, 1));

@@ -9,6 +9,7 @@
 #include <tan/data.h>
 
 #include <atomic>
+#include <filesystem>
 #include <optional>
 
 namespace tetra {
@@ -38,6 +39,9 @@ struct BuildControl {
     /// Go on with what an interrupted build of the same model left in its work folder, and leave there what is done if
     /// this one does not end well. Else that is removed.
     bool resume = false;
+    /// A folder in which the parts of this build are finished (BuildTarget::part): they are merged, and nothing is
+    /// built but the model.
+    std::optional<std::filesystem::path> partsIn{};
     /// How the dataset was opened: the model keeps it, so that it can be opened in the same way again.
     ImportOptions imported{};
 };

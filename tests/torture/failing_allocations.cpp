@@ -166,6 +166,8 @@ Status buildModelInBlocks(const Dataset& dataset)
     options.box.metric = latticeMetric(options.division.box(0).size, dataset.lattice.spacing).value();
     options.box.valueExtent = dataset.values.range().extent();
     RunFiles runs(folder->path(), 1, options.division.count());
+    if (const Status opened = runs.openOwn(false); !opened)
+        return opened;
     const auto made = makeLatticeRuns(options, LatticeSamples(dataset.values.as<std::uint8_t>()), runs, {});
     if (!made)
         return made.error();

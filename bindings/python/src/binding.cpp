@@ -126,6 +126,7 @@ const char* exceptionName(ErrorKind kind)
     case ErrorKind::BadInput: return "BadInput";
     case ErrorKind::CannotWrite: return "CannotWrite";
     case ErrorKind::OutOfResource: return "OutOfResource";
+    case ErrorKind::NotYet: return "NotYet";
     case ErrorKind::Cancelled: break;
     }
     return "Cancelled";

@@ -12,7 +12,7 @@ range of values. What goes wrong is a tan.Error with a sentence that says what t
 """
 from ._build import build, open, serve  # noqa: A004
 from ._data import Cells, Data, Grid, Lattice, Points
-from ._errors import BadInput, Cancelled, CannotWrite, Error, OutOfResource, WrongUsage
+from ._errors import BadInput, Cancelled, CannotWrite, Error, NotYet, OutOfResource, WrongUsage
 from ._mesh import Mesh, Surface
 from ._model import Explorer, Model, Size
 from ._program import Server
@@ -22,8 +22,8 @@ from ._verdict import Verdict
 from ._view import View
 
 __version__ = _version()
-for _kind in (Error, WrongUsage, BadInput, CannotWrite, OutOfResource, Cancelled):
+for _kind in (Error, WrongUsage, BadInput, CannotWrite, OutOfResource, NotYet, Cancelled):
     _kind.__module__ = "tan"
 __all__ = ["BadInput", "Box", "Cancelled", "CannotWrite", "Cells", "Data", "Error", "Explorer", "Grid", "HalfSpace", "Lattice", "Mesh", "Model",
-           "OutOfResource", "Points", "Region", "Server", "Size", "Sphere", "Surface", "Verdict", "View", "WrongUsage", "box", "build",
+           "NotYet", "OutOfResource", "Points", "Region", "Server", "Size", "Sphere", "Surface", "Verdict", "View", "WrongUsage", "box", "build",
            "half_space", "open", "serve", "sphere"]

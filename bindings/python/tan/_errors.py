@@ -27,9 +27,13 @@ class OutOfResource(Error, MemoryError):
     """Not enough memory, or a limit of the format or of the machine; a MemoryError."""
 
 
+class NotYet(Error):
+    """Others are still to make what this waits for, such as the parts of a build."""
+
+
 class Cancelled(Error):
     """Work was stopped for no reason that Python knows of. (Ctrl-C is a KeyboardInterrupt.)"""
 
 
 KINDS = {"wrong-usage": WrongUsage, "bad-input": BadInput, "cannot-write": CannotWrite, "out-of-resource": OutOfResource,
-         "cancelled": Cancelled}
+         "not-yet": NotYet, "cancelled": Cancelled}

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/disjoint_sets.h"
-#include "core/history/blocks/block_run.h"
+#include "core/history/blocks/run_files.h"
 
 #include <cstdint>
 #include <queue>

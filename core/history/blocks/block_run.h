@@ -7,21 +7,16 @@
 #include <tan/base.h>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
-#include <type_traits>
 #include <vector>
 
 namespace tetra {
 
-/// The history of one block on its way to a model, sorted and complete: a *run*. In a file it is a header, the words
-/// that tell its batches, and its tetrahedra, group by group. Files are read by the program that wrote them only.
+/// The history of one block on its way to a model, sorted and complete: a *run*. Its bytes are a header, the words that
+/// tell its batches, and its tetrahedra, group by group; they are read by the version of TAn that wrote them only.
 /// Instead of all that a run of a curvilinear grid may have cures on faces that its block needs of the others: then it
 /// has to be made again.
 ///
@@ -29,8 +24,8 @@ namespace tetra {
 /// tetrahedra that it made and of those that it destroyed, and the points of its sites. Sites are numbered in this
 /// order.
 struct BlockRunHeader {
-    std::array<char, 8> magic{'T', 'A', 'N', 'R', 'U', 'N', '0', '3'};
-    std::uint64_t fingerprint = 0; ///< of all that the run depends on
+    std::array<char, 8> magic{'T', 'A', 'N', 'R', 'U', 'N', '0', '4'};
+    std::uint64_t fingerprint = 0; ///< of all that the run depends on, the cures on its block's faces among it
     std::uint32_t block = 0;
     std::uint32_t siteCount = 0;
     std::uint64_t wordCount = 0;
@@ -72,6 +67,18 @@ struct WideTetrahedron {
 };
 static_assert(sizeof(NarrowTetrahedron) == 12 && sizeof(WarpedTetrahedron) == 14 && sizeof(WideTetrahedron) == 24);
 
+/// What a run takes, in bytes.
+std::uint64_t runBytes(const BlockRunHeader& header) noexcept;
+
+/// A finished run; the bytes are its recorder's, until that starts the next one.
+struct FinishedRun {
+    BlockRunHeader header;
+    std::array<std::span<const std::byte>, 3> content; ///< words, tetrahedra, cures: what follows the header
+};
+
+/// Of a header, but for its own sum, and what follows it.
+std::uint64_t runChecksum(const BlockRunHeader& header, std::span<const std::span<const std::byte>> content);
+
 /// Takes the history of one block after another, in memory used again.
 class BlockRunRecorder final : public HistorySink, private BatchSink {
 public:
@@ -85,11 +92,10 @@ public:
     void start();
     Status add(const HistoryStep& step) override;
     Status finish(float finalKey) override;
-    /// What else is known of a block of a curvilinear grid; before write().
+    /// What else is known of a block of a curvilinear grid; before finished().
     void setFindings(std::vector<FaceCure> cures, std::uint64_t inverted, std::uint64_t degenerate);
-    /// Writes the finished run; the file is there whole or not at all. Its bytes are not synced: after a power failure
-    /// the checksum tells.
-    Status write(const std::filesystem::path& path, std::uint64_t fingerprint, std::uint32_t block);
+    /// After finish(). `fingerprint`: BlockRunHeader's.
+    FinishedRun finished(std::uint64_t fingerprint, std::uint32_t block);
 
     std::uint32_t siteCount() const noexcept { return siteCount_; }
     std::uint64_t tetrahedronCount() const noexcept { return tetrahedra_.size(); }
@@ -116,61 +122,8 @@ private:
     std::uint32_t degenerate_ = 0;
 };
 
-/// Of its file, in all.
-std::uint64_t runBytes(const BlockRunHeader& header) noexcept;
-
 /// That a mesh of so many tetrahedra fits a model, or as many as are expected in the end as far as that can be known.
 /// An Error (OutOfResource) if not.
 Status checkMeshSize(std::uint64_t tetrahedra, std::uint64_t expected);
-
-/// The runs of all blocks of a build, as files in one folder. Reading is safe from any number of threads.
-class RunFiles {
-public:
-    /// Runs of `blockCount` blocks that depend on what `fingerprint` stands for.
-    RunFiles(std::filesystem::path folder, std::uint64_t fingerprint, std::uint32_t blockCount);
-    /// The run of a block depends on the cures on its faces, too.
-    void setCures(std::uint32_t block, std::span<const FaceCure> cures);
-    ~RunFiles();
-    RunFiles(const RunFiles&) = delete;
-    RunFiles& operator=(const RunFiles&) = delete;
-
-    std::uint32_t blockCount() const noexcept { return static_cast<std::uint32_t>(headers_.size()); }
-    const std::filesystem::path& folder() const noexcept { return folder_; }
-    std::filesystem::path path(std::uint32_t block) const;
-    std::uint64_t fingerprint() const noexcept { return fingerprint_; }
-    std::uint64_t fingerprint(std::uint32_t block) const noexcept { return fingerprints_[block]; }
-
-    /// Whether the run of the block is there, whole and of this build: reads all of it.
-    bool intact(std::uint32_t block) const;
-
-    /// Of a run that is there; for building.
-    Result<BlockRunHeader> readHeader(std::uint32_t block) const;
-
-    /// The cures that the block needs; none if its run is complete.
-    Result<std::vector<FaceCure>> readCures(std::uint32_t block) const;
-
-    /// Reads the headers; comes before the members below, when all runs are there.
-    Status open();
-    /// Of files that stay open, as few may be open at once; open() may come again.
-    void close() noexcept;
-    const BlockRunHeader& header(std::uint32_t block) const { return headers_[block]; }
-    Status readWords(std::uint32_t block, std::uint64_t first, std::span<std::uint32_t> words) const;
-    Status readTetrahedra(std::uint32_t block, std::uint64_t first, std::uint64_t count, std::span<std::byte> to) const;
-
-private:
-    class OpenFile;
-
-    Result<BlockRunHeader> readHeader(const OpenFile& file, std::uint32_t block) const;
-    Status read(std::uint32_t block, std::uint64_t offset, std::span<std::byte> to) const;
-    Error unreadable(std::uint32_t block, int systemError) const;
-    Error unreadable(std::uint32_t block, const Message& why) const;
-    Error damaged(std::uint32_t block) const;
-
-    std::filesystem::path folder_;
-    std::uint64_t fingerprint_;
-    std::vector<std::uint64_t> fingerprints_;
-    std::vector<BlockRunHeader> headers_;
-    std::vector<int> descriptors_; ///< none if there are too many to keep them open
-};
 
 } // namespace tetra

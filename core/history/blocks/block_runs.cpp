@@ -14,9 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -32,9 +35,10 @@ std::uint64_t pointsOf(const LatticeBox& box)
     return std::uint64_t(box.size[0]) * box.size[1] * box.size[2];
 }
 
-/// A sample of all blocks, then the others as they lie.
-std::vector<std::uint32_t> orderOfWork(std::uint32_t blocks)
+/// A sample of the blocks, then the others as they lie.
+std::vector<std::uint32_t> orderOfWork(const BlockShare& share)
 {
+    const std::uint32_t blocks = share.end - share.first;
     std::vector<std::uint32_t> order;
     std::vector<bool> taken(blocks);
     const std::uint32_t sampled = std::min(blocksSampled, blocks);
@@ -45,11 +49,11 @@ std::vector<std::uint32_t> orderOfWork(std::uint32_t blocks)
         while (taken[block])
             block = (block + 1) % blocks;
         taken[block] = true;
-        order.push_back(block);
+        order.push_back(share.first + block);
     }
     for (std::uint32_t block = 0; block < blocks; ++block)
         if (!taken[block])
-            order.push_back(block);
+            order.push_back(share.first + block);
     return order;
 }
 
@@ -65,12 +69,16 @@ struct RunMethod {
 /// Makes the runs of some blocks at a time, and knows what all that are there came to.
 class RunMaker {
 public:
-    RunMaker(const BlockRunsOptions& options, const RunFiles& runs, RunMethod method)
-        : options_(options), runs_(runs), method_(std::move(method)), counted_(runs.blockCount())
+    RunMaker(const BlockRunsOptions& options, RunFiles& runs, RunMethod method)
+        : options_(options), runs_(runs), method_(std::move(method)),
+          share_(options.part ? shareOf(*options.part, runs.blockCount()) : BlockShare{0, runs.blockCount()}),
+          counted_(runs.blockCount())
     {
-        for (std::uint32_t block = 0; block < runs.blockCount(); ++block)
+        for (std::uint32_t block = share_.first; block < share_.end; ++block)
             allPoints_ += pointsOf(options.division.box(block));
     }
+
+    const BlockShare& share() const noexcept { return share_; }
 
     /// In this order.
     Status make(std::span<const std::uint32_t> blocks, const Progress& progress);
@@ -95,9 +103,10 @@ private:
     Status account(std::uint32_t block);
 
     const BlockRunsOptions& options_;
-    const RunFiles& runs_;
+    RunFiles& runs_;
     RunMethod method_;
-    std::uint64_t allPoints_ = 0;
+    BlockShare share_;
+    std::uint64_t allPoints_ = 0; ///< of the share
 
     std::mutex mutex_;
     RunTotals totals_;
@@ -125,7 +134,7 @@ Status RunMaker::work(Round& round)
         const std::uint32_t block = round.blocks[i];
         if (round.progress.cancelled())
             return cancelledError(Message::marked("The build"));
-        if (!(options_.reuseIntact && runs_.intact(block))) {
+        if (!runs_.intact(block)) {
             if (const Status made = make(block, round, refine, recorder); !made)
                 return made;
         } else {
@@ -148,18 +157,16 @@ Status RunMaker::make(std::uint32_t block, Round& round, const RefineBlock& refi
     if (options_.samplesIntact)
         if (const Status intact = options_.samplesIntact(); !intact)
             return intact;
-    return recorder.write(runs_.path(block), runs_.fingerprint(block), block);
+    return runs_.append(recorder, block);
 }
 
 Status RunMaker::account(std::uint32_t block)
 {
-    const Result<BlockRunHeader> header = runs_.readHeader(block);
-    if (!header)
-        return header.error();
-    if (header->cureCount > 0) // it will be made again
+    const BlockRunHeader& header = runs_.header(block);
+    if (header.cureCount > 0) // it will be made again
         return {};
-    const RunTotals now{pointsOf(options_.division.box(block)), header->siteCount, header->tetrahedronCount,
-                        runBytes(*header), header->livingCount};
+    const RunTotals now{pointsOf(options_.division.box(block)), header.siteCount, header.tetrahedronCount,
+                        runBytes(header), header.livingCount};
     const std::lock_guard lock(mutex_);
     finished_ += counted_[block].points == 0 ? 1 : 0;
     for (std::uint64_t RunTotals::*amount :
@@ -168,7 +175,7 @@ Status RunMaker::account(std::uint32_t block)
     counted_[block] = now;
     if (const Status fits = checkMeshSize(totals_.living, totals_.living); !fits)
         return fits;
-    if (finished_ < std::min(blocksSampled, runs_.blockCount()))
+    if (finished_ < std::min(blocksSampled, share_.end - share_.first))
         return {};
     const double share = static_cast<double>(allPoints_) / static_cast<double>(totals_.points);
     const auto scaled = [share](std::uint64_t amount) {
@@ -201,6 +208,20 @@ RunMethod methodOf(const LatticeRunsOptions& options, const LatticeSamples& samp
             }};
 }
 
+/// Cures of a file, and how many rounds were over when it was written.
+struct SavedCures {
+    std::uint64_t rounds = 0;
+    std::vector<FaceCure> cures;
+};
+
+/// What such a file begins with; the cures follow.
+struct CuresHeader {
+    std::array<char, 8> magic{'T', 'A', 'N', 'C', 'U', 'R', '0', '1'};
+    std::uint64_t fingerprint = 0;
+    std::uint64_t rounds = 0;
+    std::uint64_t checksum = 0;
+};
+
 /// The rounds in which the blocks of a curvilinear grid are refined.
 class CurvilinearRounds {
 public:
@@ -215,19 +236,17 @@ public:
 
 private:
     RunMethod method();
+    Status runAlone(const Progress& progress, std::uint32_t mostRounds);
+    Status runPart(const Progress& progress, std::uint32_t mostRounds);
+    Status makeMissing(const Progress& progress);
     Result<std::vector<FaceCure>> found(std::span<const std::uint32_t> blocks) const;
+    Result<std::vector<FaceCure>> neededByAllParts(const Progress& progress) const;
     std::filesystem::path path() const { return runs_.folder() / "cures"; }
+    std::filesystem::path pathOfRound(const PartNumber& part) const;
     void load();
-    Status save() const;
+    Status save(const std::filesystem::path& path, std::span<const FaceCure> cures) const;
+    std::optional<SavedCures> saved(const std::filesystem::path& path) const;
     void take(std::span<const FaceCure> cures);
-
-    /// The file of what is known, followed by the cures.
-    struct Header {
-        std::array<char, 8> magic{'T', 'A', 'N', 'C', 'U', 'R', '0', '1'};
-        std::uint64_t fingerprint = 0;
-        std::uint64_t rounds = 0; ///< that are over
-        std::uint64_t checksum = 0;
-    };
 
     const CurvilinearRunsOptions& options_;
     std::span<const Eigen::Vector3d> positions_;
@@ -235,7 +254,7 @@ private:
     RunFiles& runs_;
     FaceCures cures_;
     std::vector<std::uint32_t> changed_; ///< by the cures that were taken last
-    std::uint64_t rounds_ = 0;
+    std::uint64_t rounds_ = 0;           ///< that are over
     RunMaker maker_;
 };
 
@@ -282,30 +301,14 @@ Result<std::vector<FaceCure>> CurvilinearRounds::found(std::span<const std::uint
     return found;
 }
 
-/// What a build that was killed knew; nothing if it cannot be read: that costs only time.
-void CurvilinearRounds::load()
-{
-    const auto file = MappedFile::open(path());
-    Header header;
-    if (!file || (*file)->bytes().size() < sizeof header)
-        return;
-    std::memcpy(&header, (*file)->bytes().data(), sizeof header);
-    const std::span<const std::byte> content = (*file)->bytes().subspan(sizeof header);
-    if (header.magic != Header().magic || header.fingerprint != runs_.fingerprint() ||
-        header.checksum != (checksum(content) ^ header.rounds) || content.size() % sizeof(FaceCure) != 0)
-        return;
-    std::vector<FaceCure> cures(content.size() / sizeof(FaceCure));
-    std::memcpy(cures.data(), content.data(), content.size());
-    take(cures);
-    rounds_ = header.rounds;
-}
+// What is known of faces, in files.
 
-Status CurvilinearRounds::save() const
+Status CurvilinearRounds::save(const std::filesystem::path& path, std::span<const FaceCure> cures) const
 {
-    const std::vector<FaceCure> cures = cures_.all();
-    const std::span<const std::byte> content = std::as_bytes(std::span(cures));
-    const Header header{.fingerprint = runs_.fingerprint(), .rounds = rounds_, .checksum = checksum(content) ^ rounds_};
-    Result<FileWriter> file = FileWriter::create(path(), 1, runs_.folder());
+    const std::span<const std::byte> content = std::as_bytes(cures);
+    const CuresHeader header{
+        .fingerprint = runs_.fingerprint(), .rounds = rounds_, .checksum = checksum(content) ^ rounds_};
+    Result<FileWriter> file = FileWriter::create(path, 1, runs_.folder());
     if (!file)
         return file.error();
     for (const std::span<const std::byte> part : {std::as_bytes(std::span(&header, 1)), content})
@@ -314,14 +317,47 @@ Status CurvilinearRounds::save() const
     return file->commit(FileWriter::Durability::Process);
 }
 
+/// Nothing if the file is not there, of another build or damaged: what it says is found out again.
+std::optional<SavedCures> CurvilinearRounds::saved(const std::filesystem::path& path) const
+{
+    const auto file = MappedFile::open(path);
+    CuresHeader header;
+    if (!file || (*file)->bytes().size() < sizeof header)
+        return std::nullopt;
+    std::memcpy(&header, (*file)->bytes().data(), sizeof header);
+    const std::span<const std::byte> content = (*file)->bytes().subspan(sizeof header);
+    if (header.magic != CuresHeader().magic || header.fingerprint != runs_.fingerprint() ||
+        header.checksum != (checksum(content) ^ header.rounds) || content.size() % sizeof(FaceCure) != 0)
+        return std::nullopt;
+    SavedCures saved{header.rounds, std::vector<FaceCure>(content.size() / sizeof(FaceCure))};
+    std::memcpy(saved.cures.data(), content.data(), content.size());
+    return saved;
+}
+
+/// What a build that was killed knew.
+void CurvilinearRounds::load()
+{
+    if (const auto known = saved(path())) {
+        take(known->cures);
+        rounds_ = known->rounds;
+    }
+}
+
+// The rounds.
+
 Status CurvilinearRounds::run(const Progress& progress, std::uint32_t mostRounds)
 {
-    if (options_.reuseIntact)
+    return options_.part ? runPart(progress, mostRounds) : runAlone(progress, mostRounds);
+}
+
+Status CurvilinearRounds::runAlone(const Progress& progress, std::uint32_t mostRounds)
+{
+    if (options_.resumes)
         load();
     // Most grids need one round, and others their first for most of the time.
     constexpr double firstShare = 0.8;
     double begun = 0, end = rounds_ == 0 ? firstShare : (1 + firstShare) / 2;
-    for (std::vector<std::uint32_t> due = orderOfWork(runs_.blockCount()); !due.empty(); due = changed_) {
+    for (std::vector<std::uint32_t> due = orderOfWork(maker_.share()); !due.empty(); due = changed_) {
         if (const Status made = maker_.make(due, progress.part(begun, end)); !made)
             return made;
         const Result<std::vector<FaceCure>> needed = found(due);
@@ -330,21 +366,89 @@ Status CurvilinearRounds::run(const Progress& progress, std::uint32_t mostRounds
         changed_.clear();
         if (!needed->empty()) {
             take(++rounds_ < mostRounds ? *needed : cures_.wholeFacesOf(*needed));
-            if (const Status saved = save(); !saved)
-                return saved;
+            if (const Status kept = save(path(), cures_.all()); !kept)
+                return kept;
         }
         begun = std::exchange(end, (1 + end) / 2);
     }
     return {};
 }
 
+/// Each round makes the same runs as that of a build that nobody shares, and ends with the same cures: what a run needs
+/// depends on its block and on the cures that the block knows.
+Status CurvilinearRounds::runPart(const Progress& progress, std::uint32_t mostRounds)
+{
+    constexpr double firstShare = 0.8;
+    double begun = 0, end = firstShare;
+    std::vector<std::uint32_t> due = orderOfWork(maker_.share());
+    for (;;) {
+        const std::filesystem::path own = pathOfRound(*options_.part);
+        if (!saved(own)) {
+            if (const Status made = maker_.make(due, progress.part(begun, end)); !made)
+                return made;
+            const Result<std::vector<FaceCure>> needed = found(due);
+            if (!needed)
+                return needed.error();
+            if (const Status told = save(own, *needed); !told)
+                return told;
+        }
+        const Result<std::vector<FaceCure>> needed = neededByAllParts(progress.part(end, end));
+        if (!needed)
+            return needed.error();
+        if (needed->empty())
+            return makeMissing(progress.part(end, 1));
+        take(++rounds_ < mostRounds ? *needed : cures_.wholeFacesOf(*needed));
+        due = changed_;
+        std::erase_if(due, [&](std::uint32_t block) { return !contains(maker_.share(), block); });
+        begun = std::exchange(end, (1 + end) / 2);
+    }
+}
+
+/// What a part that was begun again lacks of earlier rounds.
+Status CurvilinearRounds::makeMissing(const Progress& progress)
+{
+    std::vector<std::uint32_t> due = orderOfWork(maker_.share());
+    std::erase_if(due, [&](std::uint32_t block) { return runs_.intact(block); });
+    return maker_.make(due, progress);
+}
+
+std::filesystem::path CurvilinearRounds::pathOfRound(const PartNumber& part) const
+{
+    return runs_.folder() / roundFileName(part, rounds_);
+}
+
+/// In this round.
+Result<std::vector<FaceCure>> CurvilinearRounds::neededByAllParts(const Progress& progress) const
+{
+    constexpr auto pause = std::chrono::milliseconds(200);
+    std::vector<FaceCure> needed;
+    for (PartNumber other{1, options_.part->count}; other.number <= other.count; ++other.number) {
+        auto told = saved(pathOfRound(other));
+        while (!told && options_.waits) {
+            if (progress.cancelled())
+                return cancelledError(Message::marked("The build"));
+            progress.report(0, Message::say("Waiting for part %1", other.number));
+            std::this_thread::sleep_for(pause);
+            told = saved(pathOfRound(other));
+        }
+        if (!told)
+            return Error{ErrorKind::NotYet,
+                         Message::say("Part %1 of %2 has done what it can until part %3 has found out what it needs of "
+                                      "their common faces. Begin it again then: it goes on from here.",
+                                      options_.part->number, options_.part->count, other.number)};
+        needed.insert(needed.end(), told->cures.begin(), told->cures.end());
+    }
+    return needed;
+}
+
 } // namespace
 
-Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& samples, const RunFiles& runs,
+Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& samples, RunFiles& runs,
                        const Progress& progress)
 {
     return guarded(noMemoryForBlocks, [&] {
-        return RunMaker(options, runs, methodOf(options, samples)).make(orderOfWork(runs.blockCount()), progress);
+        RunMaker maker(options, runs, methodOf(options, samples));
+        return maker.make(orderOfWork(maker.share()), progress);
     });
 }
 

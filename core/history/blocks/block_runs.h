@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/blocks/block_run.h"
+#include "core/history/blocks/run_files.h"
 #include "core/refine/curvilinear/curvilinear_refinement.h"
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/lattice_refinement.h"
@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
 namespace tetra {
@@ -28,7 +29,9 @@ struct RunTotals {
 /// What all blocks have in common.
 struct BlockRunsOptions {
     BlockDivision division{{2, 2, 2}, 0};
-    bool reuseIntact = false; ///< runs that are there already are not made again
+    std::optional<PartNumber> part{}; ///< of a shared build: only the blocks of this part; else all
+    bool waits = false;               ///< for what other parts find out of faces; else NotYet
+    bool resumes = false;             ///< goes on with what an interrupted build that nobody shares knew of cures
     /// Asked before a run is written; an Error ends the work. Called from any thread.
     std::function<Status()> samplesIntact;
     /// Asked after each block with what there is and what there will be as it seems, from a first sample of blocks on;
@@ -40,9 +43,9 @@ struct LatticeRunsOptions : BlockRunsOptions {
     LatticeBoxOptions box; ///< for every block but for its place: lattice size, metric, value extent, stop
 };
 
-/// Refines every block of a lattice by itself (R10) and leaves its run in `runs`: on all threads that TBB may use, in
-/// memory for one block each. Errors: memory, the disk, check's, cancelled.
-Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& samples, const RunFiles& runs,
+/// Refines every block of a lattice by itself (R10) and leaves its run in `runs`, unless it is there: on all threads
+/// that TBB may use, in memory for one block each. Errors: memory, the disk, check's, cancelled.
+Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& samples, RunFiles& runs,
                        const Progress& progress);
 
 struct CurvilinearRunsOptions : BlockRunsOptions {
@@ -54,6 +57,10 @@ struct CurvilinearRunsOptions : BlockRunsOptions {
 /// runs' folder after each round, so that a build that is resumed goes on with it. Which blocks a round refines, and
 /// with what, depends on the data alone. The rounds end: after `mostRounds` a face on which a cure is missing gets all
 /// of its points.
+///
+/// Of a shared build each part leaves a file for each round in the runs' folder, which tells the others what its blocks
+/// need. A part that has done its own share of a round, and lacks a file of another part, waits for it, or ends with
+/// NotYet and goes on from there when it is begun again.
 Status makeCurvilinearRuns(const CurvilinearRunsOptions& options, std::span<const Eigen::Vector3d> positions,
                            const LatticeSamples& samples, RunFiles& runs, const Progress& progress,
                            std::uint32_t mostRounds = 16);

@@ -467,11 +467,11 @@ void StarPipeline::fail(const Error& error)
     failed_ = true;
 }
 
-Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
+Result<FixedCounts> merge(const RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                           const Progress& progress, std::uint64_t sliceTetrahedra)
 {
-    if (const Status opened = runs.open(); !opened)
-        return opened.error();
+    if (const Status complete = runs.checkComplete(); !complete)
+        return complete.error();
     FixedCounts counts;
     float finalKey = 0;
     std::uint64_t living = 0;
@@ -552,21 +552,18 @@ constexpr MarkedText noMemoryToMerge =
 
 } // namespace
 
-Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
-                              const Progress& progress, std::uint64_t sliceTetrahedra)
+Result<FixedCounts> mergeRuns(const RunFiles& runs, const std::filesystem::path& workFolder,
+                              const ModelFileOpener& open, const Progress& progress, std::uint64_t sliceTetrahedra)
 {
     return guarded(noMemoryToMerge, [&] { return merge(runs, workFolder, open, progress, sliceTetrahedra); });
 }
 
-Status handMesh(RunFiles& runs, const std::filesystem::path& workFolder, const RunUnits& units, HistorySink& sink,
+Status handMesh(const RunFiles& runs, const std::filesystem::path& workFolder, const RunUnits& units, HistorySink& sink,
                 const Progress& progress)
 {
     return guarded(noMemoryToMerge, [&] {
-        Status handed = runs.open();
-        if (handed)
-            handed = handAll(runs, workFolder, units, sink, progress);
-        runs.close();
-        return handed;
+        const Status complete = runs.checkComplete();
+        return complete ? handAll(runs, workFolder, units, sink, progress) : complete;
     });
 }
 

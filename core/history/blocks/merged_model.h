@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/history/blocks/block_merge.h"
-#include "core/history/blocks/block_run.h"
+#include "core/history/blocks/run_files.h"
 #include "core/history/model_writer.h"
 
 #include <tan/base.h>
@@ -74,8 +74,9 @@ using ModelFileOpener = std::function<Result<std::unique_ptr<ModelFileWriter>>(c
 /// all threads that TBB may use; the result does not depend on their number nor on the slices in which large groups are
 /// taken. Memory: some buffers, the sites of one batch, and a slice a thread. Errors: the runs' and the model's files,
 /// memory, cancelled.
-Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
-                              const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
+Result<FixedCounts> mergeRuns(const RunFiles& runs, const std::filesystem::path& workFolder,
+                              const ModelFileOpener& open, const Progress& progress,
+                              std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
 
 /// What bounds of errors and warpings in runs count in.
 struct RunUnits {
@@ -86,7 +87,7 @@ struct RunUnits {
 
 /// Hands the mesh of all sites to `sink`, as a history of that mesh alone, begin() to finish(): something to look at.
 /// Memory: that of mergeRuns() on one thread. Errors: the runs' files, memory, the sink's, cancelled.
-Status handMesh(RunFiles& runs, const std::filesystem::path& workFolder, const RunUnits& units, HistorySink& sink,
+Status handMesh(const RunFiles& runs, const std::filesystem::path& workFolder, const RunUnits& units, HistorySink& sink,
                 const Progress& progress);
 
 } // namespace tetra

@@ -68,6 +68,7 @@ enum class ErrorKind {
     CannotWrite,   ///< a target that cannot be written, a full disk (exit 4)
     OutOfResource, ///< not enough memory, a limit of the format or of the machine (exit 4)
     Cancelled,     ///< the user stopped it (exit 130)
+    NotYet,        ///< it waits for what others are still to make, such as the parts of a build (exit 5)
 };
 
 /// An English text that is shown later, as a label, a choice or an activity: Message::marked().

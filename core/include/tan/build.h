@@ -236,6 +236,21 @@ struct FixedCounts {
 using FixedSizeTarget = std::function<Result<std::unique_ptr<ModelFileWriter>>(
     const FixedCounts& counts, const std::vector<std::pair<std::string, std::string>>& parameters)>;
 
+/// What is done here of a build in blocks that many processes share (D15). Each refines some of the blocks into the
+/// folder, on its own and in any order, and at last one of them merges all.
+struct BuildPart {
+    /// For the work of all processes and nothing else, on a disk that they all see.
+    std::filesystem::path folder{};
+    bool merges = false; ///< the parts are there: make the model of them
+    // Else:
+    std::uint32_t number = 1; ///< of this part, from 1 to `count`
+    std::uint32_t count = 1;  ///< of the parts; any number does
+    /// Of curvilinear grids, whose blocks agree about their faces in rounds: waits for what other parts find out, which
+    /// have to be built at the same time. Else a part that lacks it ends with NotYet, and goes on when it is begun
+    /// again.
+    bool waits = false;
+};
+
 /// Where a build puts what it makes.
 struct BuildTarget {
     /// A history step by step. Costs memory for every site and tetrahedron.
@@ -256,6 +271,9 @@ struct BuildTarget {
     /// For the same builders: if it is there and true when the build is cancelled, they hand over the history as far as
     /// it goes, and end well.
     const std::atomic<bool>* keepWhenCancelled = nullptr;
+    /// For builders that say so (BuildAbilities::takesParts): what of the build is done here; all of it if there is
+    /// none. A part goes on with what an earlier attempt at it has left, and hands nothing over.
+    std::optional<BuildPart> part{};
 };
 
 /// The dataset as the method takes it, and as the model has it: itself; asPoints() of a rectilinear grid (unless it is

@@ -223,6 +223,10 @@ public:
     static Result<ScalarField> scanned(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples,
                                        const Progress& progress);
 
+    /// As the constructor, for finite samples of a known range: none of them is read.
+    static ScalarField ofKnownRange(SampleType type, std::uint64_t count, std::shared_ptr<const std::byte> samples,
+                                    const ValueRange& range);
+
     /// Takes an array over.
     template <class T> static ScalarField of(std::vector<T> samples)
     {

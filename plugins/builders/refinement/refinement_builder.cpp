@@ -234,7 +234,7 @@ BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const Parame
         return {.usesThreads = true, .resumes = true}; // nor does this, but it measures on all of them
     const auto cells = chooseBlocks(*block, dataset.lattice, usableBytes());
     const bool inBlocks = cells && *cells > 0;
-    return {.usesThreads = inBlocks, .resumes = true};
+    return {.usesThreads = inBlocks, .resumes = true, .takesParts = inBlocks};
 }
 
 std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, const ParameterValues& values,

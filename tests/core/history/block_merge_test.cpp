@@ -13,10 +13,12 @@
 
 #include <array>
 #include <atomic>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <new>
 #include <random>
+#include <span>
 #include <vector>
 
 using namespace tetra;
@@ -63,6 +65,7 @@ private slots:
         const Dataset dataset = fewValues(seed);
         const BlockDivision division(dataset.lattice.size, cellsOfBlock);
         RunFiles runs(folder(), seed, division.count());
+        QVERIFY(runs.openOwn(false).ok());
         const Status made = makeRuns(dataset, division, runs);
         QVERIFY2(made.ok(), made.ok() ? "" : made.error().text().c_str());
         const std::vector<char> whole = merged(dataset, runs, usualSliceTetrahedra);
@@ -105,7 +108,8 @@ private slots:
                 throw std::bad_alloc();
             return Error{ErrorKind::BadInput, "it changed"};
         };
-        const RunFiles runs(folder(), 1, 2);
+        RunFiles runs(folder(), 1, 2);
+        QVERIFY(runs.openOwn(false).ok());
         const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 2);
         tbb::task_arena arena(2);
         const Status made = arena.execute(
@@ -120,16 +124,23 @@ private slots:
     {
         const Dataset dataset = fewValues(1);
         const BlockDivision division(dataset.lattice.size, cellsOfBlock);
-        RunFiles runs(folder(), 1, division.count());
-        QVERIFY(makeRuns(dataset, division, runs).ok());
-        const std::vector<char> whole = merged(dataset, runs, usualSliceTetrahedra);
-        QVERIFY(!whole.empty());
+        {
+            RunFiles runs(folder(), 1, division.count());
+            QVERIFY(runs.openOwn(false).ok());
+            QVERIFY(makeRuns(dataset, division, runs).ok());
+            QVERIFY(!merged(dataset, runs, usualSliceTetrahedra).empty());
+        }
+        const std::filesystem::path path = folder() / "blocks.runs";
+        const std::vector<char> right = contentOf(path);
         // What the first groups of two blocks made, and then what all of three blocks came to.
         constexpr std::size_t firstGroupsTetrahedra = sizeof(BlockRunHeader) + 3 * sizeof(std::uint32_t);
-        for (const std::uint32_t block : {0u, 1u})
-            overwrite(runs.path(block), firstGroupsTetrahedra, std::uint32_t(3'000'000'000));
+        std::vector<char> wrongBytes = right;
+        forRunsOf(wrongBytes, 2,
+                  [](std::span<char> run) { put(run, firstGroupsTetrahedra, std::uint32_t(3'000'000'000)); });
+        write(path, wrongBytes);
         RunFiles wrong(folder(), 1, division.count());
-        QVERIFY(wrong.open().ok());
+        QVERIFY(wrong.openOwn(true).ok());
+        QVERIFY(wrong.checkComplete().ok());
         ChunkMaker maker(wrong);
         auto chunk = maker.next();
         while (chunk && !chunk->points.empty())
@@ -137,14 +148,16 @@ private slots:
         QVERIFY(!chunk.ok());
         QCOMPARE(chunk.error().kind, ErrorKind::OutOfResource);
 
-        QVERIFY(makeRuns(dataset, division, runs).ok());
-        std::filesystem::remove(folder() / "model.tan");
-        for (const std::uint32_t block : {0u, 1u, 2u})
-            overwrite(runs.path(block), offsetof(BlockRunHeader, livingCount), std::uint64_t(1'500'000'000));
+        wrongBytes = right;
+        forRunsOf(wrongBytes, 3, [](std::span<char> run) {
+            put(run, offsetof(BlockRunHeader, livingCount), std::uint64_t(1'500'000'000));
+        });
+        write(path, wrongBytes);
         const ModelFileOpener open = [](const FixedCounts&) -> Result<std::unique_ptr<ModelFileWriter>> {
             return Error{ErrorKind::CannotWrite, "The model was begun."};
         };
         RunFiles many(folder(), 1, division.count());
+        QVERIFY(many.openOwn(true).ok());
         const auto refused = mergeRuns(many, folder(), open, {});
         QVERIFY(!refused.ok());
         QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
@@ -171,17 +184,38 @@ private slots:
     }
 
 private:
-    template <class Number>
-    static void overwrite(const std::filesystem::path& path, std::size_t offset, const Number& number)
+    template <class Number> static void put(std::span<char> bytes, std::size_t offset, const Number& number)
     {
-        std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
-        stream.seekp(static_cast<std::streamoff>(offset));
-        stream.write(reinterpret_cast<const char*>(&number), sizeof number);
+        std::memcpy(bytes.data() + offset, &number, sizeof number);
+    }
+
+    /// Calls change() with the first runs of a file, whose sums are right afterwards.
+    template <class Change> static void forRunsOf(std::vector<char>& file, int runs, const Change& change)
+    {
+        constexpr std::size_t fileHeader = 16;
+        std::size_t offset = fileHeader;
+        for (int number = 0; number < runs; ++number) {
+            BlockRunHeader header;
+            std::memcpy(&header, file.data() + offset, sizeof header);
+            const std::span<char> run(file.data() + offset, runBytes(header));
+            change(run);
+            std::memcpy(&header, run.data(), sizeof header);
+            const std::array<std::span<const std::byte>, 1> content{std::as_bytes(run.subspan(sizeof header))};
+            header.checksum = runChecksum(header, content);
+            put(run, 0, header);
+            offset += run.size();
+        }
+    }
+
+    static void write(const std::filesystem::path& path, const std::vector<char>& bytes)
+    {
+        std::ofstream stream(path, std::ios::binary);
+        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     }
 
     std::filesystem::path folder() const { return folder_.path().toStdString(); }
 
-    static Status makeRuns(const Dataset& dataset, const BlockDivision& division, const RunFiles& runs)
+    static Status makeRuns(const Dataset& dataset, const BlockDivision& division, RunFiles& runs)
     {
         LatticeRunsOptions options;
         options.division = division;

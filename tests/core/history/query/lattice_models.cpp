@@ -40,6 +40,7 @@ void writeInBlocks(const Dataset& dataset, std::uint32_t cells, const std::files
     options.box.metric = latticeMetric(options.division.box(0).size, dataset.lattice.spacing).value();
     options.box.valueExtent = dataset.values.range().extent();
     RunFiles runs(folder, dataset.source.hash, options.division.count());
+    orAbort(runs.openOwn(false));
     orAbort(visitSampleType(dataset.values.type(), [&]<class T>() {
         return makeLatticeRuns(options, LatticeSamples(dataset.values.as<T>()), runs, {});
     }));

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/building/build_outcome.h"
+#include "app/command_line/building/pack.h"
+#include "app/command_line/building/parts.h"
 #include "app/command_line/datasets.h"
 #include "app/command_line/error_statistics.h"
 #include "app/command_line/option_values.h"
-#include "app/command_line/pack.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
-#include "app/command_line/table.h"
-#include "core/base/text.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
-#include "core/history/error_meaning.h"
-#include "core/history/query_words.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"
@@ -38,43 +36,6 @@ Status checkOutputs(const std::filesystem::path& input, const std::filesystem::p
     if (const Status distinct = checkOutput(output, std::array{input}); !distinct)
         return distinct;
     return checkModelOutput(output);
-}
-
-/// One that is packed afterwards has another size.
-Outcome describe(const ModelBuild& build, const std::string& wanted, bool isPacked)
-{
-    const BuildReport& report = build.report;
-    const std::string output = isPacked ? wanted : build.model.string();
-    Outcome outcome;
-    outcome.figures = {{"model", output},
-                       {"builder", build.builder},
-                       {"sites", report.sites},
-                       {"tetrahedra", report.tetrahedra},
-                       {"seconds", build.seconds},
-                       {"peak_bytes", build.peakBytes},
-                       {"inverted", report.inverted},
-                       {"degenerate", report.degenerate},
-                       {"bytes", build.fileBytes},
-                       {"stopped_early", build.stoppedEarly}};
-    outcome.text = visibleText(output) + ": " + std::to_string(report.sites) + " sites, " +
-                   std::to_string(report.tetrahedra) + " tetrahedra in the history" +
-                   (isPacked ? "" : ", " + byteText(build.fileBytes)) + "\nbuilt by " + visibleText(build.builder) +
-                   " in " + rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) +
-                   " of memory\n";
-    if (const auto model = Model::open(build.model)) {
-        outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning((*model)->description()));
-        outcome.text += guaranteeText((*model)->description(), false);
-    }
-    if (build.stoppedEarly)
-        outcome.text += "Stopped early: 'tan info' tells what accuracy it has.\n";
-    if (output != wanted)
-        outcome.text += "The model '" + wanted + "' is as it was: what is not finished does not replace it.\n";
-    if (report.inverted > 0)
-        outcome.text += "inverted tetrahedra in the finest mesh: " + std::to_string(report.inverted) +
-                        ", where the data's own cells are folded or bent too far\n";
-    if (report.degenerate > 0)
-        outcome.text += "tetrahedra without volume in the finest mesh: " + std::to_string(report.degenerate) + "\n";
-    return outcome;
 }
 
 /// What was built into what was asked for.
@@ -224,14 +185,6 @@ void tellThreads(const Arguments& arguments, int threads, const Provided<Builder
     outcome.text += "\n";
 }
 
-/// A reader that nobody chose and that has nothing to be told is no choice.
-ImportOptions toKeep(ImportOptions imported, const Arguments& arguments)
-{
-    if (!arguments.has("reader") && imported.values.empty())
-        imported.reader.reset();
-    return imported;
-}
-
 /// Whatever is built, reading and checking may use them, too.
 Option buildThreadsOption()
 {
@@ -268,6 +221,8 @@ Syntax buildSyntax(PluginHost& host)
               .placeholder = "",
               .explanation = "Write a packed model, as 'tan pack' does; until it is packed, the model itself is in the "
                              "folder MODEL.packing."},
+             partOption(),
+             waitOption(),
              buildThreadsOption(),
              {.name = "resume",
               .placeholder = "",
@@ -278,6 +233,10 @@ Syntax buildSyntax(PluginHost& host)
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
                      {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",
                       "A part of the data, more coarsely."},
+                     {"tan build engine.nrrd --error 0.5 --part prepare -o engine.parts",
+                      "Share a build among processes: first this,"},
+                     {"tan build engine.nrrd --part 3/8 -o engine.parts",
+                      "then each part, in any order, and at last 'tan merge engine.parts -o engine.tan'."},
                      {"tan build flow.vtu --array nut --scale log:1e-9 -o nut.tan",
                       "Values spanning many powers of ten: errors are factors."}}};
     addPluginOptions(syntax, allParameters(host.builders()));
@@ -296,6 +255,10 @@ Result<Outcome> runBuild(const Invocation& invocation)
     std::optional<tbb::global_control> limit;
     if (*threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*threads));
+    if (const auto part = arguments.value("part"))
+        return runPart(invocation, *part);
+    if (arguments.has("wait"))
+        return Error{ErrorKind::WrongUsage, "'--wait' is of a part. Leave it out, or give '--part'."};
     if (const Status safe = checkOutputs(input, output); !safe)
         return safe.error();
     if (arguments.has("packed") && arguments.has("keep"))
@@ -340,7 +303,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
         return arguments.has("resume") ? withWayOn(build.error(), output + (isPacked ? ".packing" : ".work"))
                                        : build.error();
     }
-    Outcome outcome = describe(*build, output, isPacked);
+    Outcome outcome = outcomeOf(*build, output, isPacked);
     if (isPacked)
         if (const Status packed = pack(target, output, invocation.progress.part(builtEnd, 1), outcome); !packed)
             return packed.error();

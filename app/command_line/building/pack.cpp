@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/command_line/pack.h"
+#include "app/command_line/building/pack.h"
 
 #include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"

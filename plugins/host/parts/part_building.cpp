@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/parts/part_building.h"
+
+#include "core/base/memory.h"
+#include "plugins/host/dataset_opening.h"
+#include "plugins/host/parameter_text.h"
+#include "plugins/host/parameter_values.h"
+
+#include <tan/build.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace tetra {
+namespace {
+
+constexpr const char* blockId = "block";
+constexpr const char* usualBlock = "32";
+
+/// The values, with the edge of a block if its choice is left to the builder, as that may depend on the machine.
+ParameterValues withBlock(const std::vector<Parameter>& parameters, ParameterValues values)
+{
+    const auto block = std::ranges::find(parameters, blockId, &Parameter::id);
+    if (block != parameters.end() && (!values.contains(blockId) || values.at(blockId) == block->defaultValue))
+        values[blockId] = std::string(usualBlock);
+    return values;
+}
+
+Result<ParameterValues> valuesOf(const PartsPlan& plan, const std::vector<Parameter>& parameters)
+{
+    ParameterValues values;
+    for (const auto& [id, text] : plan.parameters) {
+        const auto parameter = std::ranges::find(parameters, id, &Parameter::id);
+        if (parameter == parameters.end())
+            return Error{ErrorKind::BadInput,
+                         Message::say("The builder '%1' has no parameter '%2', which the plan of this build sets. Use "
+                                      "one version of it for all parts.",
+                                      plan.builder, id)};
+        auto value = parseParameter(*parameter, text);
+        if (!value)
+            return value.error();
+        values[id] = *std::move(value);
+    }
+    return values;
+}
+
+/// Opens the input as it was when the build was prepared.
+Result<ImportOptions> importedFor(PluginHost& host, const PartsPlan& plan)
+{
+    ModelDescription kept;
+    kept.parameters = plan.imported;
+    const auto reader = chooseReader(host, plan.input, importReaderOf(kept));
+    return reader ? importOf(kept, reader->plugin->parameters()) : reader.error();
+}
+
+Error changed(const PartsPlan& plan)
+{
+    return {ErrorKind::BadInput,
+            Message::say("'%1' has changed since the build was prepared. Prepare it anew, in another folder.",
+                         plan.input.string()),
+            plan.input};
+}
+
+/// All of it, checked.
+Result<Dataset> openedAgain(PluginHost& host, const PartsPlan& plan, const ImportOptions& imported,
+                            const Progress& progress)
+{
+    auto dataset = openDataset(host, plan.input, imported, progress);
+    if (dataset && dataset->source.hash != plan.hash)
+        return changed(plan);
+    return dataset;
+}
+
+Result<Dataset> datasetOfPart(PluginHost& host, const PartsPlan& plan, const Progress& progress)
+{
+    if (plan.samples)
+        return mappedDataset(plan);
+    const auto imported = importedFor(host, plan);
+    return imported ? openedAgain(host, plan, *imported, progress) : imported.error();
+}
+
+/// A part hands nothing over.
+class NoHistory final : public HistorySink {
+public:
+    Status add(const HistoryStep& /*step*/) override
+    {
+        return Error{ErrorKind::WrongUsage, Message::say("This builder does not build in parts.")};
+    }
+    Status finish(float /*finalKey*/) override { return {}; }
+};
+
+/// How many blocks of so many cells along an edge there are.
+std::uint32_t blockCount(const Lattice& lattice, std::uint32_t cells)
+{
+    std::uint32_t count = 1;
+    for (const std::uint32_t points : lattice.size)
+        count *= (points - 2) / cells + 1;
+    return count;
+}
+
+} // namespace
+
+Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& input, const ImportOptions& imported,
+                               const std::optional<std::string>& builderId, const ParameterValues& given,
+                               const std::filesystem::path& folder, const Progress& progress)
+{
+    const auto dataset = openDataset(host, input, imported, progress);
+    if (!dataset)
+        return dataset.error();
+    const auto builder = chooseBuilder(host, *dataset, builderId);
+    if (!builder)
+        return builder.error();
+    const auto parameters = builder->plugin->parameters();
+    if (const Status known = checkParameterValues(Message::say("builder '%1'", builder->id), parameters, given); !known)
+        return known.error();
+    const ParameterValues values = withBlock(parameters, given);
+    if (!checkOfUse(parameters, values, *dataset) || !builder->plugin->abilities(*dataset, values).takesParts)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' cannot be built in parts: that takes a regular lattice or a curvilinear grid, "
+                                  "refined in blocks. Build it as a whole.",
+                                  dataset->source.name)};
+    const auto cells =
+        chooseBlocks(parseNumber<std::uint32_t>(parameterText(values.at(blockId))), dataset->lattice, usableBytes());
+    if (!cells)
+        return cells.error();
+    PartsPlan plan{.input = std::filesystem::absolute(input),
+                   .imported = importTexts(imported),
+                   .builder = builder->id,
+                   .parameters = usedTexts(parameters, values, *dataset),
+                   .name = dataset->source.name,
+                   .hash = dataset->source.hash,
+                   .domain = dataset->domain,
+                   .type = dataset->values.type(),
+                   .size = dataset->lattice.size,
+                   .spacing = dataset->lattice.spacing,
+                   .range = dataset->values.range(),
+                   .samples = samplesInFile(*dataset),
+                   .blocks = blockCount(dataset->lattice, *cells)};
+    if (const Status intact = dataset->checkIntact(); !intact)
+        return intact.error();
+    const Status written = writePlan(folder, plan);
+    return written ? Result(std::move(plan)) : written.error();
+}
+
+Result<BuiltPart> buildPart(PluginHost& host, const std::filesystem::path& folder, std::uint32_t number,
+                            std::uint32_t count, bool waits, const Progress& progress)
+{
+    constexpr double openedEnd = 0.05;
+    const auto start = std::chrono::steady_clock::now();
+    const auto plan = readPlan(folder);
+    if (!plan)
+        return plan.error();
+    if (number < 1 || number > count)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("There is no part %1 of %2. Parts are numbered from 1.", number, count)};
+    const auto builder = host.builder(plan->builder);
+    if (!builder)
+        return builder.error();
+    const auto values = valuesOf(*plan, builder->plugin->parameters());
+    if (!values)
+        return values.error();
+    const auto whole = datasetOfPart(host, *plan, progress.part(0, openedEnd));
+    if (!whole)
+        return whole.error();
+    const auto dataset = builder->plugin->taken(*whole, *values, {});
+    if (!dataset)
+        return dataset.error();
+    NoHistory none;
+    BuildTarget target{.history = none, .workFolder = folder};
+    target.part = BuildPart{.folder = folder, .number = number, .count = count, .waits = waits};
+    const auto report = builder->plugin->build(*dataset, *values, target, progress.part(openedEnd, 1));
+    if (!report)
+        return report.error();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    return BuiltPart{report->sites, report->tetrahedra, elapsed.count(), peakResidentBytes()};
+}
+
+Result<ModelBuild> mergeParts(PluginHost& host, const std::filesystem::path& folder,
+                              const std::filesystem::path& output, const Progress& progress)
+{
+    constexpr double openedEnd = 0.1;
+    const auto plan = readPlan(folder);
+    if (!plan)
+        return plan.error();
+    const auto builder = host.builder(plan->builder);
+    if (!builder)
+        return builder.error();
+    const auto values = valuesOf(*plan, builder->plugin->parameters());
+    if (!values)
+        return values.error();
+    const auto imported = importedFor(host, *plan);
+    if (!imported)
+        return imported.error();
+    const auto dataset = openedAgain(host, *plan, *imported, progress.part(0, openedEnd));
+    if (!dataset)
+        return dataset.error();
+    return buildModel(host, *dataset, plan->builder, *values, output, progress.part(openedEnd, 1),
+                      {.partsIn = folder, .imported = *imported});
+}
+
+} // namespace tetra
