@@ -4,6 +4,9 @@
 #include "app/command_line/command_line.h"
 #include "app/command_line/interruption.h"
 #include "core/base/file_writer.h"
+#include "core/base/text.h"
+#include "core/build/model_build.h"
+#include "plugins/host/output_check.h"
 #include "plugins/host/parts/parts_plan.h"
 #include "plugins/host/plugin_folders.h"
 
@@ -12,13 +15,13 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace tetra {
@@ -33,7 +36,7 @@ struct Job {
     std::string input;
     std::string model;
     std::string folder; ///< in which the parts are built
-    std::string threads;
+    std::string threads = "1";
     Words options; ///< of the build
     bool json = false;
     bool keeps = false; ///< the folder
@@ -52,13 +55,19 @@ a build in blocks are those of 'tan build'.
   --json           print one JSON object instead of text
 )";
 
-/// Nothing if the words are no job.
+bool asksForHelp(const Words& words)
+{
+    return std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; });
+}
+
+/// Nothing if the words are no job. The input is the first word after the command: which of the later ones are values
+/// of options the builders' plugins know.
 std::optional<Job> jobOf(const Words& words)
 {
-    if (words.size() < 2 || words[0] != "build")
+    if (words.size() < 2 || words[0] != "build" || words[1].starts_with("-") || asksForHelp(words))
         return std::nullopt;
-    Job job{.threads = "1"};
-    for (std::size_t i = 1; i < words.size(); ++i) {
+    Job job{.input = words[1], .model = {}, .folder = {}, .options = {}};
+    for (std::size_t i = 2; i < words.size(); ++i) {
         const std::size_t equals = words[i].starts_with("--") ? words[i].find('=') : std::string::npos;
         const std::string name = words[i].substr(0, equals);
         const auto value = [&] {
@@ -74,12 +83,10 @@ std::optional<Job> jobOf(const Words& words)
             job.json = true;
         else if (name == "--keep-parts")
             job.keeps = true;
-        else if (job.input.empty() && !name.starts_with("-"))
-            job.input = words[i];
         else
             job.options.push_back(words[i]);
     }
-    if (job.input.empty() || job.model.empty())
+    if (job.model.empty())
         return std::nullopt;
     if (job.folder.empty())
         job.folder = job.model + ".parts";
@@ -100,11 +107,9 @@ public:
     /// The exit code, the same for all.
     int build(const Job& job) const
     {
-        Words preparing{"build", job.input, "--part", "prepare", "-o", job.folder};
-        preparing.insert(preparing.end(), job.options.begin(), job.options.end());
-        if (const int code = ofFirst([&] { return run(preparing, nullptr); }); code != 0)
+        if (const int code = ofFirst([&] { return prepare(job); }); code != 0)
             return code;
-        if (const int code = run(partWords(job), nullptr); code != 0)
+        if (const int code = run(wordsOfPart(job), nullptr); code != 0)
             MPI_Abort(MPI_COMM_WORLD, code); // others may wait for this part
         MPI_Barrier(MPI_COMM_WORLD);
         return ofFirst([&] { return merge(job); });
@@ -119,7 +124,21 @@ private:
         return code;
     }
 
-    Words partWords(const Job& job) const
+    int prepare(const Job& job) const
+    {
+        // Before anything long is done.
+        for (const Status& safe :
+             {checkOutput(job.model, std::array<std::filesystem::path, 1>{job.input}), checkModelOutput(job.model)})
+            if (!safe) {
+                std::cerr << "tan-mpi: " << visibleText(safe.error().message) << std::endl;
+                return wrongUsage;
+            }
+        Words words{"build", job.input, "--part", "prepare", "--threads", job.threads, "-o", job.folder};
+        words.insert(words.end(), job.options.begin(), job.options.end());
+        return run(words, nullptr);
+    }
+
+    Words wordsOfPart(const Job& job) const
     {
         Words words{"build",     job.input,   "--part", std::to_string(rank_ + 1) + "/" + std::to_string(count_),
                     "--threads", job.threads, "-o",     job.folder};
@@ -130,13 +149,12 @@ private:
 
     int merge(const Job& job) const
     {
-        Words words{"merge", job.folder, "-o", job.model};
+        Words words{"merge", job.folder, "--threads", job.threads, "-o", job.model};
         if (job.json)
             words.emplace_back("--json");
         const int code = run(words, &std::cout);
-        std::error_code problem; // what cannot be removed stays
         if (code == 0 && !job.keeps)
-            std::filesystem::remove_all(job.folder, problem);
+            removeParts(job.folder);
         return code;
     }
 
@@ -165,7 +183,7 @@ int run(const Words& words, const Interruption& interruption)
     const auto job = jobOf(words);
     if (job)
         return rank.build(*job);
-    const bool asked = std::ranges::any_of(words, [](const auto& word) { return word == "--help" || word == "-h"; });
+    const bool asked = asksForHelp(words);
     if (rank.isFirst())
         (asked ? std::cout : std::cerr) << usage;
     return asked ? 0 : wrongUsage;

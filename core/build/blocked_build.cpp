@@ -274,6 +274,19 @@ std::vector<double> coarseErrors(const SiteDensity& density, double finalError)
     return errors;
 }
 
+std::uint64_t blockCount(const Lattice& lattice, std::uint32_t cells)
+{
+    std::uint64_t count = 1;
+    for (const std::uint32_t size : lattice.size)
+        count *= (size - 2) / cells + 1;
+    return count;
+}
+
+Status checkPartsThere(const std::filesystem::path& folder)
+{
+    return checkNoneMissing(folder, finishedParts(folder));
+}
+
 Result<BuildReport> buildInBlocks(const Dataset& dataset, const BlockedBuild& build, const BuildTarget& target,
                                   const Progress& progress)
 {

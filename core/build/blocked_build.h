@@ -8,6 +8,7 @@
 #include <tan/data.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <vector>
@@ -35,6 +36,12 @@ struct BlockedBuild {
 /// the end at `finalError`, if the build is watched or may be kept: only then is there a mesh of the whole domain. The
 /// first are the blocks' corners; both take about a tenth of the build's time, as far as the density tells.
 std::vector<double> coarseErrors(const SiteDensity& density, double finalError);
+
+/// How many blocks of so many cells along an edge a lattice is cut into.
+TAN_INTERNAL std::uint64_t blockCount(const Lattice& lattice, std::uint32_t cells);
+
+/// That all parts of a shared build are in its folder, by their names. Error: NotYet.
+TAN_INTERNAL Status checkPartsThere(const std::filesystem::path& folder);
 
 /// Refines the blocks one by one, and merges them into one model, whose bytes are the same whether it was watched,
 /// kept, resumed, made in parts (BuildTarget::part) or none of these. A build that is cancelled and kept becomes the

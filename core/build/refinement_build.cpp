@@ -262,7 +262,7 @@ constexpr std::uint32_t defaultCells = 32;
 constexpr std::uint64_t bytesAPoint = 600;
 /// Beyond that many points blocks are quicker by more than their sites cost (docs/lab/performance.md).
 constexpr std::uint64_t mostPointsAsWhole = 1 << 22;
-/// Each block is a file until they are merged.
+/// Merging reads the runs of all blocks at once, each through a buffer.
 constexpr std::uint64_t mostBlocks = 1 << 17;
 
 bool isLarge(std::uint64_t points, std::uint64_t usableBytes)
@@ -273,14 +273,6 @@ bool isLarge(std::uint64_t points, std::uint64_t usableBytes)
 bool fitsAsWhole(const Lattice& lattice, std::uint64_t usableBytes)
 {
     return !isLarge(lattice.pointCount(), usableBytes) && latticeMetric(lattice.size, lattice.spacing).ok();
-}
-
-std::uint64_t blockCount(const Lattice& lattice, std::uint32_t cells)
-{
-    std::uint64_t count = 1;
-    for (const std::uint32_t size : lattice.size)
-        count *= (size - 2) / cells + 1;
-    return count;
 }
 
 std::string latticeSizeText(const Lattice& lattice)

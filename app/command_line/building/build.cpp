@@ -258,7 +258,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (const auto part = arguments.value("part"))
         return runPart(invocation, *part);
     if (arguments.has("wait"))
-        return Error{ErrorKind::WrongUsage, "'--wait' is of a part. Leave it out, or give '--part'."};
+        return Error{ErrorKind::WrongUsage, "'--wait' is for parts. Leave it out, or give '--part' as well."};
     if (const Status safe = checkOutputs(input, output); !safe)
         return safe.error();
     if (arguments.has("packed") && arguments.has("keep"))

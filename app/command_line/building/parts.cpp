@@ -34,7 +34,7 @@ Result<PartWords> partWords(const std::string& text)
     const auto count = slash == std::string::npos ? std::nullopt : parseNumber<std::uint32_t>(text.substr(slash + 1));
     if (!number || !count || *number < 1 || *number > *count)
         return Error{ErrorKind::WrongUsage, "'" + text +
-                                                "' is no part. '--part' takes \"prepare\", and then the number of a "
+                                                "' names no part. '--part' takes \"prepare\", and then the number of a "
                                                 "part and how many there are, such as 3/8."};
     return PartWords{*number, *count};
 }
@@ -81,14 +81,16 @@ Result<Outcome> prepare(const Invocation& invocation, const std::string& input, 
     outcome.figures = {{"folder", folder},
                        {"builder", plan->builder},
                        {"blocks", plan->blocks},
-                       {"points", plan->points()},
-                       {"reads_only_its_blocks", plan->samples.has_value()},
+                       {"points", plan->lattice.pointCount()},
+                       {"reads_only_its_blocks", plan->readsOnlyItsBlocks()},
                        {"peak_bytes", peakResidentBytes()}};
     outcome.text = visibleText(folder) + ": " + std::to_string(plan->blocks) + " blocks to be built by " +
                    visibleText(plan->builder) + ", in up to as many parts\n";
     if (plan->domain == DomainClass::Curvilinear)
         outcome.text += "Each part will read all of '" + visibleText(input) +
                         "', as the places of its points are read as a whole.\n";
+    else if (plan->samples && !plan->readsOnlyItsBlocks())
+        outcome.text += "Each part will read all of '" + visibleText(input) + "', as it weighs all points.\n";
     else if (!plan->samples)
         outcome.text += "Each part will read all of '" + visibleText(input) +
                         "', as its samples are not stored as they are used. From a raw file, an uncompressed NRRD, a "
@@ -116,7 +118,12 @@ Status checkSame(const Invocation& invocation, const PartsPlan& plan, const std:
     const auto builder = invocation.host.builder(plan.builder);
     if (!builder)
         return builder.error();
-    const auto values = pluginValues(arguments, builder->plugin->parameters());
+    const auto parameters = builder->plugin->parameters();
+    if (const Status known = checkPluginOptions(arguments, allParameters(invocation.host.builders()), parameters,
+                                                "builder '" + plan.builder + "'");
+        !known)
+        return known.error();
+    const auto values = pluginValues(arguments, parameters);
     if (!values)
         return values.error();
     for (const auto& [id, value] : *values)
@@ -176,7 +183,7 @@ Option waitOption()
             .placeholder = "",
             .explanation =
                 "With --part I/N of a curvilinear grid: wait for what other parts find out about common faces, "
-                "which have to be built at the same time. Without it the exit code is 5 then, and the same "
+                "which have to be built at the same time. Without it the exit code is 5, and the same "
                 "command goes on later."};
 }
 

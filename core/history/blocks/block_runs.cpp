@@ -74,8 +74,11 @@ public:
           share_(options.part ? shareOf(*options.part, runs.blockCount()) : BlockShare{0, runs.blockCount()}),
           counted_(runs.blockCount())
     {
-        for (std::uint32_t block = share_.first; block < share_.end; ++block)
-            allPoints_ += pointsOf(options.division.box(block));
+        for (std::uint32_t block = 0; block < runs.blockCount(); ++block) {
+            const std::uint64_t points = pointsOf(options.division.box(block));
+            allPoints_ += points;
+            sharedPoints_ += contains(share_, block) ? points : 0;
+        }
     }
 
     const BlockShare& share() const noexcept { return share_; }
@@ -106,7 +109,8 @@ private:
     RunFiles& runs_;
     RunMethod method_;
     BlockShare share_;
-    std::uint64_t allPoints_ = 0; ///< of the share
+    std::uint64_t allPoints_ = 0;
+    std::uint64_t sharedPoints_ = 0; ///< of the share
 
     std::mutex mutex_;
     RunTotals totals_;
@@ -177,14 +181,15 @@ Status RunMaker::account(std::uint32_t block)
         return fits;
     if (finished_ < std::min(blocksSampled, share_.end - share_.first))
         return {};
-    const double share = static_cast<double>(allPoints_) / static_cast<double>(totals_.points);
-    const auto scaled = [share](std::uint64_t amount) {
+    const auto scaled = [&](std::uint64_t amount, std::uint64_t points) {
+        const double share = static_cast<double>(points) / static_cast<double>(totals_.points);
         return static_cast<std::uint64_t>(static_cast<double>(amount) * share);
     };
-    const RunTotals expected{allPoints_, scaled(totals_.sites), scaled(totals_.tetrahedra), scaled(totals_.fileBytes),
-                             scaled(totals_.living)};
-    if (const Status fits = checkMeshSize(totals_.living, expected.living); !fits)
+    if (const Status fits = checkMeshSize(totals_.living, scaled(totals_.living, allPoints_)); !fits)
         return fits;
+    const RunTotals expected{sharedPoints_, scaled(totals_.sites, sharedPoints_),
+                             scaled(totals_.tetrahedra, sharedPoints_), scaled(totals_.fileBytes, sharedPoints_),
+                             scaled(totals_.living, sharedPoints_)};
     return options_.check ? options_.check(totals_, expected) : Status();
 }
 
@@ -236,11 +241,11 @@ public:
 
 private:
     RunMethod method();
-    Status runAlone(const Progress& progress, std::uint32_t mostRounds);
-    Status runPart(const Progress& progress, std::uint32_t mostRounds);
     Status makeMissing(const Progress& progress);
     Result<std::vector<FaceCure>> found(std::span<const std::uint32_t> blocks) const;
-    Result<std::vector<FaceCure>> neededByAllParts(const Progress& progress) const;
+    Result<std::vector<FaceCure>> neededBy(std::span<const std::uint32_t> due, const Progress& progress);
+    Result<std::vector<FaceCure>> neededByAllParts(std::vector<std::uint32_t> due, const Progress& progress);
+    Result<std::vector<FaceCure>> toldBy(const PartNumber& part, const Progress& progress) const;
     std::filesystem::path path() const { return runs_.folder() / "cures"; }
     std::filesystem::path pathOfRound(const PartNumber& part) const;
     void load();
@@ -308,13 +313,15 @@ Status CurvilinearRounds::save(const std::filesystem::path& path, std::span<cons
     const std::span<const std::byte> content = std::as_bytes(cures);
     const CuresHeader header{
         .fingerprint = runs_.fingerprint(), .rounds = rounds_, .checksum = checksum(content) ^ rounds_};
-    Result<FileWriter> file = FileWriter::create(path, 1, runs_.folder());
+    // Others need what a part tells, and may be begun again after the disk's machine has failed.
+    const auto durability = options_.part ? FileWriter::Durability::Power : FileWriter::Durability::Process;
+    Result<FileWriter> file = FileWriter::create(path, 1, options_.part ? std::filesystem::path() : runs_.folder());
     if (!file)
         return file.error();
     for (const std::span<const std::byte> part : {std::as_bytes(std::span(&header, 1)), content})
         if (const Status written = file->write(part); !written)
             return written;
-    return file->commit(FileWriter::Durability::Process);
+    return file->commit(durability);
 }
 
 /// Nothing if the file is not there, of another build or damaged: what it says is found out again.
@@ -345,63 +352,58 @@ void CurvilinearRounds::load()
 
 // The rounds.
 
+/// What a run needs depends on its block and on the cures that the block knows: so the rounds of a shared build make
+/// the runs that those of a build alone do.
 Status CurvilinearRounds::run(const Progress& progress, std::uint32_t mostRounds)
 {
-    return options_.part ? runPart(progress, mostRounds) : runAlone(progress, mostRounds);
-}
-
-Status CurvilinearRounds::runAlone(const Progress& progress, std::uint32_t mostRounds)
-{
-    if (options_.resumes)
+    if (options_.resumes && !options_.part)
         load();
     // Most grids need one round, and others their first for most of the time.
     constexpr double firstShare = 0.8;
     double begun = 0, end = rounds_ == 0 ? firstShare : (1 + firstShare) / 2;
-    for (std::vector<std::uint32_t> due = orderOfWork(maker_.share()); !due.empty(); due = changed_) {
-        if (const Status made = maker_.make(due, progress.part(begun, end)); !made)
-            return made;
-        const Result<std::vector<FaceCure>> needed = found(due);
-        if (!needed)
-            return needed.error();
-        changed_.clear();
-        if (!needed->empty()) {
-            take(++rounds_ < mostRounds ? *needed : cures_.wholeFacesOf(*needed));
-            if (const Status kept = save(path(), cures_.all()); !kept)
-                return kept;
-        }
-        begun = std::exchange(end, (1 + end) / 2);
-    }
-    return {};
-}
-
-/// Each round makes the same runs as that of a build that nobody shares, and ends with the same cures: what a run needs
-/// depends on its block and on the cures that the block knows.
-Status CurvilinearRounds::runPart(const Progress& progress, std::uint32_t mostRounds)
-{
-    constexpr double firstShare = 0.8;
-    double begun = 0, end = firstShare;
-    std::vector<std::uint32_t> due = orderOfWork(maker_.share());
-    for (;;) {
-        const std::filesystem::path own = pathOfRound(*options_.part);
-        if (!saved(own)) {
-            if (const Status made = maker_.make(due, progress.part(begun, end)); !made)
-                return made;
-            const Result<std::vector<FaceCure>> needed = found(due);
-            if (!needed)
-                return needed.error();
-            if (const Status told = save(own, *needed); !told)
-                return told;
-        }
-        const Result<std::vector<FaceCure>> needed = neededByAllParts(progress.part(end, end));
+    for (std::vector<std::uint32_t> due = orderOfWork(maker_.share());; due = changed_) {
+        const Progress own = progress.part(begun, end);
+        const Result<std::vector<FaceCure>> needed = options_.part ? neededByAllParts(due, own) : neededBy(due, own);
         if (!needed)
             return needed.error();
         if (needed->empty())
             return makeMissing(progress.part(end, 1));
         take(++rounds_ < mostRounds ? *needed : cures_.wholeFacesOf(*needed));
-        due = changed_;
-        std::erase_if(due, [&](std::uint32_t block) { return !contains(maker_.share(), block); });
+        if (!options_.part)
+            if (const Status kept = save(path(), cures_.all()); !kept)
+                return kept;
         begun = std::exchange(end, (1 + end) / 2);
     }
+}
+
+/// Makes the runs of these blocks, and tells what they need.
+Result<std::vector<FaceCure>> CurvilinearRounds::neededBy(std::span<const std::uint32_t> due, const Progress& progress)
+{
+    const Status made = maker_.make(due, progress);
+    return made ? found(due) : made.error();
+}
+
+/// Of those that are this part's; then all parts tell each other what they need.
+Result<std::vector<FaceCure>> CurvilinearRounds::neededByAllParts(std::vector<std::uint32_t> due,
+                                                                  const Progress& progress)
+{
+    std::erase_if(due, [&](std::uint32_t block) { return !contains(maker_.share(), block); });
+    const std::filesystem::path own = pathOfRound(*options_.part);
+    if (!saved(own)) {
+        const auto needed = neededBy(due, progress);
+        if (!needed)
+            return needed.error();
+        if (const Status told = save(own, *needed); !told)
+            return told.error();
+    }
+    std::vector<FaceCure> all;
+    for (PartNumber part{1, options_.part->count}; part.number <= part.count; ++part.number) {
+        const Result<std::vector<FaceCure>> told = toldBy(part, progress);
+        if (!told)
+            return told.error();
+        all.insert(all.end(), told->begin(), told->end());
+    }
+    return all;
 }
 
 /// What a part that was begun again lacks of earlier rounds.
@@ -418,27 +420,23 @@ std::filesystem::path CurvilinearRounds::pathOfRound(const PartNumber& part) con
 }
 
 /// In this round.
-Result<std::vector<FaceCure>> CurvilinearRounds::neededByAllParts(const Progress& progress) const
+Result<std::vector<FaceCure>> CurvilinearRounds::toldBy(const PartNumber& part, const Progress& progress) const
 {
     constexpr auto pause = std::chrono::milliseconds(200);
-    std::vector<FaceCure> needed;
-    for (PartNumber other{1, options_.part->count}; other.number <= other.count; ++other.number) {
-        auto told = saved(pathOfRound(other));
-        while (!told && options_.waits) {
-            if (progress.cancelled())
-                return cancelledError(Message::marked("The build"));
-            progress.report(0, Message::say("Waiting for part %1", other.number));
-            std::this_thread::sleep_for(pause);
-            told = saved(pathOfRound(other));
-        }
-        if (!told)
-            return Error{ErrorKind::NotYet,
-                         Message::say("Part %1 of %2 has done what it can until part %3 has found out what it needs of "
-                                      "their common faces. Begin it again then: it goes on from here.",
-                                      options_.part->number, options_.part->count, other.number)};
-        needed.insert(needed.end(), told->cures.begin(), told->cures.end());
+    auto told = saved(pathOfRound(part));
+    while (!told && options_.waits) {
+        if (progress.cancelled())
+            return cancelledError(Message::marked("The build"));
+        progress.report(1, Message::say("Waiting for part %1", part.number));
+        std::this_thread::sleep_for(pause);
+        told = saved(pathOfRound(part));
     }
-    return needed;
+    if (told)
+        return std::move(told->cures);
+    return Error{ErrorKind::NotYet,
+                 Message::say("Part %1 of %2 has done what it can until part %3 has found out what it needs of their "
+                              "common faces. Start it again after that: it goes on from here.",
+                              options_.part->number, options_.part->count, part.number)};
 }
 
 } // namespace

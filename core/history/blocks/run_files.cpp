@@ -5,6 +5,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/finished_file.h"
 #include "core/base/folder.h"
+#include "core/base/mapped_file.h"
 #include "core/base/positioned_io.h"
 #include "core/base/text.h"
 
@@ -12,7 +13,6 @@
 #include <array>
 #include <cerrno>
 #include <random>
-#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -57,7 +57,8 @@ std::optional<PartNumber> partOf(const std::string& name)
     if (!number || !count)
         return std::nullopt;
     const PartNumber part{*number, *count};
-    return partFileName(part) == name ? std::optional(part) : std::nullopt;
+    const bool isOne = part.number >= 1 && part.number <= part.count && partFileName(part) == name;
+    return isOne ? std::optional(part) : std::nullopt;
 }
 
 /// Of an attempt at a part: no other process has the same name.
@@ -84,10 +85,13 @@ bool canStayOpen(std::size_t files)
     return ::getrlimit(RLIMIT_NOFILE, &limit) == 0 && files <= limit.rlim_cur / 2;
 }
 
-std::uint64_t fileSize(int descriptor)
+/// Of an open file; zeros if the system does not tell.
+struct stat statusOf(int descriptor)
 {
     struct stat status {};
-    return ::fstat(descriptor, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+    if (::fstat(descriptor, &status) != 0)
+        status = {};
+    return status;
 }
 
 /// Whether it may be the header of a run that so many bytes hold.
@@ -188,66 +192,64 @@ RunFiles::~RunFiles()
 
 // Which runs a file has.
 
-/// Enters the whole runs of a file among the places. Where its last plausible run ends; nothing if it is of another
-/// build. `damagedRuns` counts those whose sum is wrong.
-Result<std::optional<std::uint64_t>> RunFiles::findRuns(std::uint32_t file, const Progress& progress,
-                                                        std::uint32_t& damagedRuns)
+/// Enters the whole runs of an open file among the places.
+Result<RunFiles::Found> RunFiles::findRuns(std::uint32_t file, const Progress& progress)
 {
-    const std::filesystem::path& path = files_[file].path;
-    const OpenFile opened(path);
-    if (opened.descriptor() < 0)
-        return unreadable(path, systemErrorText(errno));
-    const std::uint64_t size = fileSize(opened.descriptor());
+    const auto& [path, descriptor, inode] = files_[file];
+    const auto size = static_cast<std::uint64_t>(statusOf(descriptor).st_size);
     RunFileHeader begin;
     if (size < sizeof begin) // killed before its first run
-        return std::optional<std::uint64_t>(0);
-    if (const int problem = readFully(opened.descriptor(), 0, std::as_writable_bytes(std::span(&begin, 1))))
-        return unreadable(path, systemErrorText(problem));
-    if (begin.magic != RunFileHeader().magic || begin.fingerprint != fingerprint_)
-        return std::optional<std::uint64_t>();
-    std::uint64_t offset = sizeof begin;
+        return Found{.whole = false};
+    if (const int problem = readFully(descriptor, 0, std::as_writable_bytes(std::span(&begin, 1))))
+        return cannotReadFile(path, problem);
+    if (begin.magic != RunFileHeader().magic)
+        return Found{.whole = false};
+    if (begin.fingerprint != fingerprint_)
+        return Found{.ofThisBuild = false};
+    Found found{.end = sizeof begin};
     BlockRunHeader header;
-    while (offset + sizeof header <= size) {
-        if (const int problem = readFully(opened.descriptor(), offset, std::as_writable_bytes(std::span(&header, 1))))
-            return unreadable(path, systemErrorText(problem));
-        if (!isPlausible(header, blockCount(), size - offset))
+    while (found.end + sizeof header <= size) {
+        if (const int problem = readFully(descriptor, found.end, std::as_writable_bytes(std::span(&header, 1))))
+            return cannotReadFile(path, problem);
+        if (!isPlausible(header, blockCount(), size - found.end))
             break;
         Checksum checksum;
         checksum.add(std::as_bytes(std::span(&header, 1)).first(offsetof(BlockRunHeader, checksum)));
         const int problem =
-            addBytes(opened.descriptor(), offset + sizeof header, runBytes(header) - sizeof header, progress, checksum);
+            addBytes(descriptor, found.end + sizeof header, runBytes(header) - sizeof header, progress, checksum);
         if (problem == ECANCELED)
             return cancelledError(Message::marked("The build"));
         if (problem != 0)
-            return unreadable(path, systemErrorText(problem));
+            return cannotReadFile(path, problem);
         if (checksum.value() == header.checksum)
-            places_[header.block] = {header, offset, file};
+            places_[header.block] = {header, found.end, file};
         else
-            ++damagedRuns;
-        offset += runBytes(header);
-        progress.report(static_cast<double>(offset) / static_cast<double>(size),
+            found.whole = false;
+        found.end += runBytes(header);
+        progress.report(static_cast<double>(found.end) / static_cast<double>(size),
                         Message::marked("Checking what is done already"));
     }
-    return std::optional(offset);
+    found.whole = found.whole && found.end == size;
+    return found;
 }
 
 // Opening.
 
-/// Makes or opens the file that is appended to, its last one.
-Status RunFiles::openToAppend(const std::filesystem::path& path, int flags)
+/// As the last of the files.
+Status RunFiles::openFile(const std::filesystem::path& path, int flags)
 {
     constexpr int readableByAll = 0666;
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | flags, readableByAll);
+    const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, readableByAll);
     if (descriptor < 0)
-        return cannotWriteFile(path, errno);
-    appended_ = static_cast<std::uint32_t>(files_.size());
-    files_.push_back({path, descriptor});
+        return (flags & O_CREAT) != 0 ? cannotWriteFile(path, errno) : cannotReadFile(path, errno);
+    files_.push_back({path, descriptor, statusOf(descriptor).st_ino});
     return {};
 }
 
-/// Cuts off what follows the last run; of an empty file makes one without runs.
+/// To the last file: cuts off what follows its last run, and gives an empty one its header.
 Status RunFiles::beginToAppend(std::uint64_t end)
 {
+    appended_ = static_cast<std::uint32_t>(files_.size() - 1);
     const RunFile& file = files_[appended_];
     if (::ftruncate(file.descriptor, static_cast<off_t>(end)) != 0)
         return cannotWriteFile(file.path, errno);
@@ -263,144 +265,195 @@ Status RunFiles::beginToAppend(std::uint64_t end)
 
 Status RunFiles::openOwn(bool reuse, const Progress& progress)
 {
-    if (const Status opened = openToAppend(folder_ / ownFile, 0); !opened)
+    if (const Status opened = openFile(folder_ / ownFile, O_RDWR | O_CREAT); !opened)
         return opened;
-    std::uint64_t end = 0;
-    std::uint32_t damagedRuns = 0; // are made again
-    if (reuse) {
-        const auto found = findRuns(appended_, progress, damagedRuns);
-        if (!found)
-            return found.error();
-        end = found->value_or(0);
-    }
-    return beginToAppend(end);
+    if (!reuse)
+        return beginToAppend(0);
+    const auto found = findRuns(0, progress);
+    if (!found)
+        return found.error();
+    return beginToAppend(found->ofThisBuild ? found->end : 0);
 }
 
 Status RunFiles::openPart(const PartNumber& part, const Progress& progress)
 {
+    constexpr double finishedShare = 0.5;
     part_ = part;
-    const BlockShare share = shareOf(part, blockCount());
     std::error_code problem;
-    for (const std::filesystem::path& path : pathsIn(folder_, problem)) {
-        const std::string name = path.filename().string();
-        const bool isFinished = name == partFileName(part);
-        if (!isFinished && !isUnfinished(name, part))
-            continue;
-        files_.push_back({path, -1});
-        std::uint32_t damagedRuns = 0;
-        const auto found = findRuns(static_cast<std::uint32_t>(files_.size() - 1), progress, damagedRuns);
-        if (!found && found.error().kind == ErrorKind::Cancelled)
-            return found.error();
-        if (found && !*found)
-            return ofOtherBuild(path);
-        const bool isWhole = found && damagedRuns == 0 && **found == fileSize(OpenFile(path).descriptor());
-        partIsFinished_ = partIsFinished_ || (isFinished && isWhole && has(share));
-    }
+    std::vector<std::filesystem::path> attempts = pathsIn(folder_, problem);
     if (problem)
-        return cannotWriteFile(folder_ / partFileName(part), problem.value());
+        return cannotReadFile(folder_, problem.value());
+    if (std::ranges::find(attempts, folder_ / partFileName(part)) != attempts.end()) {
+        if (const Status opened = openFile(folder_ / partFileName(part), O_RDONLY); !opened)
+            return opened;
+        const auto found = findRuns(0, progress.part(0, finishedShare));
+        if (!found)
+            return found.error();
+        if (!found->ofThisBuild)
+            return ofOtherBuild(files_[0].path);
+        partIsFinished_ = found->whole && has(shareOf(part, blockCount()));
+        replacesDamaged_ = !partIsFinished_;
+    }
     if (partIsFinished_)
         return {};
-    for (bool made = false; !made;) { // a name may be lost to who clears up before it is locked
-        if (const Status opened = openToAppend(folder_ / unfinishedName(part), O_EXCL); !opened)
-            return opened;
-        made = lockFile(files_.back().descriptor, files_.back().path) != FileLock::Gone;
+    std::erase_if(attempts, [&](const auto& path) { return !isUnfinished(path.filename().string(), part); });
+    return adoptOrCopy(attempts, progress.part(finishedShare, 1));
+}
+
+/// An attempt that has ended is gone on with: nobody else has its file when this process has locked it. What an attempt
+/// has done that may still go on is copied.
+Status RunFiles::adoptOrCopy(std::span<const std::filesystem::path> attempts, const Progress& progress)
+{
+    std::optional<std::uint32_t> adopted;
+    std::uint64_t end = 0;
+    for (std::size_t number = 0; number < attempts.size(); ++number) {
+        const auto file = static_cast<std::uint32_t>(files_.size());
+        if (!openFile(attempts[number], O_RDWR)) // gone meanwhile, or of somebody else
+            continue;
+        const bool isOver = lockFile(files_[file].descriptor, attempts[number]) == FileLock::Taken;
+        const auto count = static_cast<double>(attempts.size()), done = static_cast<double>(number);
+        const auto found = findRuns(file, progress.part(done / count, (done + 1) / count));
+        if (!found)
+            return found.error();
+        if (!found->ofThisBuild)
+            return ofOtherBuild(attempts[number]);
+        if (isOver && found->end > end) {
+            adopted = file;
+            end = found->end;
+        }
     }
-    if (const Status begun = beginToAppend(0); !begun)
+    if (adopted) { // as the last one, which is appended to
+        std::swap(files_[*adopted], files_.back());
+        const auto last = static_cast<std::uint32_t>(files_.size() - 1);
+        for (Place& place : places_)
+            if (place.file == *adopted || place.file == last)
+                place.file = place.file == last ? *adopted : last;
+    } else if (const Status made = makeUnfinished(); !made) {
+        return made;
+    }
+    if (const Status begun = beginToAppend(end); !begun)
         return begun;
+    const BlockShare share = shareOf(*part_, blockCount());
     for (std::uint32_t block = share.first; block < share.end; ++block)
-        if (places_[block].file != none)
-            if (const Status copied = takeOver(block, progress); !copied)
+        if (places_[block].file != none && places_[block].file != appended_) {
+            if (progress.cancelled())
+                return cancelledError(Message::marked("The build"));
+            if (const Status copied = takeOver(block); !copied)
                 return copied;
-    removeLeftFiles(folder_, [&](std::string_view name) { return isUnfinished(name, part); });
+        }
+    for (RunFile& file : files_)
+        if (&file != &files_.back())
+            ::close(std::exchange(file.descriptor, -1));
+    removeLeftFiles(folder_, [&](std::string_view name) { return isUnfinished(name, *part_); });
     return {};
 }
 
-/// Copies a run of an earlier attempt.
-Status RunFiles::takeOver(std::uint32_t block, const Progress& progress)
+/// A file of this process alone, which it has locked, if the file system can: so that nobody takes it for left behind.
+Status RunFiles::makeUnfinished()
 {
-    if (progress.cancelled())
-        return cancelledError(Message::marked("The build"));
-    const Place from = places_[block];
-    std::vector<std::byte> bytes(runBytes(from.header) - sizeof from.header);
-    if (!read(from, sizeof from.header, bytes)) { // gone meanwhile: it is made again
-        places_[block] = {};
-        return {};
+    for (;;) {
+        if (const Status made = openFile(folder_ / unfinishedName(*part_), O_RDWR | O_CREAT | O_EXCL); !made)
+            return made;
+        const FileLock lock = lockFile(files_.back().descriptor, files_.back().path);
+        if (lock == FileLock::Taken || lock == FileLock::Impossible)
+            return {};
+        ::close(files_.back().descriptor); // another process found it before it was locked, and removes it
+        files_.pop_back();
     }
+}
+
+/// Copies a run of another attempt; one that is not what it was any more is made again.
+Status RunFiles::takeOver(std::uint32_t block)
+{
+    const Place from = std::exchange(places_[block], {});
+    std::vector<std::byte> bytes(runBytes(from.header) - sizeof from.header);
+    if (!read(from, sizeof from.header, bytes))
+        return {};
     const std::array<std::span<const std::byte>, 1> content{bytes};
-    return put(from.header, content);
+    return runChecksum(from.header, content) == from.header.checksum ? put(from.header, content) : Status();
 }
 
 Status RunFiles::finishPart()
 {
     const std::filesystem::path finished = folder_ / partFileName(*part_);
-    const std::filesystem::path own = files_[appended_].path;
-    if (const Status named = replaceFile(own, finished); !named) {
-        std::error_code problem; // where files cannot be locked, somebody may have cleared up after finishing the part
-        return !std::filesystem::exists(own, problem) && std::filesystem::exists(finished, problem) ? Status() : named;
-    }
+    const std::filesystem::path& own = files_[appended_].path;
+    std::error_code problem;
+    if (!replacesDamaged_ && std::filesystem::exists(finished, problem))
+        ::unlink(own.c_str()); // whoever merges may have begun to read the other one, whose runs are the same
+    else if (const Status named = replaceFile(own, finished); !named)
+        return named;
     removeLeftFiles(folder_, [&](std::string_view name) { return isUnfinished(name, *part_); });
     return {};
 }
 
 Status RunFiles::openParts(const Progress& progress)
 {
-    std::error_code problem;
-    std::vector<std::filesystem::path> paths = pathsIn(folder_, problem);
-    if (problem)
-        return unreadable(folder_, Message::say("%1.", systemErrorText(problem.value())));
-    std::erase_if(paths, [](const std::filesystem::path& path) { return !partOf(path.filename().string()); });
-    std::ranges::sort(paths);
-    const bool staysOpen = canStayOpen(paths.size());
-    for (std::size_t number = 0; number < paths.size(); ++number) {
-        files_.push_back({paths[number], -1});
-        std::uint32_t damagedRuns = 0;
-        const auto count = static_cast<double>(paths.size()), done = static_cast<double>(number);
-        const auto found =
-            findRuns(static_cast<std::uint32_t>(number), progress.part(done / count, (done + 1) / count), damagedRuns);
+    std::vector<PartNumber> parts = finishedParts(folder_);
+    const bool staysOpen = canStayOpen(parts.size());
+    for (std::uint32_t file = 0; file < parts.size(); ++file) {
+        const std::filesystem::path path = folder_ / partFileName(parts[file]);
+        if (const Status opened = openFile(path, O_RDONLY); !opened)
+            return opened;
+        const auto count = static_cast<double>(parts.size()), done = static_cast<double>(file);
+        const auto found = findRuns(file, progress.part(done / count, (done + 1) / count));
         if (!found)
             return found.error();
-        if (!*found)
-            return ofOtherBuild(paths[number]);
-        std::error_code unknown;
-        if (damagedRuns > 0 || **found != std::filesystem::file_size(paths[number], unknown))
+        if (!found->ofThisBuild)
+            return ofOtherBuild(path);
+        if (!found->whole || !has(shareOf(parts[file], blockCount())))
             return Error{ErrorKind::BadInput,
-                         Message::say("'%1' is damaged. Build that part again, which replaces what is damaged.",
-                                      paths[number].string()),
-                         paths[number]};
-        if (staysOpen)
-            files_.back().descriptor = ::open(paths[number].c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+                         Message::say("'%1' is damaged. Build that part again: it keeps what is whole.", path.string()),
+                         path};
+        if (!staysOpen)
+            ::close(std::exchange(files_[file].descriptor, -1));
     }
     takesAnyCures_ = true;
-    return has({0, blockCount()}) ? Status() : missing();
+    return has({0, blockCount()}) ? Status() : checkNoneMissing(folder_, parts);
 }
 
-/// Which parts are, as far as the names of the others tell how many there are to be.
-Status RunFiles::missing() const
+std::vector<PartNumber> finishedParts(const std::filesystem::path& folder)
 {
-    std::set<std::uint32_t> counts, numbers;
-    for (const RunFile& file : files_)
-        if (const auto part = partOf(file.path.filename().string())) {
-            counts.insert(part->count);
-            numbers.insert(part->number);
-        }
-    if (counts.empty())
-        return Error{ErrorKind::NotYet,
-                     Message::say("No part of the build in '%1' is finished yet.", folder_.string())};
-    if (counts.size() > 1)
+    std::error_code unreadable; // then there are none
+    std::vector<PartNumber> parts;
+    for (const std::filesystem::path& path : pathsIn(folder, unreadable))
+        if (const auto part = partOf(path.filename().string()))
+            parts.push_back(*part);
+    std::ranges::sort(parts, {}, [](const PartNumber& part) { return std::pair(part.count, part.number); });
+    return parts;
+}
+
+Status checkNoneMissing(const std::filesystem::path& folder, std::span<const PartNumber> finished)
+{
+    if (finished.empty())
+        return Error{ErrorKind::NotYet, Message::say("No part of the build in '%1' is finished yet.", folder.string())};
+    const std::uint32_t count = finished.front().count;
+    for (std::size_t first = 0; first < finished.size();) { // the parts of one division follow each other
+        const auto isOfOther = [&](const PartNumber& part) { return part.count != finished[first].count; };
+        const auto end = std::ranges::find_if(finished.subspan(first), isOfOther);
+        const auto there = static_cast<std::size_t>(end - finished.subspan(first).begin());
+        if (there == finished[first].count)
+            return {};
+        first += there;
+    }
+    if (finished.back().count != count)
         return Error{ErrorKind::NotYet,
                      Message::say("Parts of the build in '%1' are missing, and those that are there are of different "
                                   "divisions. Build all parts of one of them.",
-                                  folder_.string())};
+                                  folder.string())};
     constexpr std::size_t mostNamed = 20;
     std::string names;
-    std::size_t missingParts = 0;
-    for (std::uint32_t number = 1; number <= *counts.begin(); ++number)
-        if (!numbers.contains(number) && ++missingParts <= mostNamed)
-            names += (names.empty() ? "" : ", ") + std::to_string(number);
-    if (missingParts > mostNamed)
-        names += ", ...";
-    return Error{ErrorKind::NotYet, Message::say("Of the %1 parts of the build in '%2', %3 are not finished yet: %4.",
-                                                 *counts.begin(), folder_.string(), missingParts, names)};
+    std::size_t named = 0, next = 0; // the first of the finished that is not before the number
+    for (std::uint32_t number = 1; number <= count && named < mostNamed; ++number) {
+        if (next < finished.size() && finished[next].number == number) {
+            ++next;
+            continue;
+        }
+        names += (names.empty() ? "" : ", ") + std::to_string(number);
+        ++named;
+    }
+    return Error{ErrorKind::NotYet,
+                 Message::say("Of the %1 parts of the build in '%2' these are not finished yet: %3%4.", count,
+                              folder.string(), names, count - finished.size() > named ? ", ..." : "")};
 }
 
 // Appending.
@@ -457,7 +510,14 @@ Status RunFiles::put(const BlockRunHeader& header, std::span<const std::span<con
         return cannotWriteFile(file.path, problem);
     }
     places_[header.block] = {header, end_, appended_};
-    end_ = end;
+    unsynced_ += end - std::exchange(end_, end);
+    // A part is synced when it is finished, which would take long then, and all at once.
+    constexpr std::uint64_t mostUnsynced = 256 << 20;
+    if (part_ && unsynced_ > mostUnsynced) {
+        unsynced_ = 0;
+        if (::fdatasync(file.descriptor) != 0)
+            return cannotWriteFile(file.path, errno);
+    }
     return {};
 }
 
@@ -507,24 +567,19 @@ Status RunFiles::read(const Place& place, std::uint64_t offset, std::span<std::b
         problem = readFully(file.descriptor, place.offset + offset, to);
     } else {
         const OpenFile opened(file.path);
+        if (opened.descriptor() >= 0 && statusOf(opened.descriptor()).st_ino != file.inode)
+            return damaged(place);
         problem = opened.descriptor() < 0 ? errno : readFully(opened.descriptor(), place.offset + offset, to);
     }
-    if (problem == 0)
-        return {};
-    const Message reason = systemErrorText(problem);
-    return unreadable(file.path, isLackOfResources(problem) ? Message::say("%1. %2", reason, resourceRemedy)
-                                                            : Message::say("%1. Start the build again.", reason));
+    return problem == 0 ? Status() : Status(cannotReadFile(file.path, problem));
 }
 
 Error RunFiles::damaged(const Place& place) const
 {
-    return unreadable(place.file == none ? folder_ : files_[place.file].path,
-                      Message::say("it is not what was written. Start the build again."));
-}
-
-Error RunFiles::unreadable(const std::filesystem::path& path, const Message& why) const
-{
-    return {ErrorKind::OutOfResource, Message::say("Cannot read '%1', which this build wrote: %2", path.string(), why),
+    const std::filesystem::path& path = place.file == none ? folder_ : files_[place.file].path;
+    return {ErrorKind::OutOfResource,
+            Message::say("'%1', which this build wrote, is not what was written. Start the same command again.",
+                         path.string()),
             path};
 }
 

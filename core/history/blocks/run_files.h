@@ -41,6 +41,13 @@ std::string partFileName(const PartNumber& part);
 /// "part-3-of-8.round-2", what a part tells the others after so many rounds.
 std::string roundFileName(const PartNumber& part, std::uint64_t rounds);
 
+/// The parts of a shared build that are finished in a folder, by the names of their files; those of one division (of
+/// one count) follow each other.
+std::vector<PartNumber> finishedParts(const std::filesystem::path& folder);
+
+/// That these, in the order of finishedParts(), are all parts of one division. Error: NotYet.
+Status checkNoneMissing(const std::filesystem::path& folder, std::span<const PartNumber> finished);
+
 /// Whether a file is one of a build that nobody shares and has runs, whole or not.
 bool holdsRuns(const std::filesystem::path& path);
 
@@ -68,16 +75,17 @@ public:
     /// cannot be read or written; cancelled.
     Status openOwn(bool reuse, const Progress& progress = {});
     /// The file of a part, under a name of this process alone until finishPart(): whoever else works on the part does
-    /// no harm. It begins with what earlier attempts have finished. Errors: as openOwn(); what is there is of another
-    /// build (WrongUsage).
+    /// no harm. It is that of an earlier attempt that has ended, or begins with what others have finished so far.
+    /// Errors: as openOwn(); what is there is of another build (WrongUsage).
     Status openPart(const PartNumber& part, const Progress& progress);
     /// Of an open part: its blocks have their runs, so that nothing is left to do.
     bool partIsFinished() const noexcept { return partIsFinished_; }
-    /// Gives the part's file its name, for good, when it has the runs of all its blocks. Removes what earlier attempts
-    /// left. Error: CannotWrite.
+    /// Gives the part's file its name, for good, when it has the runs of all its blocks, unless somebody else has
+    /// finished the part meanwhile. Removes what earlier attempts left. Error: CannotWrite.
     Status finishPart();
     /// For reading: the files of finished parts, however many there were, with whatever cures. Errors: the folder or a
-    /// file cannot be read; a file is of another build, or damaged (BadInput); parts are missing (NotYet); cancelled.
+    /// file cannot be read, or a file is damaged (BadInput); one is of another build (WrongUsage); parts are missing
+    /// (NotYet); cancelled.
     Status openParts(const Progress& progress);
 
     /// The run of a block depends on the cures on its faces, too.
@@ -99,7 +107,8 @@ public:
 private:
     struct RunFile {
         std::filesystem::path path;
-        int descriptor = -1; ///< opened for each read if there are too many to keep them open
+        int descriptor = -1;     ///< opened for each read if there are too many to keep them open ...
+        std::uint64_t inode = 0; ///< ... and by this known again
     };
     static constexpr std::uint32_t none = 0xffffffff;
     struct Place {
@@ -108,17 +117,23 @@ private:
         std::uint32_t file = none;
     };
 
-    Result<std::optional<std::uint64_t>> findRuns(std::uint32_t file, const Progress& progress,
-                                                  std::uint32_t& damagedRuns);
-    Status openToAppend(const std::filesystem::path& path, int flags);
+    /// What a file of runs was found to be.
+    struct Found {
+        bool ofThisBuild = true;
+        bool whole = true;     ///< it has nothing but runs whose sums are right
+        std::uint64_t end = 0; ///< of the last run, in bytes
+    };
+
+    Result<Found> findRuns(std::uint32_t file, const Progress& progress);
+    Status openFile(const std::filesystem::path& path, int flags);
     Status beginToAppend(std::uint64_t end);
-    Status takeOver(std::uint32_t block, const Progress& progress);
+    Status makeUnfinished();
+    Status adoptOrCopy(std::span<const std::filesystem::path> attempts, const Progress& progress);
+    Status takeOver(std::uint32_t block);
     Status put(const BlockRunHeader& header, std::span<const std::span<const std::byte>> content);
     Status read(const Place& place, std::uint64_t offset, std::span<std::byte> to) const;
     std::uint64_t fingerprintOf(std::uint32_t block) const noexcept;
     bool has(const BlockShare& share) const noexcept;
-    Status missing() const;
-    Error unreadable(const std::filesystem::path& path, const Message& why) const;
     Error damaged(const Place& place) const;
 
     std::filesystem::path folder_;
@@ -131,7 +146,9 @@ private:
     std::uint64_t end_ = 0;         ///< ... and where the next one begins
     std::optional<PartNumber> part_;
     bool partIsFinished_ = false;
-    bool takesAnyCures_ = false; ///< which those who made the runs knew
+    bool replacesDamaged_ = false; ///< a file of the finished part that is there
+    std::uint64_t unsynced_ = 0;   ///< bytes of a part's file
+    bool takesAnyCures_ = false;   ///< which those who made the runs knew
 };
 
 } // namespace tetra

@@ -220,7 +220,7 @@ ParameterValues RefinementBuilder::detail(double percent, DomainClass domain) co
     return values;
 }
 
-/// Blocks are independent of each other, each with a file of its own.
+/// Blocks are independent of each other.
 BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const ParameterValues& values) const
 {
     const auto block = blockOf(parameterValue<std::string>(parameters(), values, "block"));

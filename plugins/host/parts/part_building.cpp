@@ -2,13 +2,17 @@
 #include "plugins/host/parts/part_building.h"
 
 #include "core/base/memory.h"
+#include "core/build/blocked_build.h"
+#include "core/build/model_build.h"
 #include "plugins/host/dataset_opening.h"
+#include "plugins/host/output_check.h"
 #include "plugins/host/parameter_text.h"
 #include "plugins/host/parameter_values.h"
 
 #include <tan/build.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <utility>
 
@@ -90,13 +94,36 @@ public:
     Status finish(float /*finalKey*/) override { return {}; }
 };
 
-/// How many blocks of so many cells along an edge there are.
-std::uint32_t blockCount(const Lattice& lattice, std::uint32_t cells)
+/// Whether the builder would build the dataset in parts with these values, as far as it knows them.
+bool takesParts(const Builder& builder, const Dataset& dataset, const ParameterValues& values)
 {
-    std::uint32_t count = 1;
-    for (const std::uint32_t points : lattice.size)
-        count *= (points - 2) / cells + 1;
-    return count;
+    const auto parameters = builder.parameters();
+    return checkParameterValues({}, parameters, values) && checkOfUse(parameters, values, dataset) &&
+           builder.abilities(dataset, values).takesParts;
+}
+
+/// The builder with this id, or without one the most suitable of those that build in parts.
+Result<Provided<Builder>> builderOfParts(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& id,
+                                         const ParameterValues& values)
+{
+    Provided<Builder> best;
+    double bestScore = 0;
+    for (auto& builder : host.builders()) {
+        const double score = !id || builder.id == *id ? builder.plugin->accepts(dataset).score : 0;
+        if (score > bestScore &&
+            takesParts(*builder.plugin, dataset, withBlock(builder.plugin->parameters(), values))) {
+            bestScore = score;
+            best = std::move(builder);
+        }
+    }
+    if (best.plugin != nullptr)
+        return best;
+    if (const auto named = chooseBuilder(host, dataset, id); !named)
+        return named.error();
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("'%1' cannot be built in parts with these options: that takes a regular lattice or a "
+                              "curvilinear grid, refined in blocks. Build it as a whole.",
+                              dataset.source.name)};
 }
 
 } // namespace
@@ -108,18 +135,11 @@ Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& in
     const auto dataset = openDataset(host, input, imported, progress);
     if (!dataset)
         return dataset.error();
-    const auto builder = chooseBuilder(host, *dataset, builderId);
+    const auto builder = builderOfParts(host, *dataset, builderId, given);
     if (!builder)
         return builder.error();
     const auto parameters = builder->plugin->parameters();
-    if (const Status known = checkParameterValues(Message::say("builder '%1'", builder->id), parameters, given); !known)
-        return known.error();
     const ParameterValues values = withBlock(parameters, given);
-    if (!checkOfUse(parameters, values, *dataset) || !builder->plugin->abilities(*dataset, values).takesParts)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' cannot be built in parts: that takes a regular lattice or a curvilinear grid, "
-                                  "refined in blocks. Build it as a whole.",
-                                  dataset->source.name)};
     const auto cells =
         chooseBlocks(parseNumber<std::uint32_t>(parameterText(values.at(blockId))), dataset->lattice, usableBytes());
     if (!cells)
@@ -132,11 +152,10 @@ Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& in
                    .hash = dataset->source.hash,
                    .domain = dataset->domain,
                    .type = dataset->values.type(),
-                   .size = dataset->lattice.size,
-                   .spacing = dataset->lattice.spacing,
+                   .lattice = dataset->lattice,
                    .range = dataset->values.range(),
                    .samples = samplesInFile(*dataset),
-                   .blocks = blockCount(dataset->lattice, *cells)};
+                   .blocks = static_cast<std::uint32_t>(blockCount(dataset->lattice, *cells))};
     if (const Status intact = dataset->checkIntact(); !intact)
         return intact.error();
     const Status written = writePlan(folder, plan);
@@ -183,6 +202,13 @@ Result<ModelBuild> mergeParts(PluginHost& host, const std::filesystem::path& fol
     const auto plan = readPlan(folder);
     if (!plan)
         return plan.error();
+    // Before the whole dataset is read.
+    if (const Status there = checkPartsThere(folder); !there)
+        return there.error();
+    if (const Status safe = checkOutput(output, std::array{plan->input}); !safe)
+        return safe.error();
+    if (const Status safe = checkModelOutput(output); !safe)
+        return safe.error();
     const auto builder = host.builder(plan->builder);
     if (!builder)
         return builder.error();

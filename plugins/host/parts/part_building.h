@@ -21,7 +21,8 @@
 namespace tetra {
 
 /// Goes through the dataset and leaves a plan in `folder`, which is made if it is not there. `builder` and `values` as
-/// of buildModel(); where the edge of a block is the builder's choice, it is 32 cells. Errors: what cannot be built in
+/// of buildModel(), but without an id the builder is one that builds in parts; where the edge of a block is the
+/// builder's choice, it is 32 cells. Errors: what cannot be built in
 /// parts (WrongUsage); writePlan()'s, the reader's, the builder's.
 Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& input, const ImportOptions& imported,
                                const std::optional<std::string>& builder, const ParameterValues& values,

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <system_error>
 
 namespace tetra {
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::string_view planFile = "plan.json";
 constexpr std::array axes{"x", "y", "z"};
+constexpr std::array directions{"direction_i", "direction_j", "direction_k"};
 
 JsonObject membersOf(const PartsPlan::Texts& texts)
 {
@@ -39,8 +41,16 @@ PartsPlan::Texts textsOf(const JsonValue* members)
     return texts;
 }
 
+JsonObject vectorOf(const Eigen::Vector3d& vector)
+{
+    JsonObject members;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+        members[axes[axis]] = vector[static_cast<Eigen::Index>(axis)];
+    return members;
+}
+
 /// Numbers of 64 bits, which JSON's readers round.
-std::string exact(std::uint64_t number)
+template <class Number> std::string exact(Number number)
 {
     return std::to_string(number);
 }
@@ -57,7 +67,25 @@ public:
         isWhole_ = isWhole_ && isText;
         return isText ? *found->string() : std::string();
     }
-    std::uint64_t exactNumber(std::string_view name) { return taken(parseNumber<std::uint64_t>(text(name))); }
+    template <class Number = std::uint64_t> Number exactNumber(std::string_view name)
+    {
+        return taken(parseNumber<Number>(text(name)));
+    }
+    Eigen::Vector3d vector(std::string_view name)
+    {
+        Eigen::Vector3d found;
+        PlanReader members = part(name);
+        for (std::size_t axis = 0; axis < axes.size(); ++axis)
+            found[static_cast<Eigen::Index>(axis)] = members.number<double>(axes[axis]);
+        isWhole_ = isWhole_ && members.isWhole();
+        return found;
+    }
+    PartsPlan::Texts texts(std::string_view name)
+    {
+        const JsonValue* const members = value_.find(name);
+        isWhole_ = isWhole_ && members != nullptr && members->object() != nullptr;
+        return textsOf(members);
+    }
     template <class Number> Number number(std::string_view name)
     {
         const JsonValue* const found = value_.find(name);
@@ -105,6 +133,14 @@ std::optional<DomainClass> domainNamed(const std::string& name)
     return std::nullopt;
 }
 
+/// When a file was written last; 0 if the system does not tell.
+std::int64_t modified(const std::filesystem::path& path)
+{
+    std::error_code problem;
+    const auto time = std::filesystem::last_write_time(path, problem);
+    return problem ? 0 : std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+}
+
 /// Of a file, pieces spread over it and its last one.
 std::uint64_t checksumOfSome(std::span<const std::byte> bytes)
 {
@@ -134,17 +170,19 @@ std::string planText(const PartsPlan& plan)
                     {"minimum", plan.range.minimum},
                     {"maximum", plan.range.maximum},
                     {"blocks", plan.blocks}};
-    JsonObject size, spacing;
-    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-        size[axes[axis]] = plan.size[axis];
-        spacing[axes[axis]] = plan.spacing[static_cast<Eigen::Index>(axis)];
-    }
+    JsonObject size;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+        size[axes[axis]] = plan.lattice.size[axis];
     text["size"] = std::move(size);
-    text["spacing"] = std::move(spacing);
+    text["spacing"] = vectorOf(plan.lattice.spacing);
+    text["origin"] = vectorOf(plan.lattice.origin);
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+        text[directions[axis]] = vectorOf(plan.lattice.directions.col(static_cast<Eigen::Index>(axis)));
     if (plan.samples)
         text["samples"] = JsonObject{{"file", plan.samples->file.string()},
                                      {"offset", exact(plan.samples->offset)},
                                      {"file_bytes", exact(plan.samples->fileBytes)},
+                                     {"modified", exact(plan.samples->modified)},
                                      {"checksum", exact(plan.samples->checksum)}};
     return indentedJson(std::move(text));
 }
@@ -168,8 +206,8 @@ Result<PartsPlan> readPlan(const std::filesystem::path& folder)
         return unusable(path, Message::say("it was made by TAn %1, and this is TAn %2. Use one version for all parts.",
                                            version, TAN_VERSION));
     PartsPlan plan{.input = all.text("input"), .builder = all.text("builder")};
-    plan.imported = textsOf(value->find("import"));
-    plan.parameters = textsOf(value->find("parameters"));
+    plan.imported = all.texts("import");
+    plan.parameters = all.texts("parameters");
     plan.name = all.text("name");
     plan.hash = all.exactNumber("hash");
     const auto domain = domainNamed(all.text("domain"));
@@ -178,23 +216,26 @@ Result<PartsPlan> readPlan(const std::filesystem::path& folder)
     plan.type = type.value_or(SampleType::UInt8);
     plan.range = {all.number<double>("minimum"), all.number<double>("maximum")};
     plan.blocks = all.number<std::uint32_t>("blocks");
-    PlanReader size = all.part("size"), spacing = all.part("spacing");
+    PlanReader size = all.part("size");
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-        plan.size[axis] = size.number<std::uint32_t>(axes[axis]);
-        plan.spacing[static_cast<Eigen::Index>(axis)] = spacing.number<double>(axes[axis]);
+        plan.lattice.size[axis] = size.number<std::uint32_t>(axes[axis]);
+        plan.lattice.directions.col(static_cast<Eigen::Index>(axis)) = all.vector(directions[axis]);
     }
-    bool isWhole = domain && type && all.isWhole() && size.isWhole() && spacing.isWhole();
+    plan.lattice.spacing = all.vector("spacing");
+    plan.lattice.origin = all.vector("origin");
+    bool isWhole = domain && type && all.isWhole() && size.isWhole();
     if (const JsonValue* const samples = value->find("samples")) {
         PlanReader in(*samples);
         plan.samples = SamplesInFile{in.text("file"), in.exactNumber("offset"), in.exactNumber("file_bytes"),
-                                     in.exactNumber("checksum")};
-        isWhole = isWhole && in.isWhole();
+                                     in.exactNumber<std::int64_t>("modified"), in.exactNumber("checksum")};
+        isWhole = isWhole && in.isWhole() && plan.samples->offset % sampleSize(plan.type) == 0;
     }
     if (!isWhole)
         return unusable(path, Message::say("it is damaged. Prepare the build again."));
-    if (const Status usable = checkLatticeSize({plan.size[0], plan.size[1], plan.size[2]}); !usable)
+    if (const Status usable = checkLatticeSize({plan.lattice.size[0], plan.lattice.size[1], plan.lattice.size[2]});
+        !usable)
         return unusable(path, usable.error().message);
-    if (const Status usable = checkLatticePlacement({.size = plan.size, .spacing = plan.spacing}); !usable)
+    if (const Status usable = checkLatticePlacement(plan.lattice); !usable)
         return unusable(path, usable.error().message);
     return plan;
 }
@@ -206,20 +247,46 @@ Status writePlan(const std::filesystem::path& folder, const PartsPlan& plan)
     std::filesystem::create_directory(folder, problem); // what writes the file says what is wrong
     const auto there = pathsIn(folder, problem);
     const bool hasPlan = std::ranges::find(there, folder / planFile) != there.end();
-    if (!hasPlan && !there.empty())
+    // One that is being written has a hidden name yet, and what a killed process left of one is removed by who writes.
+    const auto isHidden = [](const auto& path) { return path.filename().string().starts_with("."); };
+    if (!hasPlan && !std::ranges::all_of(there, isHidden))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is not empty. The processes that share a build need a folder of their own: "
                                   "name another one.",
                                   folder.string())};
     if (!hasPlan)
-        return writeWholeFile(folder / planFile, std::as_bytes(std::span(text)));
-    const auto other = readPlan(folder);
-    if (other && planText(*other) == text)
+        if (const Status written = writeWholeFile(folder / planFile, std::as_bytes(std::span(text))); !written)
+            return written;
+    const auto read = readPlan(folder);
+    if (read && planText(*read) == text && read->input == plan.input)
         return {};
+    if (!hasPlan) {
+        removeParts(folder);
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A build of '%1' cannot be shared, as its name or a folder's is no text in UTF-8. "
+                                  "Rename it.",
+                                  plan.input.string())};
+    }
     return Error{ErrorKind::WrongUsage,
-                 Message::say("'%1' holds another build: of other data, with other options, or by "
-                              "another version of TAn. Remove it, or name another folder.",
+                 Message::say("'%1' holds another build: of other data, with other options, or by another version of "
+                              "TAn. Remove it, or name another folder.",
                               folder.string())};
+}
+
+void removeParts(const std::filesystem::path& folder)
+{
+    std::error_code problem; // what cannot be removed stays
+    for (const std::filesystem::path& path : pathsIn(folder, problem))
+        if (const std::string name = path.filename().string(); name == planFile || name.starts_with("part-"))
+            std::filesystem::remove(path, problem);
+    std::filesystem::remove(folder, problem);
+}
+
+bool PartsPlan::readsOnlyItsBlocks() const
+{
+    constexpr std::string_view weights = "weights";
+    const auto weighted = std::ranges::find(parameters, weights, &Texts::value_type::first);
+    return samples && (weighted == parameters.end() || weighted->second.empty());
 }
 
 std::optional<SamplesInFile> samplesInFile(const Dataset& dataset)
@@ -229,8 +296,9 @@ std::optional<SamplesInFile> samplesInFile(const Dataset& dataset)
     const std::span<const std::byte> file = dataset.mappedFile->bytes(), samples = dataset.values.bytes();
     if (samples.data() < file.data() || samples.data() + samples.size() > file.data() + file.size())
         return std::nullopt;
-    return SamplesInFile{std::filesystem::absolute(dataset.mappedFile->path()),
-                         static_cast<std::uint64_t>(samples.data() - file.data()), file.size(), checksumOfSome(file)};
+    const std::filesystem::path path = std::filesystem::absolute(dataset.mappedFile->path());
+    return SamplesInFile{path, static_cast<std::uint64_t>(samples.data() - file.data()), file.size(), modified(path),
+                         checksumOfSome(file)};
 }
 
 Result<Dataset> mappedDataset(const PartsPlan& plan)
@@ -240,17 +308,18 @@ Result<Dataset> mappedDataset(const PartsPlan& plan)
     if (!file)
         return file.error();
     const std::span<const std::byte> bytes = (*file)->bytes();
-    const std::uint64_t needed = plan.points() * sampleSize(plan.type);
-    if (bytes.size() != samples.fileBytes || samples.offset > bytes.size() || needed > bytes.size() - samples.offset ||
+    const std::uint64_t points = plan.lattice.pointCount();
+    if (modified(samples.file) != samples.modified || bytes.size() != samples.fileBytes ||
+        samples.offset > bytes.size() || points > (bytes.size() - samples.offset) / sampleSize(plan.type) ||
         checksumOfSome(bytes) != samples.checksum)
         return Error{ErrorKind::BadInput,
                      Message::say("'%1' has changed since the build was prepared. Prepare it anew, in another folder.",
                                   samples.file.string()),
                      samples.file};
-    Dataset dataset{.lattice = {.size = plan.size, .spacing = plan.spacing},
-                    .values = ScalarField::ofKnownRange(plan.type, plan.points(),
-                                                        {*file, bytes.data() + samples.offset}, plan.range),
-                    .source = {plan.name, plan.input, plan.hash}};
+    Dataset dataset{
+        .lattice = plan.lattice,
+        .values = ScalarField::ofKnownRange(plan.type, points, {*file, bytes.data() + samples.offset}, plan.range),
+        .source = {plan.name, plan.input, plan.hash}};
     dataset.mappedFile = *file;
     return dataset;
 }

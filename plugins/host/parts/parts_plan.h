@@ -7,7 +7,6 @@
 #include <tan/base.h>
 #include <tan/data.h>
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -22,8 +21,10 @@ namespace tetra {
 struct SamplesInFile {
     std::filesystem::path file; ///< absolute
     std::uint64_t offset = 0;   ///< in bytes
+    // By which a file that has changed is known:
     std::uint64_t fileBytes = 0;
-    std::uint64_t checksum = 0; ///< of some pieces, by which another file is known
+    std::int64_t modified = 0;  ///< when, in nanoseconds
+    std::uint64_t checksum = 0; ///< of some pieces
 };
 
 /// What all processes that share a build go by (D15): kept as "plan.json" in their folder, and what prepareParts() has
@@ -40,13 +41,13 @@ struct PartsPlan {
     std::uint64_t hash = 0;
     DomainClass domain = DomainClass::RegularLattice;
     SampleType type = SampleType::UInt8;
-    std::array<std::uint32_t, 3> size{};
-    Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
+    Lattice lattice{};
     ValueRange range{};
     std::optional<SamplesInFile> samples{}; ///< nothing where they are not in a file as they are used
     std::uint32_t blocks = 0;               ///< how many there are to be shared
 
-    std::uint64_t points() const noexcept { return std::uint64_t(size[0]) * size[1] * size[2]; }
+    /// Whether a part reads no more of the samples than its blocks need: weights are those of all points.
+    bool readsOnlyItsBlocks() const;
 };
 
 /// JSON, for people to look at, too.
@@ -56,8 +57,11 @@ std::string planText(const PartsPlan& plan);
 Result<PartsPlan> readPlan(const std::filesystem::path& folder);
 
 /// Makes the folder if it is not there and writes the plan into it. The same plan may be there already. Errors: another
-/// one is, or other files (WrongUsage); CannotWrite.
+/// one is, or other files, or the names of files are no text (WrongUsage); CannotWrite.
 Status writePlan(const std::filesystem::path& folder, const PartsPlan& plan);
+
+/// Removes the plan, the parts and the folder, unless there is something else in it.
+void removeParts(const std::filesystem::path& folder);
 
 /// Where the samples of a mapped dataset lie; nothing if they are not in a file as they are used.
 std::optional<SamplesInFile> samplesInFile(const Dataset& dataset);

@@ -50,8 +50,11 @@ std::string headerText(const Dataset& dataset, const std::string& encoding)
     text += "dimension: 3\n" + placeText(dataset.lattice, dataset.space) + unitText(dataset.lengthUnit);
     text += "kinds: domain domain domain\n";
     text += std::string("endian: ") + (std::endian::native == std::endian::little ? "little" : "big") + "\n";
-    text += "encoding: " + encoding + "\n\n";
-    return text;
+    text += "encoding: " + encoding + "\n";
+    // A comment of such a length that samples begin at a multiple of their size: then they are used where they lie.
+    constexpr std::size_t largestSample = 8, besides = 3; // the comment's mark and the last two ends of lines
+    const std::size_t beyond = (text.size() + besides) % largestSample;
+    return text + std::string(1 + (largestSample - beyond) % largestSample, '#') + "\n\n";
 }
 
 constexpr std::size_t pieceBytes = std::size_t(1) << 20;

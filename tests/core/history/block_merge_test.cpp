@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstring>
@@ -181,6 +182,26 @@ private slots:
         QFETCH(quint64, soFar);
         QFETCH(quint64, expected);
         QTEST(checkMeshSize(soFar, expected).ok(), "fits");
+    }
+
+    /// Every block is in one part, and no part has two blocks more than another.
+    void sharesCoverAllBlocksOnce()
+    {
+        std::mt19937 random(4);
+        for (int round = 0; round < 200; ++round) {
+            const std::uint32_t blocks = random() % (round % 2 == 0 ? 40 : 4'000'000'000u);
+            const std::uint32_t count = 1 + random() % 60;
+            std::uint32_t end = 0, fewest = blocks, most = 0;
+            for (std::uint32_t number = 1; number <= count; ++number) {
+                const BlockShare share = shareOf({number, count}, blocks);
+                QCOMPARE(share.first, end);
+                end = share.end;
+                fewest = std::min(fewest, share.end - share.first);
+                most = std::max(most, share.end - share.first);
+            }
+            QCOMPARE(end, blocks);
+            QVERIFY(most - fewest <= 1);
+        }
     }
 
 private:

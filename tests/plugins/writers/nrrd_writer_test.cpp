@@ -102,6 +102,7 @@ void NrrdWriterTest::roundTrip()
     QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
     QVERIFY(identical(*again, dataset));
     QCOMPARE(quint64(again->source.hash), quint64(dataset.source.hash));
+    QCOMPARE(again->mappedFile != nullptr, encoding == "raw"); // its samples are aligned
     QCOMPARE(filesIn(folder.path()), 1);
 }
 
