@@ -4607,18 +4607,6 @@ Verwerfung %2</translation>
         <translation>Das feinste Netz hätte etwa %1 Tetraeder, und ein Modell fasst Netze mit höchstens %2. Verlangen Sie einen größeren Fehler, oder nehmen Sie einen Teil des Datensatzes.</translation>
     </message>
     <message>
-        <source>%1. Start the build again.</source>
-        <translation>%1. Starten Sie den Bau noch einmal.</translation>
-    </message>
-    <message>
-        <source>it is not what was written. Start the build again.</source>
-        <translation>Sie ist nicht, was geschrieben wurde. Starten Sie den Bau noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read &apos;%1&apos;, which this build wrote: %2</source>
-        <translation>„%1“, das dieser Bau geschrieben hatte, kann nicht gelesen werden: %2</translation>
-    </message>
-    <message>
         <source>Refining the blocks</source>
         <translation>Blöcke werden verfeinert</translation>
     </message>
@@ -12761,6 +12749,98 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>its meshes do not grow with their accuracy</source>
         <translation>seine Netze wachsen nicht mit ihrer Genauigkeit</translation>
+    </message>
+    <message>
+        <source>work files %1</source>
+        <translation>Arbeitsdateien %1</translation>
+    </message>
+    <message>
+        <source>A build is cut into parts where its blocks are. Choose the edge of a block, such as 32 cells.</source>
+        <translation>Ein Bau wird an seinen Blöcken geteilt. Wählen Sie die Kantenlänge eines Blocks, etwa 32 Zellen.</translation>
+    </message>
+    <message>
+        <source>Waiting for part %1</source>
+        <translation>Warte auf Teil %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of %2 has done what it can until part %3 has found out what it needs of their common faces. Start it again after that: it goes on from here.</source>
+        <translation>Teil %1 von %2 hat getan, was er kann, bis Teil %3 herausgefunden hat, was er an den gemeinsamen Flächen braucht. Starten Sie ihn danach noch einmal: Er macht von hier an weiter.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another build: of other data, with other options, or by another version of TAn. Remove it, or choose another folder.</source>
+        <translation>„%1“ gehört zu einem anderen Bau: mit anderen Daten, mit anderen Optionen oder von einer anderen Version von TAn. Entfernen Sie die Datei, oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Checking what is done already</source>
+        <translation>Prüfe, was schon fertig ist</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged. Build that part again: it keeps what is whole.</source>
+        <translation>„%1“ ist beschädigt. Bauen Sie diesen Teil noch einmal: Was unversehrt ist, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>No part of the build in &apos;%1&apos; is finished yet.</source>
+        <translation>Noch ist kein Teil des Baus in „%1“ fertig.</translation>
+    </message>
+    <message>
+        <source>Parts of the build in &apos;%1&apos; are missing, and those that are there are of different divisions. Build all parts of one of them.</source>
+        <translation>Es fehlen Teile des Baus in „%1“, und die vorhandenen gehören zu verschiedenen Aufteilungen. Bauen Sie alle Teile einer von ihnen.</translation>
+    </message>
+    <message>
+        <source>Of the %1 parts of the build in &apos;%2&apos; these are not finished yet: %3%4.</source>
+        <translation>Von den %1 Teilen des Baus in „%2“ sind diese noch nicht fertig: %3%4.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, which this build wrote, is not what was written. Start the same command again.</source>
+        <translation>„%1“ enthält nicht mehr, was dieser Bau geschrieben hat. Starten Sie denselben Befehl noch einmal.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; has no parameter &apos;%2&apos;, which the plan of this build sets. Use one version of it for all parts.</source>
+        <translation>„%1“ hat keinen Parameter „%2“, den der Plan dieses Baus setzt. Verwenden Sie für alle Teile dieselbe Version.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since the build was prepared. Prepare it anew, in another folder.</source>
+        <translation>„%1“ hat sich geändert, seit der Bau vorbereitet wurde. Bereiten Sie ihn in einem anderen Ordner neu vor.</translation>
+    </message>
+    <message>
+        <source>This builder does not build in parts.</source>
+        <translation>Dieses Verfahren baut nicht in Teilen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be built in parts with these options: that takes a regular lattice or a curvilinear grid, refined in blocks. Build it as a whole.</source>
+        <translation>„%1“ kann mit diesen Optionen nicht in Teilen gebaut werden: Das setzt ein regelmäßiges oder ein krummliniges Gitter voraus, das in Blöcken verfeinert wird. Bauen Sie das Modell als Ganzes.</translation>
+    </message>
+    <message>
+        <source>There is no part %1 of %2. Parts are numbered from 1.</source>
+        <translation>Es gibt keinen Teil %1 von %2. Die Teile sind ab 1 nummeriert.</translation>
+    </message>
+    <message>
+        <source>Cannot use the plan &apos;%1&apos;: %2</source>
+        <translation>Der Plan „%1“ kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>There is no build to share in &apos;%1&apos;. Prepare one there first.</source>
+        <translation>In „%1“ gibt es keinen Bau, der geteilt werden soll. Bereiten Sie dort zuerst einen vor.</translation>
+    </message>
+    <message>
+        <source>it was made by TAn %1, and this is TAn %2. Use one version for all parts.</source>
+        <translation>Er stammt von TAn %1, und dies ist TAn %2. Verwenden Sie für alle Teile dieselbe Version.</translation>
+    </message>
+    <message>
+        <source>it is damaged. Prepare the build again.</source>
+        <translation>Er ist beschädigt. Bereiten Sie den Bau noch einmal vor.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not empty. The processes that share a build need a folder of their own: name another one.</source>
+        <translation>„%1“ ist nicht leer. Prozesse, die sich einen Bau teilen, brauchen einen eigenen Ordner: Geben Sie einen anderen an.</translation>
+    </message>
+    <message>
+        <source>A build of &apos;%1&apos; cannot be shared, as its name or a folder&apos;s is no text in UTF-8. Rename it.</source>
+        <translation>Ein Bau aus „%1“ kann nicht geteilt werden, da der Name der Datei oder eines Ordners kein Text in UTF-8 ist. Benennen Sie ihn um.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds another build: of other data, with other options, or by another version of TAn. Remove it, or name another folder.</source>
+        <translation>„%1“ enthält einen anderen Bau: mit anderen Daten, mit anderen Optionen oder von einer anderen Version von TAn. Entfernen Sie den Ordner, oder geben Sie einen anderen an.</translation>
     </message>
 </context>
 <context>

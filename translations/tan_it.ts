@@ -4607,18 +4607,6 @@ deformazione %2</translation>
         <translation>La mesh più fine avrebbe circa %1 tetraedri, e un modello contiene mesh di al massimo %2. Chiedere un errore più grande, o prendere una parte dell&apos;insieme di dati.</translation>
     </message>
     <message>
-        <source>%1. Start the build again.</source>
-        <translation>%1. Riavviare la costruzione.</translation>
-    </message>
-    <message>
-        <source>it is not what was written. Start the build again.</source>
-        <translation>non è ciò che era stato scritto. Riavviare la costruzione.</translation>
-    </message>
-    <message>
-        <source>Cannot read &apos;%1&apos;, which this build wrote: %2</source>
-        <translation>«%1», che questa costruzione aveva scritto, non può essere letto: %2</translation>
-    </message>
-    <message>
         <source>Refining the blocks</source>
         <translation>Raffinamento dei blocchi</translation>
     </message>
@@ -12761,6 +12749,98 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>its meshes do not grow with their accuracy</source>
         <translation>le sue mesh non crescono con la loro accuratezza</translation>
+    </message>
+    <message>
+        <source>work files %1</source>
+        <translation>file di lavoro %1</translation>
+    </message>
+    <message>
+        <source>A build is cut into parts where its blocks are. Choose the edge of a block, such as 32 cells.</source>
+        <translation>Una costruzione si divide lungo i suoi blocchi. Scegliere lo spigolo di un blocco, per esempio 32 celle.</translation>
+    </message>
+    <message>
+        <source>Waiting for part %1</source>
+        <translation>In attesa della parte %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of %2 has done what it can until part %3 has found out what it needs of their common faces. Start it again after that: it goes on from here.</source>
+        <translation>La parte %1 di %2 ha fatto quanto può finché la parte %3 non avrà trovato che cosa le serve sulle facce comuni. Avviarla di nuovo dopo: riprende da qui.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another build: of other data, with other options, or by another version of TAn. Remove it, or choose another folder.</source>
+        <translation>«%1» appartiene a un&apos;altra costruzione: di altri dati, con altre opzioni o di un&apos;altra versione di TAn. Eliminare il file o scegliere un&apos;altra cartella.</translation>
+    </message>
+    <message>
+        <source>Checking what is done already</source>
+        <translation>Verifica di ciò che è già pronto</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged. Build that part again: it keeps what is whole.</source>
+        <translation>«%1» è danneggiato. Costruire di nuovo quella parte: ciò che è intatto viene conservato.</translation>
+    </message>
+    <message>
+        <source>No part of the build in &apos;%1&apos; is finished yet.</source>
+        <translation>Nessuna parte della costruzione in «%1» è ancora finita.</translation>
+    </message>
+    <message>
+        <source>Parts of the build in &apos;%1&apos; are missing, and those that are there are of different divisions. Build all parts of one of them.</source>
+        <translation>Mancano parti della costruzione in «%1», e quelle presenti sono di suddivisioni diverse. Costruire tutte le parti di una di esse.</translation>
+    </message>
+    <message>
+        <source>Of the %1 parts of the build in &apos;%2&apos; these are not finished yet: %3%4.</source>
+        <translation>Delle %1 parti della costruzione in «%2» queste non sono ancora finite: %3%4.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, which this build wrote, is not what was written. Start the same command again.</source>
+        <translation>«%1» non contiene più ciò che questa costruzione aveva scritto. Eseguire di nuovo lo stesso comando.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; has no parameter &apos;%2&apos;, which the plan of this build sets. Use one version of it for all parts.</source>
+        <translation>«%1» non ha il parametro «%2», che il piano di questa costruzione imposta. Usare la stessa versione per tutte le parti.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since the build was prepared. Prepare it anew, in another folder.</source>
+        <translation>«%1» è cambiato da quando la costruzione è stata preparata. Prepararla di nuovo, in un&apos;altra cartella.</translation>
+    </message>
+    <message>
+        <source>This builder does not build in parts.</source>
+        <translation>Questo metodo non costruisce in parti.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be built in parts with these options: that takes a regular lattice or a curvilinear grid, refined in blocks. Build it as a whole.</source>
+        <translation>«%1» non può essere costruito in parti con queste opzioni: serve un reticolo regolare o una griglia curvilinea, raffinati a blocchi. Costruire il modello per intero.</translation>
+    </message>
+    <message>
+        <source>There is no part %1 of %2. Parts are numbered from 1.</source>
+        <translation>Non esiste la parte %1 di %2. Le parti sono numerate da 1.</translation>
+    </message>
+    <message>
+        <source>Cannot use the plan &apos;%1&apos;: %2</source>
+        <translation>Impossibile usare il piano «%1»: %2</translation>
+    </message>
+    <message>
+        <source>There is no build to share in &apos;%1&apos;. Prepare one there first.</source>
+        <translation>In «%1» non c&apos;è una costruzione da condividere. Prepararne prima una.</translation>
+    </message>
+    <message>
+        <source>it was made by TAn %1, and this is TAn %2. Use one version for all parts.</source>
+        <translation>è stato creato da TAn %1, e questo è TAn %2. Usare la stessa versione per tutte le parti.</translation>
+    </message>
+    <message>
+        <source>it is damaged. Prepare the build again.</source>
+        <translation>è danneggiato. Preparare di nuovo la costruzione.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not empty. The processes that share a build need a folder of their own: name another one.</source>
+        <translation>«%1» non è vuota. I processi che si dividono una costruzione hanno bisogno di una cartella propria: indicarne un&apos;altra.</translation>
+    </message>
+    <message>
+        <source>A build of &apos;%1&apos; cannot be shared, as its name or a folder&apos;s is no text in UTF-8. Rename it.</source>
+        <translation>Una costruzione da «%1» non può essere condivisa, perché il nome del file o di una cartella non è un testo UTF-8. Rinominarlo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds another build: of other data, with other options, or by another version of TAn. Remove it, or name another folder.</source>
+        <translation>«%1» contiene un&apos;altra costruzione: di altri dati, con altre opzioni o di un&apos;altra versione di TAn. Eliminarla o indicare un&apos;altra cartella.</translation>
     </message>
 </context>
 <context>
