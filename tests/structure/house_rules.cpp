@@ -188,7 +188,8 @@ const std::vector<Room>& rooms()
         {"ui/desktop.cpp",
          {"core", "plugins/widgets", "ui/work", "ui/session", "ui/scenes", "ui/opening", "ui/workbench", "ui/widgets",
           "ui/window", "ui/desktop.h"}},
-        {"app", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "ui"}},
+        {"app",
+         {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/host/parts", "plugins/widgets", "ui"}},
         {"tests", {"core", "plugins", "ui", "app"}},
     };
     return all;
