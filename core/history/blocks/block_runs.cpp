@@ -422,13 +422,16 @@ std::filesystem::path CurvilinearRounds::pathOfRound(const PartNumber& part) con
 /// In this round.
 Result<std::vector<FaceCure>> CurvilinearRounds::toldBy(const PartNumber& part, const Progress& progress) const
 {
-    constexpr auto pause = std::chrono::milliseconds(200);
+    // Parts of the same size are done at about the same time; who takes longer is asked less often.
+    constexpr std::chrono::milliseconds firstPause(2), longestPause(200);
+    auto pause = firstPause;
     auto told = saved(pathOfRound(part));
     while (!told && options_.waits) {
         if (progress.cancelled())
             return cancelledError(Message::marked("The build"));
         progress.report(1, Message::say("Waiting for part %1", part.number));
         std::this_thread::sleep_for(pause);
+        pause = std::min(2 * pause, longestPause);
         told = saved(pathOfRound(part));
     }
     if (told)
