@@ -96,6 +96,7 @@ std::vector<std::pair<std::string, std::string>> exitCodes()
         {"2", "wrong usage: an unknown option, an invalid value, an output that would replace its input"},
         {"3", "bad input: a file that is missing, damaged, or of an unknown format"},
         {"4", "the result could not be written, or memory or another resource ran out"},
+        {"5", "not yet: parts of a shared build that others are still to make are missing"},
         {"130", "cancelled (Ctrl-C)"},
     };
 }

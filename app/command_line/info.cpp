@@ -17,6 +17,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/output_check.h"
+#include "plugins/host/parts/part_building.h"
 
 #include <tan/model.h>
 #include <tan/query.h>
@@ -410,6 +411,31 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     return outcome;
 }
 
+/// Of the folder of a shared build: what is finished.
+Result<Outcome> describeParts(const std::string& folder)
+{
+    const auto plan = readPlan(folder);
+    if (!plan)
+        return plan.error();
+    JsonArray finished;
+    std::string names;
+    for (const auto& [number, count] : finishedPartsIn(folder)) {
+        finished.push_back(JsonObject{{"part", number}, {"parts", count}});
+        names += (names.empty() ? "" : ", ") + std::to_string(number) + "/" + std::to_string(count);
+    }
+    Outcome outcome;
+    outcome.text = visibleText(folder) + ": the parts of a shared build of '" + visibleText(plan->input.string()) +
+                   "' by " + visibleText(plan->builder) + ", " + std::to_string(plan->blocks) + " blocks\n" +
+                   (names.empty() ? "No part is finished yet.\n"
+                                  : "finished (" + std::to_string(finished.size()) + "): " + names + "\n");
+    outcome.figures = {{"kind", "shared build"},
+                       {"input", plan->input.string()},
+                       {"builder", plan->builder},
+                       {"blocks", plan->blocks},
+                       {"finished", std::move(finished)}};
+    return outcome;
+}
+
 } // namespace
 
 Syntax infoSyntax(PluginHost& host)
@@ -425,7 +451,8 @@ Syntax infoSyntax(PluginHost& host)
             "tetrahedra are counted, at some ten million a second. For a packed model or one on a server: the sizes of "
             "a few levels, and how much of the file is read for each; nothing is unpacked or fetched. For a dataset: "
             "its size, its type, its range of values, what there is to choose from, what is taken from it, what it "
-            "states that is not used, and what each builder would need for a model of it.\n\nDatasets that can be "
+            "states that is not used, and what each builder would need for a model of it. For the folder of a shared "
+            "build: which parts are finished.\n\nDatasets that can be "
             "read, also compressed with gzip (*.gz): " +
             readable + ".",
         .positionals = {{"FILE", "A model, packed or not, or its address on a server (http:// or https://); or a "
@@ -471,7 +498,7 @@ Result<Outcome> runInfo(const Invocation& invocation)
         if (output)
             return Error{ErrorKind::WrongUsage, "'--output' writes the levels of a model, and '" + path +
                                                     "' is not one. Build a model of it first."};
-        return describeDataset(invocation, path);
+        return hasPlan(path) ? describeParts(path) : describeDataset(invocation, path);
     }
     const bool against = invocation.arguments.has("against");
     for (const char* option : {"ranges", "error"})

@@ -282,6 +282,14 @@ std::uint64_t blockCount(const Lattice& lattice, std::uint32_t cells)
     return count;
 }
 
+std::vector<std::array<std::uint32_t, 2>> partsThere(const std::filesystem::path& folder)
+{
+    std::vector<std::array<std::uint32_t, 2>> parts;
+    for (const PartNumber& part : finishedParts(folder))
+        parts.push_back({part.number, part.count});
+    return parts;
+}
+
 Status checkPartsThere(const std::filesystem::path& folder)
 {
     return checkNoneMissing(folder, finishedParts(folder));

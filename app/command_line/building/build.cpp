@@ -241,6 +241,7 @@ Syntax buildSyntax(PluginHost& host)
                       "Values spanning many powers of ten: errors are factors."}}};
     addPluginOptions(syntax, allParameters(host.builders()));
     addImportOptions(syntax, host);
+    syntax.exitCodes = {0, 2, 3, 4, 5, 130};
     return syntax;
 }
 
@@ -303,7 +304,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
         return arguments.has("resume") ? withWayOn(build.error(), output + (isPacked ? ".packing" : ".work"))
                                        : build.error();
     }
-    Outcome outcome = outcomeOf(*build, output, isPacked);
+    Outcome outcome = outcomeOf(*build, output, Making::Built, isPacked);
     if (isPacked)
         if (const Status packed = pack(target, output, invocation.progress.part(builtEnd, 1), outcome); !packed)
             return packed.error();

@@ -11,7 +11,7 @@
 
 namespace tetra {
 
-Outcome outcomeOf(const ModelBuild& build, const std::string& wanted, bool isPacked)
+Outcome outcomeOf(const ModelBuild& build, const std::string& wanted, Making making, bool isPacked)
 {
     const BuildReport& report = build.report;
     const std::string output = isPacked ? wanted : build.model.string();
@@ -29,8 +29,8 @@ Outcome outcomeOf(const ModelBuild& build, const std::string& wanted, bool isPac
     outcome.text = visibleText(output) + ": " + std::to_string(report.sites) + " sites, " +
                    std::to_string(report.tetrahedra) + " tetrahedra in the history" +
                    (isPacked ? "" : ", " + byteText(build.fileBytes)) + "\nbuilt by " + visibleText(build.builder) +
-                   " in " + rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) +
-                   " of memory\n";
+                   (making == Making::Merged ? ", merged in " : " in ") + rounded(build.seconds, 3) +
+                   " s, using at most " + byteText(build.peakBytes) + " of memory\n";
     if (const auto model = Model::open(build.model)) {
         outcome.figures["error_kind"] = wordOf(errorKindWords, errorMeaning((*model)->description()));
         outcome.text += guaranteeText((*model)->description(), false);

@@ -8,8 +8,11 @@
 
 namespace tetra {
 
-/// What building the model `wanted` gave. One that is packed afterwards has another size.
-Outcome outcomeOf(const ModelBuild& build, const std::string& wanted, bool isPacked = false);
+/// What was done, which gave a model.
+enum class Making { Built, Merged };
+
+/// What building or merging the model `wanted` gave. One that is packed afterwards has another size.
+Outcome outcomeOf(const ModelBuild& build, const std::string& wanted, Making making, bool isPacked = false);
 
 /// What the model keeps of how its dataset was opened: a reader that nobody chose and that has nothing to be told is no
 /// choice.

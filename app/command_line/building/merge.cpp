@@ -20,7 +20,8 @@ Syntax mergeSyntax(PluginHost& /*host*/)
                            "have the model.",
             .positionals = {{"FOLDER", "The folder with the parts."}},
             .options = {outputOption("MODEL", "The model to write, conventionally *.tan."), threadsOption()},
-            .examples = {{"tan merge engine.parts -o engine.tan", "After all of its parts."}}};
+            .examples = {{"tan merge engine.parts -o engine.tan", "After all of its parts."}},
+            .exitCodes = {0, 2, 3, 4, 5, 130}};
 }
 
 Result<Outcome> runMerge(const Invocation& invocation)
@@ -34,7 +35,7 @@ Result<Outcome> runMerge(const Invocation& invocation)
         limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*threads));
     const std::string output = *arguments.value("output");
     const auto build = mergeParts(invocation.host, arguments.positionals[0], output, invocation.progress);
-    return build ? Result(outcomeOf(*build, output)) : build.error();
+    return build ? Result(outcomeOf(*build, output, Making::Merged)) : build.error();
 }
 
 } // namespace tetra

@@ -84,8 +84,8 @@ Result<Outcome> prepare(const Invocation& invocation, const std::string& input, 
                        {"points", plan->lattice.pointCount()},
                        {"reads_only_its_blocks", plan->readsOnlyItsBlocks()},
                        {"peak_bytes", peakResidentBytes()}};
-    outcome.text = visibleText(folder) + ": " + std::to_string(plan->blocks) + " blocks to be built by " +
-                   visibleText(plan->builder) + ", in up to as many parts\n";
+    outcome.text = visibleText(folder) + ": " + std::to_string(plan->blocks) + " blocks, to be built by " +
+                   visibleText(plan->builder) + " in at most as many parts\n";
     if (plan->domain == DomainClass::Curvilinear)
         outcome.text += "Each part will read all of '" + visibleText(input) +
                         "', as the places of its points are read as a whole.\n";
@@ -149,16 +149,30 @@ Result<Outcome> build(const Invocation& invocation, const PartWords& part, const
     if (waits && plan->domain == DomainClass::RegularLattice)
         return Error{ErrorKind::WrongUsage, "Parts of a regular lattice wait for nothing. Leave '--wait' out."};
     const auto built = buildPart(invocation.host, folder, part.number, part.count, waits, invocation.progress);
+    if (!built && built.error().kind == ErrorKind::Cancelled)
+        return Error{ErrorKind::Cancelled, built.error().text() + " What is done is kept in '" + printable(folder) +
+                                               "': the same command continues from there."};
     if (!built)
         return built.error();
     Outcome outcome;
-    outcome.figures = {{"folder", folder},          {"part", part.number},           {"parts", part.count},
-                       {"builder", plan->builder},  {"sites", built->sites},         {"tetrahedra", built->tetrahedra},
-                       {"seconds", built->seconds}, {"peak_bytes", built->peakBytes}};
-    outcome.text = "Part " + std::to_string(part.number) + " of " + std::to_string(part.count) + ": " +
-                   std::to_string(built->sites) + " sites, " + std::to_string(built->tetrahedra) +
-                   " tetrahedra in the history, in " + rounded(built->seconds, 3) + " s, using at most " +
-                   byteText(built->peakBytes) + " of memory\n";
+    outcome.figures = {{"folder", folder},
+                       {"part", part.number},
+                       {"parts", part.count},
+                       {"builder", plan->builder},
+                       {"sites", built->sites},
+                       {"tetrahedra", built->tetrahedra},
+                       {"finished_before", built->wasFinished},
+                       {"seconds", built->seconds},
+                       {"peak_bytes", built->peakBytes}};
+    const std::string name = "Part " + std::to_string(part.number) + " of " + std::to_string(part.count);
+    const std::string size =
+        std::to_string(built->sites) + " sites, " + std::to_string(built->tetrahedra) + " tetrahedra in the history";
+    outcome.text = built->wasFinished ? name + " was finished already: " + size + "\n"
+                                      : name + ": " + size + ", in " + rounded(built->seconds, 3) +
+                                            " s, using at most " + byteText(built->peakBytes) + " of memory\n";
+    if (part.count > plan->blocks)
+        outcome.text += "There are " + std::to_string(plan->blocks) + " blocks, so that " +
+                        std::to_string(part.count - plan->blocks) + " parts of so many have none.\n";
     return outcome;
 }
 

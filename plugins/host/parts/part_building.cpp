@@ -188,11 +188,18 @@ Result<BuiltPart> buildPart(PluginHost& host, const std::filesystem::path& folde
     NoHistory none;
     BuildTarget target{.history = none, .workFolder = folder};
     target.part = BuildPart{.folder = folder, .number = number, .count = count, .waits = waits};
+    const auto before = partsThere(folder);
     const auto report = builder->plugin->build(*dataset, *values, target, progress.part(openedEnd, 1));
     if (!report)
         return report.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    return BuiltPart{report->sites, report->tetrahedra, elapsed.count(), peakResidentBytes()};
+    const bool wasFinished = std::ranges::find(before, std::array{number, count}) != before.end();
+    return BuiltPart{wasFinished, report->sites, report->tetrahedra, elapsed.count(), peakResidentBytes()};
+}
+
+std::vector<std::array<std::uint32_t, 2>> finishedPartsIn(const std::filesystem::path& folder)
+{
+    return partsThere(folder);
 }
 
 Result<ModelBuild> mergeParts(PluginHost& host, const std::filesystem::path& folder,

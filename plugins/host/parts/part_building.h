@@ -8,10 +8,12 @@
 
 #include <tan/base.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 // A build that many processes share, on one machine or on many that see one disk (D15): one prepares it, then each
 // builds a part, whenever and in whatever order, and at last one merges them. Nobody talks to anybody; a part that was
@@ -30,7 +32,8 @@ Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& in
 
 /// What a part came to.
 struct BuiltPart {
-    std::uint64_t sites = 0; ///< those on faces of blocks once for each block
+    bool wasFinished = false; ///< already
+    std::uint64_t sites = 0;  ///< those on faces of blocks once for each block
     std::uint64_t tetrahedra = 0;
     double seconds = 0;
     std::uint64_t peakBytes = 0; ///< ModelBuild's
@@ -42,6 +45,9 @@ struct BuiltPart {
 /// since (BadInput); other parts that have to be built further first (NotYet); the folder's disk; cancelled.
 Result<BuiltPart> buildPart(PluginHost& host, const std::filesystem::path& folder, std::uint32_t number,
                             std::uint32_t count, bool waits = false, const Progress& progress = {});
+
+/// The parts that are finished in a folder: number and count, those of one count after each other.
+std::vector<std::array<std::uint32_t, 2>> finishedPartsIn(const std::filesystem::path& folder);
 
 /// Merges the parts in `folder` into the model `output`, as buildModel() makes it. The folder stays as it is. Errors:
 /// parts that are not finished (NotYet), damaged, or of another build; data that have changed since the build was

@@ -187,12 +187,17 @@ std::string planText(const PartsPlan& plan)
     return indentedJson(std::move(text));
 }
 
+bool hasPlan(const std::filesystem::path& folder)
+{
+    std::error_code problem;
+    return std::filesystem::exists(folder / planFile, problem);
+}
+
 Result<PartsPlan> readPlan(const std::filesystem::path& folder)
 {
     constexpr std::size_t mostBytes = 1 << 20;
     const std::filesystem::path path = folder / planFile;
-    std::error_code problem;
-    if (!std::filesystem::exists(path, problem))
+    if (!hasPlan(folder))
         return Error{ErrorKind::WrongUsage,
                      Message::say("There is no build to share in '%1'. Prepare one there first.", folder.string())};
     const auto text = wholeText(path, mostBytes);
@@ -246,21 +251,21 @@ Status writePlan(const std::filesystem::path& folder, const PartsPlan& plan)
     std::error_code problem;
     std::filesystem::create_directory(folder, problem); // what writes the file says what is wrong
     const auto there = pathsIn(folder, problem);
-    const bool hasPlan = std::ranges::find(there, folder / planFile) != there.end();
+    const bool isThere = hasPlan(folder);
     // One that is being written has a hidden name yet, and what a killed process left of one is removed by who writes.
     const auto isHidden = [](const auto& path) { return path.filename().string().starts_with("."); };
-    if (!hasPlan && !std::ranges::all_of(there, isHidden))
+    if (!isThere && !std::ranges::all_of(there, isHidden))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is not empty. The processes that share a build need a folder of their own: "
                                   "name another one.",
                                   folder.string())};
-    if (!hasPlan)
+    if (!isThere)
         if (const Status written = writeWholeFile(folder / planFile, std::as_bytes(std::span(text))); !written)
             return written;
     const auto read = readPlan(folder);
     if (read && planText(*read) == text && read->input == plan.input)
         return {};
-    if (!hasPlan) {
+    if (!isThere) {
         removeParts(folder);
         return Error{ErrorKind::WrongUsage,
                      Message::say("A build of '%1' cannot be shared, as its name or a folder's is no text in UTF-8. "

@@ -53,6 +53,9 @@ struct PartsPlan {
 /// JSON, for people to look at, too.
 std::string planText(const PartsPlan& plan);
 
+/// Whether there is a plan in a folder.
+bool hasPlan(const std::filesystem::path& folder);
+
 /// The plan in a folder. Errors: there is none (WrongUsage), it is damaged or of another version of TAn (BadInput).
 Result<PartsPlan> readPlan(const std::filesystem::path& folder);
 

@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -144,10 +145,17 @@ private slots:
     void aFinishedPartIsLeftAsItIs()
     {
         QVERIFY2(prepared("data.nrrd", {"--block", "7"}), told_);
+        QCOMPARE(run({"info", "parts"}).json()["finished"].toArray().size(), 0);
         QVERIFY2(built("data.nrrd", 1, 2, "1").exitCode == 0, told_);
+        QVERIFY(!run_.json()["finished_before"].toBool());
+        const QJsonArray finished = run({"info", "parts"}).json()["finished"].toArray();
+        QCOMPARE(finished.size(), 1);
+        QCOMPARE(finished[0].toObject()["part"].toInt(), 1);
+        QCOMPARE(finished[0].toObject()["parts"].toInt(), 2);
         const QFileInfo before(path("parts/part-1-of-2.runs"));
         const QDateTime written = before.lastModified();
         QVERIFY2(built("data.nrrd", 1, 2, "1").exitCode == 0, told_);
+        QVERIFY(run_.json()["finished_before"].toBool());
         QCOMPARE(QFileInfo(path("parts/part-1-of-2.runs")).lastModified(), written);
     }
 
@@ -355,7 +363,9 @@ private slots:
         QVERIFY(!process.waitForFinished(300));
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(60'000));
-        QCOMPARE(collect(process).exitCode, 130);
+        const Run stopped = collect(process);
+        QCOMPARE(stopped.exitCode, 130);
+        QVERIFY2(stopped.messages.contains("What is done is kept in 'parts'"), stopped.messages);
     }
 
     void dataWithoutBlocksAreRefused()
