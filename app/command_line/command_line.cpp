@@ -21,18 +21,6 @@
 #include <vector>
 
 namespace tetra {
-namespace {
-
-const Subcommand* findSubcommand(std::string_view name)
-{
-    const auto found = std::ranges::find(subcommands(), name, &Subcommand::name);
-    return found == subcommands().end() ? nullptr : &*found;
-}
-
-bool asksForHelp(std::span<const std::string> words)
-{
-    return std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; });
-}
 
 int exitCode(ErrorKind kind)
 {
@@ -45,6 +33,19 @@ int exitCode(ErrorKind kind)
     case ErrorKind::Cancelled: break;
     }
     return 130;
+}
+
+namespace {
+
+const Subcommand* findSubcommand(std::string_view name)
+{
+    const auto found = std::ranges::find(subcommands(), name, &Subcommand::name);
+    return found == subcommands().end() ? nullptr : &*found;
+}
+
+bool asksForHelp(std::span<const std::string> words)
+{
+    return std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; });
 }
 
 int fail(const Streams& streams, const Error& error)

@@ -22,6 +22,9 @@ struct Streams {
 int runCommandLine(std::span<const std::string> words, PluginHost& host, const Streams& streams,
                    const std::stop_token& stop = {});
 
+/// Of a program that ends with such an error.
+int exitCode(ErrorKind kind);
+
 /// Whether `words` ask for the window: none at all, or one that is a file and no subcommand.
 bool isForWindow(std::span<const std::string> words);
 

@@ -9,6 +9,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/text.h"
 #include "core/data/value_scale.h"
+#include "core/history/blocks/run_files.h"
 #include "core/history/error_meaning.h"
 #include "core/history/query_words.h"
 #include "core/history/value_statistics.h"
@@ -17,7 +18,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/output_check.h"
-#include "plugins/host/parts/part_building.h"
+#include "plugins/host/parts/parts_plan.h"
 
 #include <tan/model.h>
 #include <tan/query.h>
@@ -419,7 +420,7 @@ Result<Outcome> describeParts(const std::string& folder)
         return plan.error();
     JsonArray finished;
     std::string names;
-    for (const auto& [number, count] : finishedPartsIn(folder)) {
+    for (const auto& [number, count] : finishedParts(folder)) {
         finished.push_back(JsonObject{{"part", number}, {"parts", count}});
         names += (names.empty() ? "" : ", ") + std::to_string(number) + "/" + std::to_string(count);
     }

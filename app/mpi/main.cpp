@@ -29,8 +29,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr int wrongUsage = 2;
-
 /// What a job is asked for, taken apart.
 struct Job {
     std::string input;
@@ -131,7 +129,7 @@ private:
              {checkOutput(job.model, std::array<std::filesystem::path, 1>{job.input}), checkModelOutput(job.model)})
             if (!safe) {
                 std::cerr << "tan-mpi: " << visibleText(safe.error().message) << std::endl;
-                return wrongUsage;
+                return exitCode(safe.error().kind);
             }
         Words words{"build", job.input, "--part", "prepare", "--threads", job.threads, "-o", job.folder};
         words.insert(words.end(), job.options.begin(), job.options.end());
@@ -186,7 +184,7 @@ int run(const Words& words, const Interruption& interruption)
     const bool asked = asksForHelp(words);
     if (rank.isFirst())
         (asked ? std::cout : std::cerr) << usage;
-    return asked ? 0 : wrongUsage;
+    return asked ? 0 : exitCode(ErrorKind::WrongUsage);
 }
 
 } // namespace

@@ -282,19 +282,6 @@ std::uint64_t blockCount(const Lattice& lattice, std::uint32_t cells)
     return count;
 }
 
-std::vector<std::array<std::uint32_t, 2>> partsThere(const std::filesystem::path& folder)
-{
-    std::vector<std::array<std::uint32_t, 2>> parts;
-    for (const PartNumber& part : finishedParts(folder))
-        parts.push_back({part.number, part.count});
-    return parts;
-}
-
-Status checkPartsThere(const std::filesystem::path& folder)
-{
-    return checkNoneMissing(folder, finishedParts(folder));
-}
-
 Result<BuildReport> buildInBlocks(const Dataset& dataset, const BlockedBuild& build, const BuildTarget& target,
                                   const Progress& progress)
 {

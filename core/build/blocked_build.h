@@ -7,9 +7,7 @@
 #include <tan/build.h>
 #include <tan/data.h>
 
-#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <span>
 #include <vector>
@@ -40,13 +38,6 @@ std::vector<double> coarseErrors(const SiteDensity& density, double finalError);
 
 /// How many blocks of so many cells along an edge a lattice is cut into.
 TAN_INTERNAL std::uint64_t blockCount(const Lattice& lattice, std::uint32_t cells);
-
-/// The parts of a shared build that are finished, by the names of their files in its folder: number and count, those of
-/// one count after each other.
-TAN_INTERNAL std::vector<std::array<std::uint32_t, 2>> partsThere(const std::filesystem::path& folder);
-
-/// That all parts of a shared build are in its folder, by their names. Error: NotYet.
-TAN_INTERNAL Status checkPartsThere(const std::filesystem::path& folder);
 
 /// Refines the blocks one by one, and merges them into one model, whose bytes are the same whether it was watched,
 /// kept, resumed, made in parts (BuildTarget::part) or none of these. A build that is cancelled and kept becomes the

@@ -42,7 +42,7 @@ namespace {
 bool holdsWork(const std::filesystem::path& folder)
 {
     std::error_code unreadable; // whoever writes there says so
-    return std::ranges::any_of(pathsIn(folder, unreadable), [&](const std::filesystem::path& path) {
+    return std::ranges::any_of(pathsIn(folder, unreadable), [](const std::filesystem::path& path) {
         return path.filename() == "state" || holdsRuns(path);
     });
 }

@@ -73,10 +73,11 @@ Result<Outcome> prepare(const Invocation& invocation, const std::string& input, 
     const auto values = pluginValues(arguments, parameters);
     if (!values)
         return values.error();
-    const auto plan = prepareParts(invocation.host, input, toKeep(*std::move(imported), arguments),
-                                   arguments.value("builder"), *values, folder, invocation.progress);
-    if (!plan)
-        return plan.error();
+    const auto prepared = prepareParts(invocation.host, input, toKeep(*std::move(imported), arguments),
+                                       arguments.value("builder"), *values, folder, invocation.progress);
+    if (!prepared)
+        return prepared.error();
+    const PartsPlan* const plan = &prepared->plan;
     Outcome outcome;
     outcome.figures = {{"folder", folder},
                        {"builder", plan->builder},
@@ -95,6 +96,7 @@ Result<Outcome> prepare(const Invocation& invocation, const std::string& input, 
         outcome.text += "Each part will read all of '" + visibleText(input) +
                         "', as its samples are not stored as they are used. From a raw file, an uncompressed NRRD, a "
                         "NumPy array or a VTI file with raw appended data, a part reads only its own blocks.\n";
+    addRemarks(prepared->dataset, outcome);
     return outcome;
 }
 

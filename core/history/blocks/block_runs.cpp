@@ -324,7 +324,7 @@ Status CurvilinearRounds::save(const std::filesystem::path& path, std::span<cons
     return file->commit(durability);
 }
 
-/// Nothing if the file is not there, of another build or damaged: what it says is found out again.
+/// Nothing if the file is not there, of another build or damaged.
 std::optional<SavedCures> CurvilinearRounds::saved(const std::filesystem::path& path) const
 {
     const auto file = MappedFile::open(path);

@@ -408,7 +408,7 @@ Status RunFiles::openParts(const Progress& progress)
             ::close(std::exchange(files_[file].descriptor, -1));
     }
     takesAnyCures_ = true;
-    return has({0, blockCount()}) ? Status() : checkNoneMissing(folder_, parts);
+    return has({0, blockCount()}) ? Status() : checkNoneMissing(folder_);
 }
 
 std::vector<PartNumber> finishedParts(const std::filesystem::path& folder)
@@ -422,8 +422,10 @@ std::vector<PartNumber> finishedParts(const std::filesystem::path& folder)
     return parts;
 }
 
-Status checkNoneMissing(const std::filesystem::path& folder, std::span<const PartNumber> finished)
+Status checkNoneMissing(const std::filesystem::path& folder)
 {
+    const std::vector<PartNumber> parts = finishedParts(folder);
+    const std::span<const PartNumber> finished(parts);
     if (finished.empty())
         return Error{ErrorKind::NotYet, Message::say("No part of the build in '%1' is finished yet.", folder.string())};
     const std::uint32_t count = finished.front().count;

@@ -36,17 +36,17 @@ inline bool contains(const BlockShare& share, std::uint32_t block) noexcept
 }
 
 /// "part-3-of-8.runs", the file of a finished part.
-std::string partFileName(const PartNumber& part);
+TAN_INTERNAL std::string partFileName(const PartNumber& part);
 
 /// "part-3-of-8.round-2", what a part tells the others after so many rounds.
 std::string roundFileName(const PartNumber& part, std::uint64_t rounds);
 
 /// The parts of a shared build that are finished in a folder, by the names of their files; those of one division (of
 /// one count) follow each other.
-std::vector<PartNumber> finishedParts(const std::filesystem::path& folder);
+TAN_INTERNAL std::vector<PartNumber> finishedParts(const std::filesystem::path& folder);
 
-/// That these, in the order of finishedParts(), are all parts of one division. Error: NotYet.
-Status checkNoneMissing(const std::filesystem::path& folder, std::span<const PartNumber> finished);
+/// That all parts of one division are among them. Error: NotYet.
+TAN_INTERNAL Status checkNoneMissing(const std::filesystem::path& folder);
 
 /// Whether a file is one of a build that nobody shares and has runs, whole or not.
 bool holdsRuns(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 #include "core/base/memory.h"
 #include "core/build/blocked_build.h"
 #include "core/build/model_build.h"
+#include "core/history/blocks/run_files.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_text.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace tetra {
@@ -47,6 +49,23 @@ Result<ParameterValues> valuesOf(const PartsPlan& plan, const std::vector<Parame
         values[id] = *std::move(value);
     }
     return values;
+}
+
+/// The builder of a plan, and what the plan asks of it.
+struct PlannedWay {
+    Provided<Builder> builder;
+    ParameterValues values;
+};
+
+Result<PlannedWay> wayOf(PluginHost& host, const PartsPlan& plan)
+{
+    auto builder = host.builder(plan.builder);
+    if (!builder)
+        return builder.error();
+    auto values = valuesOf(plan, builder->plugin->parameters());
+    if (!values)
+        return values.error();
+    return PlannedWay{*std::move(builder), *std::move(values)};
 }
 
 /// Opens the input as it was when the build was prepared.
@@ -128,9 +147,9 @@ Result<Provided<Builder>> builderOfParts(PluginHost& host, const Dataset& datase
 
 } // namespace
 
-Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& input, const ImportOptions& imported,
-                               const std::optional<std::string>& builderId, const ParameterValues& given,
-                               const std::filesystem::path& folder, const Progress& progress)
+Result<PreparedParts> prepareParts(PluginHost& host, const std::filesystem::path& input, const ImportOptions& imported,
+                                   const std::optional<std::string>& builderId, const ParameterValues& given,
+                                   const std::filesystem::path& folder, const Progress& progress)
 {
     const auto dataset = openDataset(host, input, imported, progress);
     if (!dataset)
@@ -159,7 +178,7 @@ Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& in
     if (const Status intact = dataset->checkIntact(); !intact)
         return intact.error();
     const Status written = writePlan(folder, plan);
-    return written ? Result(std::move(plan)) : written.error();
+    return written ? Result(PreparedParts{std::move(plan), *dataset}) : written.error();
 }
 
 Result<BuiltPart> buildPart(PluginHost& host, const std::filesystem::path& folder, std::uint32_t number,
@@ -173,33 +192,28 @@ Result<BuiltPart> buildPart(PluginHost& host, const std::filesystem::path& folde
     if (number < 1 || number > count)
         return Error{ErrorKind::WrongUsage,
                      Message::say("There is no part %1 of %2. Parts are numbered from 1.", number, count)};
-    const auto builder = host.builder(plan->builder);
-    if (!builder)
-        return builder.error();
-    const auto values = valuesOf(*plan, builder->plugin->parameters());
-    if (!values)
-        return values.error();
+    const auto way = wayOf(host, *plan);
+    if (!way)
+        return way.error();
     const auto whole = datasetOfPart(host, *plan, progress.part(0, openedEnd));
     if (!whole)
         return whole.error();
-    const auto dataset = builder->plugin->taken(*whole, *values, {});
+    const auto dataset = way->builder.plugin->taken(*whole, way->values, {});
     if (!dataset)
         return dataset.error();
     NoHistory none;
     BuildTarget target{.history = none, .workFolder = folder};
     target.part = BuildPart{.folder = folder, .number = number, .count = count, .waits = waits};
-    const auto before = partsThere(folder);
-    const auto report = builder->plugin->build(*dataset, *values, target, progress.part(openedEnd, 1));
+    const std::filesystem::path file = folder / partFileName({number, count});
+    std::error_code missing;
+    const auto before = std::filesystem::last_write_time(file, missing);
+    const auto report = way->builder.plugin->build(*dataset, way->values, target, progress.part(openedEnd, 1));
     if (!report)
         return report.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    const bool wasFinished = std::ranges::find(before, std::array{number, count}) != before.end();
+    std::error_code gone;
+    const bool wasFinished = !missing && std::filesystem::last_write_time(file, gone) == before;
     return BuiltPart{wasFinished, report->sites, report->tetrahedra, elapsed.count(), peakResidentBytes()};
-}
-
-std::vector<std::array<std::uint32_t, 2>> finishedPartsIn(const std::filesystem::path& folder)
-{
-    return partsThere(folder);
 }
 
 Result<ModelBuild> mergeParts(PluginHost& host, const std::filesystem::path& folder,
@@ -210,25 +224,22 @@ Result<ModelBuild> mergeParts(PluginHost& host, const std::filesystem::path& fol
     if (!plan)
         return plan.error();
     // Before the whole dataset is read.
-    if (const Status there = checkPartsThere(folder); !there)
+    if (const Status there = checkNoneMissing(folder); !there)
         return there.error();
     if (const Status safe = checkOutput(output, std::array{plan->input}); !safe)
         return safe.error();
     if (const Status safe = checkModelOutput(output); !safe)
         return safe.error();
-    const auto builder = host.builder(plan->builder);
-    if (!builder)
-        return builder.error();
-    const auto values = valuesOf(*plan, builder->plugin->parameters());
-    if (!values)
-        return values.error();
+    const auto way = wayOf(host, *plan);
+    if (!way)
+        return way.error();
     const auto imported = importedFor(host, *plan);
     if (!imported)
         return imported.error();
     const auto dataset = openedAgain(host, *plan, *imported, progress.part(0, openedEnd));
     if (!dataset)
         return dataset.error();
-    return buildModel(host, *dataset, plan->builder, *values, output, progress.part(openedEnd, 1),
+    return buildModel(host, *dataset, plan->builder, way->values, output, progress.part(openedEnd, 1),
                       {.partsIn = folder, .imported = *imported});
 }
 

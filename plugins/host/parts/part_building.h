@@ -8,12 +8,10 @@
 
 #include <tan/base.h>
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 // A build that many processes share, on one machine or on many that see one disk (D15): one prepares it, then each
 // builds a part, whenever and in whatever order, and at last one merges them. Nobody talks to anybody; a part that was
@@ -22,17 +20,23 @@
 
 namespace tetra {
 
+/// What is prepared: the plan, and the dataset, which has more to tell than goes into it.
+struct PreparedParts {
+    PartsPlan plan;
+    Dataset dataset;
+};
+
 /// Goes through the dataset and leaves a plan in `folder`, which is made if it is not there. `builder` and `values` as
 /// of buildModel(), but without an id the builder is one that builds in parts; where the edge of a block is the
-/// builder's choice, it is 32 cells. Errors: what cannot be built in
-/// parts (WrongUsage); writePlan()'s, the reader's, the builder's.
-Result<PartsPlan> prepareParts(PluginHost& host, const std::filesystem::path& input, const ImportOptions& imported,
-                               const std::optional<std::string>& builder, const ParameterValues& values,
-                               const std::filesystem::path& folder, const Progress& progress = {});
+/// builder's choice, it is 32 cells. Errors: what cannot be built in parts (WrongUsage); writePlan()'s, the reader's,
+/// the builder's.
+Result<PreparedParts> prepareParts(PluginHost& host, const std::filesystem::path& input, const ImportOptions& imported,
+                                   const std::optional<std::string>& builder, const ParameterValues& values,
+                                   const std::filesystem::path& folder, const Progress& progress = {});
 
 /// What a part came to.
 struct BuiltPart {
-    bool wasFinished = false; ///< already
+    bool wasFinished = false; ///< already, and left as it was
     std::uint64_t sites = 0;  ///< those on faces of blocks once for each block
     std::uint64_t tetrahedra = 0;
     double seconds = 0;
@@ -45,9 +49,6 @@ struct BuiltPart {
 /// since (BadInput); other parts that have to be built further first (NotYet); the folder's disk; cancelled.
 Result<BuiltPart> buildPart(PluginHost& host, const std::filesystem::path& folder, std::uint32_t number,
                             std::uint32_t count, bool waits = false, const Progress& progress = {});
-
-/// The parts that are finished in a folder: number and count, those of one count after each other.
-std::vector<std::array<std::uint32_t, 2>> finishedPartsIn(const std::filesystem::path& folder);
 
 /// Merges the parts in `folder` into the model `output`, as buildModel() makes it. The folder stays as it is. Errors:
 /// parts that are not finished (NotYet), damaged, or of another build; data that have changed since the build was

@@ -159,6 +159,18 @@ private slots:
         QCOMPARE(QFileInfo(path("parts/part-1-of-2.runs")).lastModified(), written);
     }
 
+    /// What a reader took and changed is told once, when all is read.
+    void thePreparationTellsWhatTheReaderDid()
+    {
+        QVERIFY2(run({"build", "data.nrrd", "--block", "7", "-o", "alone.tan"}).exitCode == 0, told_);
+        const QJsonObject alone = run_.json();
+        QVERIFY2(prepared("data.nrrd", {"--block", "7"}), told_);
+        QVERIFY(!alone["taken"].toObject().isEmpty());
+        for (const char* figure : {"taken", "guesses", "unused", "remarks"})
+            QCOMPARE(run_.json()[figure], alone[figure]);
+        QVERIFY2(merged().exitCode == 5, told_);
+    }
+
     void missingPartsAreNamed()
     {
         QVERIFY2(prepared("data.nrrd", {"--block", "7"}), told_);
@@ -205,6 +217,7 @@ private slots:
         QCOMPARE(merged().exitCode, 3);
         QVERIFY2(told_.contains("part-2-of-2.runs' is damaged. Build that part again"), told_);
         QVERIFY2(built("data.nrrd", 2, 2, "1").exitCode == 0, told_);
+        QVERIFY(!run_.json()["finished_before"].toBool());
         QVERIFY2(merged().exitCode == 0, told_);
         QVERIFY(readFile(path("model.tan")) == right_);
     }
